@@ -4,19 +4,19 @@ import badlog.analysis.Span
 import badlog.analysis.Units
 
 /**
- * What an [Expression] came to over one recording.
+ * The result of an [Expression] for one recording.
  *
  * @property outcome whether it holds.
- * @property spans when it holds, in the order in which it did: of a condition over time, and of those that `any`, `count` and
- *   `total` speak of. They are apart from each other and in the order of time, unless the clock was set back; a span over which
- *   it was is cut there. Something that happens at a moment has a span without width. Empty for a figure of the whole recording.
- * @property times how often it holds: the number of [spans], but one that was cut counts once.
- * @property quantities the numbers that were compared, in the order of the expression; of one over time the most telling while
- *   the expression holds: the smallest for `<`, the largest for `>`, else the first. Of an expression that is a number, the
- *   number; of one over time, its smallest and its largest, as `min(…)` and `max(…)`.
- * @property timeUnit the unit of all times, empty where x has none.
- * @property reason why it is not known, as a sentence; null where it is known, or where samples are missing.
- * @property occurrences one for each of [spans] where the question asks for them, with what was just before; else empty.
+ * @property spans when it holds, in chronological order: for a condition over time, and for the conditions inside `any`, `count`
+ *   and `total`. They do not touch, and are in the order of time, unless the clock was set back; a span is cut there. Something
+ *   that happens at a moment has a span without width. Empty for a number for the whole recording.
+ * @property times how often it holds: the number of [spans], where one that was cut counts once.
+ * @property quantities the numbers that were compared, in the order of the expression; for one over time, the most significant
+ *   one while the expression holds: the smallest for `<`, the largest for `>`, otherwise the first. For an expression that is a
+ *   number, the number; for one over time, its smallest and its largest, as `min(…)` and `max(…)`.
+ * @property timeUnit the unit of all times; empty if x has none.
+ * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
+ * @property occurrences one for each of [spans], with the values just before, if the question asks for them; otherwise empty.
  */
 public class Answer internal constructor(
     public val outcome: Outcome,
@@ -29,19 +29,19 @@ public class Answer internal constructor(
     private val firstOver: (List<Span>) -> List<Quantity?> = { spans -> spans.map { null } },
 ) {
     /**
-     * The first of [quantities] as it was over each of [some] of the [spans] alone, in their order; null where it is not of a condition
-     * over time, and where it has no sample there.
+     * Returns the first of [quantities] for each of [some] of the [spans] alone, in order; null if it does not belong to a condition
+     * over time, and if there is no sample.
      */
     public fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
 
     /** Whether the expression holds. */
     public val matches: Boolean get() = outcome == Outcome.HOLDS
 
-    /** Where to look first: the start of the first span, else where the first figure was found; NaN when neither exists. */
+    /** Where to look first: the start of the first span, or else where the first quantity was found; NaN if neither exists. */
     public val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
-    /** In a line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
+    /** Returns the answer in one line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
     override fun toString(): String {
         val parts = ArrayList<String>()
         when (outcome) {
@@ -64,14 +64,14 @@ public class Answer internal constructor(
 }
 
 /**
- * One time that something happened.
+ * One occurrence of something.
  *
- * @property span when.
- * @property before what was just before it: what was asked for, as it was written, and its number with its unit, or its text.
+ * @property span when it happened.
+ * @property before the values just before it: each requested expression as written, with its number and unit, or its text.
  */
 public class Occurrence(public val span: Span, public val before: List<Pair<String, String>>)
 
-/** What the answer to a question is. */
+/** The outcome of a question. */
 public enum class Outcome {
     /** Yes: it holds, or does at some time. */
     HOLDS,
@@ -79,9 +79,9 @@ public enum class Outcome {
     /** No. */
     FAILS,
 
-    /** Not known, since samples are missing that would tell. */
+    /** Not known, because the necessary samples are missing. */
     UNKNOWN,
 
-    /** The expression was not a question but a number; see [Answer.quantities]. */
+    /** The expression was a number rather than a question; see [Answer.quantities]. */
     NO_QUESTION,
 }

@@ -25,7 +25,7 @@ internal class Answering(private val text: String, private val root: Node, priva
     private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
 
-    // What the first quantity was found in, and how, to find it again over a part of that.
+    // Where and how the first quantity was found, to find it again for a part of the time.
     private var first: SpannedQuantity? = null
     private val whyUnknown = whyUnknown(root)
 
@@ -38,13 +38,13 @@ internal class Answering(private val text: String, private val root: Node, priva
         if (value is Column) {
             val whether = value.any(signals.range)
             addQuantities(root, value, false)
-            // What is not known may be so for want of the mode.
+            // The answer may be unknown because the mode is unknown.
             val isDoubtful = whyUnknown != null && whether.value != 1.0 && value.y.any { it.isNaN() }
             return answer(if (isDoubtful) Outcome.UNKNOWN else outcomeOf(whether), whether.spans)
         }
         val outcome = if (whyUnknown == null) outcomeOf(value as Scalar) else Outcome.UNKNOWN
         addQuantities(root, null, false)
-        // Those of several conditions may overlap; then the first alone says when.
+        // The spans of several conditions may overlap; then only the first condition's count.
         return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
     }
 
@@ -69,7 +69,7 @@ internal class Answering(private val text: String, private val root: Node, priva
     private fun isOpen(outcome: Outcome) =
         outcome == Outcome.UNKNOWN || (outcome == Outcome.NO_QUESTION && quantities.all { it.value.isNaN() })
 
-    /** Why what depends on the mode of the robot is not known. */
+    /** Returns why an expression that depends on the robot's mode is not known. */
     private fun whyUnknown(node: Node): String? {
         if (node is Node.Enabled) {
             if (signals.enabled == null) return "The log does not show when the robot was enabled."
@@ -87,7 +87,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         }
     }
 
-    /** Adds what is compared in [node]; [within] is the condition during which it counts, null for the whole recording. */
+    /** Adds the quantities compared in [node]; [within] is the condition during which they count, null for the whole recording. */
     private fun addQuantities(node: Node, within: Column?, isNegated: Boolean) {
         when (node) {
             is Node.Not -> addQuantities(node.operand, within, !isNegated)
@@ -110,7 +110,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         }
     }
 
-    /** Of `any` what makes it true, of `all` what makes it false. */
+    /** Adds, for `any`, what makes it true; for `all`, what makes it false. */
     private fun addOfCall(call: Node.Call, isNegated: Boolean) {
         if (call.function != Function.ANY && call.function != Function.ALL) return
         (evaluation.valueOf(call) as Scalar).spans?.let { whenTrue += it }
@@ -119,7 +119,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         addQuantities(call.arguments[0], if (isAny) condition else inverted(condition) as Column, isNegated != !isAny)
     }
 
-    /** Whether the smallest value of the left side decides, or the largest; null when neither does. */
+    /** Returns whether the smallest value of the left side decides, rather than the largest; null if neither does. */
     private fun smallest(operator: Operator, isTurned: Boolean): Boolean? = when (operator) {
         Operator.LESS, Operator.LESS_OR_EQUAL -> !isTurned
         Operator.GREATER, Operator.GREATER_OR_EQUAL -> isTurned

@@ -37,7 +37,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
     fun valueOf(node: Node): Value = values[node.id] ?: converted(node, compute(node)).also { values[node.id] = it }
 
-    /** Whether [condition] is never true, found without computing all of it where a part that has to be true never is. */
+    /** Returns whether [condition] is never true, without computing all of it if a necessary part is never true. */
     fun neverHolds(condition: Node): Boolean = when {
         condition is Node.For -> neverHolds(condition.condition)
         condition is Node.Call && condition.function == Function.ANY -> neverHolds(condition.arguments[0])
@@ -67,7 +67,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
         is Node.Truth -> Scalar(if (node.value) 1.0 else 0.0)
 
-        // Only a text's words count.
+        // Only the words of a text count.
         is Node.Text -> Scalar(Double.NaN)
 
         is Node.Topic -> columnOf(node.signal)
@@ -94,7 +94,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         return listOf(first.refined(STEP * second, first.end(range))) + values.drop(1)
     }
 
-    /** Whether [column] has a sample in each row, as often as the log's rows have anything. */
+    /** Returns whether [column] has a sample in each row of the log. */
     private fun isOfRows(column: Column): Boolean {
         val rows = signals.rows ?: return false
         return column.x === rows || column.x.contentEquals(stretches?.steady(rows) ?: rows)
@@ -123,7 +123,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
             node.operator == Operator.MATCHES && right is Node.Text ->
                 whereText(valueOf(left) as Column) { matches(it, right.text) }
 
-            // Between events it is known that none holds.
+            // Between events, it is known that none holds.
             node.operator.group == Operator.Group.LOGIC ->
                 combined(valueOf(left), valueOf(right), node.operator.operation, absent = 0.0, isEither = node.operator == Operator.OR)
 
@@ -161,7 +161,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     }
 
     private companion object {
-        /** In s: how often a robot's loop runs, and logs. */
+        /** In seconds: the usual period of a robot's loop. */
         const val STEP = 0.02
     }
 }

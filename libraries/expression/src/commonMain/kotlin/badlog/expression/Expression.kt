@@ -19,39 +19,41 @@ import badlog.expression.syntax.mistake
 import badlog.expression.syntax.printed
 
 /**
- * A question to a recording, or a formula between its topics, read and checked. `docs/expressions.md` has the language.
+ * A question about a recording, or a formula of its topics, parsed and checked. `docs/expressions.md` describes the
+ * language.
  *
- * It may be asked of every recording whose vocabulary is equal to [vocabulary], by several threads at once.
+ * It can be evaluated for every recording whose vocabulary is equal to [vocabulary], also by several threads at once.
  *
- * @property text what it was read from.
+ * @property text its source text.
  * @property vocabulary the names it was read with.
  */
 public class Expression internal constructor(public val text: String, public val vocabulary: Vocabulary, internal val root: Node) :
     ParsedExpression {
-    /** What it gives. */
+    /** The type of its result. */
     public val type: ExpressionType = ExpressionType(root.type.kind == Kind.CONDITION, root.type.isOverTime)
 
-    /** The full names of the topics it uses, in the order in which they come first. */
+    /** The full names of the topics it uses, in order of first appearance. */
     public val topics: List<String> = LinkedHashSet<String>().also { addTopics(root, it) }.toList()
 
-    /** Whether it holds in the recording of [signals], when, and with which numbers. */
+    /** Returns whether it holds in the recording of [signals], when, and with which numbers. */
     public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
-     * The same as [answer] where the condition holds in the recording of [signals], else null. Of what is joined by `and` the first
-     * that never holds decides, so that what is rare and cheap belongs in front.
+     * Returns the same as [answer] if the condition holds in the recording of [signals], otherwise null. Of conditions joined by
+     * `and`, the first that never holds decides, so rare and cheap ones should come first.
      */
     public fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
 
     /**
-     * Whether the condition may hold where the samples of each topic are between [bounds], which are null for a topic of which nothing is known.
-     * Where it says no, [answer] has no need to look.
+     * Returns whether the condition may hold if the samples of each topic are within [bounds], which returns null for a topic about which
+     * nothing is known. If it returns false, there is no need to call [answer].
      */
     public fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
     /**
-     * Its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from its begin
-     * to its end. What happens at moments has its value there alone: in the rows that the recording has, else in a pulse without width.
+     * Returns its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from start to
+     * end. Something that happens at moments has its value only there: in rows, if the recording has them, otherwise as a pulse without
+     * width.
      */
     public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
         is Column -> {
@@ -65,10 +67,10 @@ public class Expression internal constructor(public val text: String, public val
         }
     }
 
-    /** The expression with full names in quotes and no needless parentheses; reading it gives the same expression. */
+    /** Returns the expression with full names in quotes and no needless parentheses; reading it gives the same expression. */
     override fun toString(): String = printed(root)
 
-    /** The unit of what it gives over [signals], where it is plain to see. */
+    /** Returns the unit of its result for [signals], if it is obvious. */
     internal fun unit(signals: Signals): String = unitOf(root, signals.timeUnit)
 
     private fun addTopics(node: Node, names: MutableSet<String>) {
@@ -80,7 +82,7 @@ public class Expression internal constructor(public val text: String, public val
         /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
         public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
 
-        /** Reads [text], which may also be a text, as a topic of states. */
+        /** Reads [text], whose result may also be a text, such as a topic of states. */
         internal fun parseAny(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = true)
 
         private fun parse(text: String, vocabulary: Vocabulary, mayBeText: Boolean): ParsedExpression = try {
@@ -96,13 +98,13 @@ public class Expression internal constructor(public val text: String, public val
     }
 }
 
-/** What became of a text: an [Expression], or the [ExpressionError] that says why not. */
+/** The result of parsing: an [Expression], or the [ExpressionError] that says why it failed. */
 public sealed interface ParsedExpression
 
 /**
- * What an expression gives.
+ * The type of an expression's result.
  *
- * @property isCondition whether true and false, rather than numbers.
- * @property isOverTime whether one for each moment, rather than one for the whole recording.
+ * @property isCondition whether it is true and false, rather than numbers.
+ * @property isOverTime whether there is one for each moment, rather than one for the whole recording.
  */
 public data class ExpressionType(public val isCondition: Boolean, public val isOverTime: Boolean)

@@ -7,7 +7,7 @@ import badlog.expression.syntax.ExpressionErrorKind
  *
  * @property text the whole text.
  * @property from where in [text] the mistake begins; at most its length.
- * @property until where it ends; not before [from], and equal to it where something is missing.
+ * @property until where it ends; not before [from], and equal to it if something is missing.
  * @property kind what sort of mistake it is.
  * @property message what is wrong, as a sentence.
  */
@@ -20,12 +20,12 @@ public class ExpressionError internal constructor(
 ) : ParsedExpression,
     ParsedQuestion,
     ParsedVirtualTopic {
-    /** The message, and below it the text's line with a line of carets that point at the mistake. */
+    /** Returns the message, and below it the text's line with a line of carets that point at the mistake. */
     public fun pointed(): String {
-        // On Node a search from -1 looks at 0.
+        // On Node, a search from -1 looks at index 0.
         val lineFrom = if (from == 0) 0 else text.lastIndexOf('\n', from - 1) + 1
         val lineUntil = text.indexOf('\n', lineFrom).let { if (it < 0) text.length else it }
-        // One column for each character, whatever it is.
+        // Every character takes one column, whatever it is.
         val line = text.substring(lineFrom, lineUntil).map { if (it.isISOControl()) ' ' else it }.joinToString("")
         val carets = maxOf(1, minOf(until, lineUntil) - from)
         return "$message\n$line\n${" ".repeat(from - lineFrom)}${"^".repeat(carets)}"

@@ -18,7 +18,7 @@ import badlog.expression.signals.Vocabulary
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** The topics of [view] as expressions see them. Not for several threads at once. */
+/** The topics of [view] as expressions see them. Not thread-safe. */
 public class LogViewSignals(private val view: LogView) : Signals {
     private val topics = view.recording.topics.associateBy { it.name }
     private val lines = HashMap<String, GraphSeries>()
@@ -56,7 +56,7 @@ public class LogViewSignals(private val view: LogView) : Signals {
 
     private fun isPlaced(row: Int) = view.xAxis.positions.getOrElse(row) { Double.NaN }.isFinite()
 
-    /** The texts alone, where they stand. */
+    /** Returns only the texts, at their times. */
     private fun eventsOf(topic: Topic): Series {
         val texts = topic.texts
         val positions = topic.times ?: view.xAxis.positions
@@ -73,7 +73,7 @@ public class LogViewSignals(private val view: LogView) : Signals {
         return positions.filter { it.isFinite() }.toDoubleArray().let { Series(it, it) }
     }
 
-    /** Every time at which a topic has a sample. */
+    /** Returns every time at which a topic has a sample. */
     private fun clockOf(xAxis: XAxis): Series {
         val times = DoubleArray(xAxis.clocks.sumOf { it.size })
         var size = 0
@@ -88,12 +88,12 @@ public class LogViewSignals(private val view: LogView) : Signals {
     }
 
     private companion object {
-        // Without a unit, seconds are what an x other than the index counts.
+        // Without a unit, an x other than the index is in seconds.
         fun mayBeTime(unit: String) = Units.isNone(unit) || Units.secondsIn(unit) != null
     }
 }
 
-/** What expressions see of [topic]. */
+/** Returns [topic] as expressions see it. */
 public fun signalOf(topic: Topic): Signal = Signal(topic.name, kindOf(topic), topic.unit)
 
 private fun kindOf(topic: Topic) = when (topic.kind) {

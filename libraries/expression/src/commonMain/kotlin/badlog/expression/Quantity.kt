@@ -9,20 +9,21 @@ import kotlin.math.round
 /**
  * A number that belongs to an answer.
  *
- * @property name the part of the expression that it is, as it was written, or what was made of it to have one number.
+ * @property name the part of the expression whose value it is, as written, or reduced to one number, such as
+ * `min(…)`.
  * @property value the number; NaN when there is none.
- * @property unit its unit where it is known, else empty.
- * @property time where it was found, in the unit of the recording's x; NaN where it has no place.
+ * @property unit its unit if known, otherwise empty.
+ * @property time where it was found, in the unit of the recording's x; NaN if it has no place.
  */
 public data class Quantity(public val name: String, public val value: Double, public val unit: String, public val time: Double) {
-    /** The number with its unit, in six digits at most: `6.7 V`. */
+    /** The number with its unit, in at most six digits: `6.7 V`. */
     public val text: String get() = readable(value) + if (unit.isEmpty() || !value.isFinite()) "" else " $unit"
 
-    /** Such as `min(Battery Voltage) = 6.7 V`. */
+    /** Returns text such as `min(Battery Voltage) = 6.7 V`. */
     override fun toString(): String = "$name = $text"
 }
 
-/** [value] with six significant digits at most, the same on every platform: `6.7`, `0.000123457`, `1.5e+20`. */
+/** Returns [value] with at most six significant digits, the same on every platform: `6.7`, `0.000123457`, `1.5e+20`. */
 internal fun readable(value: Double): String {
     if (!value.isFinite()) {
         return if (value.isNaN()) {
@@ -38,7 +39,7 @@ internal fun readable(value: Double): String {
     val sign = if (value < 0) "-" else ""
     val exponent = floor(log10(size)).toInt()
     if (exponent in PLAIN) return sign + plain(size, maxOf(0, DIGITS - 1 - exponent))
-    // In two steps, since the power of ten that the smallest numbers need is too large.
+    // In two steps, since the power of ten for the smallest numbers would be too large.
     val mantissa = if (exponent < 0) size * 1e16 * 10.0.pow(-exponent - 16) else size / 10.0.pow(exponent)
     val written = plain(mantissa, DIGITS - 1)
     val isTen = written == "10"

@@ -12,15 +12,15 @@ import badlog.expression.syntax.ExpressionErrorKind
 import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node
 
-/** What became of a text: a [Question], or the [ExpressionError] that says why not. */
+/** The result of parsing: a [Question], or the [ExpressionError] that says why it failed. */
 public sealed interface ParsedQuestion
 
 /**
- * What a person asks of a log: an [Expression]; one for each of several topics or states, as `max("PDP/Current *") by topic` and
- * `total by State`; or each time that something happens, with what was just before, as `each(Browned Out, State)`.
+ * What a person asks about a log: an [Expression]; one for each of several topics or states, such as `max("PDP/Current *") by
+ * topic` and `total by State`; or each occurrence of something with the values just before, such as `each(Browned Out, State)`.
  */
 public sealed class Question : ParsedQuestion {
-    /** What [signals] answer. */
+    /** Returns the answer for [signals]. */
     public abstract fun answer(signals: Signals): Answer
 
     private class Plain(val expression: Expression) : Question() {
@@ -128,7 +128,7 @@ public sealed class Question : ParsedQuestion {
             val parts = ArrayList<Expression>()
             while (from <= close) {
                 val comma = firstOutside(text, from, close, ',')
-                // Spaces keep every position that in the whole text.
+                // Spaces keep every position the same as in the whole text.
                 val part = " ".repeat(from) + text.substring(from, comma)
                 when (val parsed = Expression.parseAny(part, vocabulary)) {
                     is ExpressionError -> return ExpressionError(text, parsed.from, parsed.until, parsed.kind, parsed.message)
@@ -155,7 +155,7 @@ public sealed class Question : ParsedQuestion {
         private val PATTERN = Regex("\"([^\"]*\\*[^\"]*)\"")
         private const val NO_PATTERN = "“by topic” needs a name with * in double quotes, as in max(\"PDP/Current *\") by topic."
 
-        /** [body] as it is said of the time when [condition] holds. */
+        /** Returns [body] restricted to the time when [condition] holds. */
         private fun within(body: String, condition: String, vocabulary: Vocabulary): String {
             val whole = body.trim().lowercase()
             if (whole in BARE) return "$whole($condition)"
@@ -178,7 +178,7 @@ public sealed class Question : ParsedQuestion {
             }
         }
 
-        /** One answer of those of [parts]: a number of each that has one, or of each that holds. */
+        /** Returns the answers of [parts] as one: the number of each that has one, or of each that holds. */
         private fun grouped(parts: List<Pair<String, Expression>>, signals: Signals): Answer {
             val answers = parts.map { (group, expression) -> group to expression.answer(signals) }
             val outcomes = answers.map { it.second.outcome }
@@ -200,7 +200,7 @@ public sealed class Question : ParsedQuestion {
             )
         }
 
-        /** What [value] was just before [time]. */
+        /** Returns [value] just before [time]. */
         private fun textBefore(value: Value, time: Double, expression: Expression, signals: Signals): String {
             val unit = expression.unit(signals)
             if (value is Scalar) return Quantity("", value.value, unit, Double.NaN).text
@@ -217,14 +217,14 @@ public sealed class Question : ParsedQuestion {
     }
 }
 
-/** Where [word] stands last in [text] outside of quotes and parentheses; -1 when it does not. */
+/** Returns the last index of [word] in [text] outside quotes and parentheses; -1 if there is none. */
 private fun lastOutside(text: String, word: String): Int {
     var found = -1
     outside(text, 0, text.length) { if (text.startsWith(word, it, ignoreCase = true)) found = it }
     return found
 }
 
-/** Where [character] stands first in [text] from [from] on, outside of quotes and parentheses; [until] when it does not. */
+/** Returns the first index of [character] in [text] from [from] on, outside quotes and parentheses; [until] if there is none. */
 private fun firstOutside(text: String, from: Int, until: Int, character: Char): Int {
     var found = until
     outside(text, from, until) { if (found == until && text[it] == character) found = it }

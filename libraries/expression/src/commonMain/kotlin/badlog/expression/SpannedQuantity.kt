@@ -4,12 +4,16 @@ import badlog.analysis.Span
 import badlog.expression.samples.Column
 
 /**
- * A [quantity] that was found in [samples] over time, to be found again in parts of them.
+ * A [quantity] that was found in [samples] over time, so that it can be found again in parts of them.
  *
- * @param smallest whether the smallest sample tells most, or the largest; null for the first.
+ * @param smallest whether the smallest sample is the most significant, rather than the largest; null for the
+ * first.
  */
 internal class SpannedQuantity(private val quantity: Quantity, private val samples: Column, private val smallest: Boolean?) {
-    /** What tells most of each of [spans]; null for those without a sample, and for all when they are not in the order of time. */
+    /**
+     * Returns the most significant value in each of [spans]; null for those without a sample, and for all if they are not in the order of
+     * time.
+     */
     fun over(spans: List<Span>): List<Quantity?> {
         val best = IntArray(spans.size) { NONE }
         if (spans.zipWithNext().all { (one, next) -> one.to <= next.from }) {

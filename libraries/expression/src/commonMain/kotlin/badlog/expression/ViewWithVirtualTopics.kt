@@ -13,11 +13,11 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 
 /**
- * A view whose topics are also virtual ones.
+ * A view with virtual topics.
  *
- * @property view the recording with a topic for each of [topics] after its own, shown in graphs as they are.
+ * @property view the recording with a topic for each of [topics] after its own, with ordinary graphs.
  * @property topics the virtual topics, in the order of their definitions.
- * @property errors why other definitions make none here, in their order.
+ * @property errors why other definitions failed, in order.
  */
 public class ViewWithVirtualTopics internal constructor(
     public val view: LogView,
@@ -26,13 +26,13 @@ public class ViewWithVirtualTopics internal constructor(
 )
 
 /**
- * This view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. What fails is listed
- * and costs the others nothing.
+ * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. Failures are
+ * listed, and do not affect the others.
  *
- * The new topics have as [metadata][badlog.recording.Topic.metadata] what they are calculated by. Those of recordings with rows
- * share the rows where they have a sample in each.
+ * The [metadata][badlog.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they
+ * share the rows if they have a sample in each.
  *
- * @param names what the definitions may name: the topics of this view, under further names, too.
+ * @param names what the definitions may name: the topics of this view, possibly under additional names.
  */
 public fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics {
     val defined = DefinedTopics(names, definitions)
@@ -44,10 +44,10 @@ public fun LogView.withVirtualTopics(definitions: List<String>, names: Signals =
     return ViewWithVirtualTopics(LogView.of(extended).identified(title, modes), defined.topics, defined.errors)
 }
 
-/** Why some of [definitions] make no topic of what [names] has, in their order. Calculates nothing, so no samples are needed. */
+/** Returns why some of [definitions] fail with the topics in [names], in order. Calculates nothing, so no samples are needed. */
 public fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors
 
-/** What [names] has, and the topics that [definitions] make of it. Calculates nothing, so no samples are needed. */
+/** Returns the vocabulary of [names] with the topics of [definitions]. Calculates nothing, so no samples are needed. */
 public fun vocabularyWith(names: Signals, definitions: List<String>): Vocabulary = DefinedTopics(names, definitions).signals.vocabulary
 
 private class DefinedTopics(names: Signals, definitions: List<String>) {
@@ -71,8 +71,8 @@ private class DefinedTopics(names: Signals, definitions: List<String>) {
 }
 
 /**
- * These signals and the virtual [topic], which may have been read with the vocabulary of either this or what this was made
- * from. So one virtual topic can be made of others.
+ * Returns these signals with the virtual [topic], which may have been parsed with this vocabulary or an earlier one that
+ * it extends. So virtual topics can use others.
  */
 public fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this, topic)
 
@@ -100,9 +100,12 @@ private class SignalsWithVirtual(private val others: Signals, private val topic:
     override val stretches: Stretches? get() = others.stretches
 }
 
-/** The samples [calculated] of [virtual] as a topic of a recording with [xAxis], whose time went as [stretches] tell. */
+/**
+ * Returns the samples [calculated] of [virtual] as a topic of a recording with [xAxis], whose clock was set back as described by
+ * [stretches].
+ */
 internal fun calculatedTopic(virtual: VirtualTopic, calculated: Series, xAxis: XAxis, stretches: Stretches?): Topic {
-    // Times of their own ascend, so that where the clock was set back only rows can tell the order of samples.
+    // Topics' own times must ascend, so if the clock was set back, only rows preserve the order of samples.
     val series = stretches?.inRows(calculated, xAxis.positions) ?: calculated
     val isOfRows = series.x === xAxis.positions
     return Topic(

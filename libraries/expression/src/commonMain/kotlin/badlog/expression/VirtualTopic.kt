@@ -14,12 +14,12 @@ import badlog.expression.syntax.Scanner
  * A topic that is calculated from others: `Power [W] = Voltage * Current`.
  *
  * @property name the full name; `/` makes folders.
- * @property unit the unit, empty for none.
- * @property expression what it is.
+ * @property unit the unit; empty for none.
+ * @property expression the expression that calculates it.
  */
 public class VirtualTopic private constructor(public val name: String, public val unit: String, public val expression: Expression) :
     ParsedVirtualTopic {
-    /** What expressions see of it. */
+    /** Its signal, as expressions see it. */
     public val signal: Signal
         get() = Signal(name, if (expression.type.isCondition) SignalKind.CONDITION else SignalKind.NUMBER, unit)
 
@@ -34,8 +34,8 @@ public class VirtualTopic private constructor(public val name: String, public va
 
     public companion object {
         /**
-         * Reads a definition: the name, in double quotes where it has one of `" = [ ]`, the unit in brackets or none, `=`, an
-         * expression with the names of [vocabulary]. Never throws, whatever the text.
+         * Reads a definition: the name, in double quotes if it contains one of `" = [ ]`; an optional unit in brackets; `=`;
+         * and an expression with the names of [vocabulary]. Never throws, whatever the text.
          */
         public fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)
@@ -48,7 +48,7 @@ public class VirtualTopic private constructor(public val name: String, public va
             ) {
                 heading.fail("“${heading.name}” already means “${hidden.name}”; use another name.")
             }
-            // The heading's place is kept by spaces, so that every position is that in the whole text.
+            // Spaces replace the heading, so that every position is the same as in the whole text.
             when (val body = Expression.parse(" ".repeat(heading.length) + text.substring(heading.length), vocabulary)) {
                 is Expression -> VirtualTopic(heading.name, heading.unit, body)
                 is ExpressionError -> ExpressionError(text, body.from, body.until, body.kind, body.message)
@@ -59,10 +59,10 @@ public class VirtualTopic private constructor(public val name: String, public va
     }
 }
 
-/** What became of a definition: a [VirtualTopic], or the [ExpressionError] that says why not. */
+/** The result of parsing a definition: a [VirtualTopic], or the [ExpressionError] that says why it failed. */
 public sealed interface ParsedVirtualTopic
 
-/** What stands before the expression in the definition [text] of a virtual topic, the `=` included. */
+/** The part before the expression in the definition [text] of a virtual topic, including the `=`. */
 internal class VirtualTopicHeading(private val text: String) {
     private var nameEnd = 0
 

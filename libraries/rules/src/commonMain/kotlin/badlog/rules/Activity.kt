@@ -7,10 +7,10 @@ import badlog.analysis.enabledTopics
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 
-/** What `active` is: whether the robot is enabled, and always true where the log does not tell. */
+/** The signal `active`: whether the robot is enabled; always true if the log does not show it. */
 internal val ACTIVITY = Signal(RuleProgram.ACTIVE, SignalKind.CONDITION)
 
-/** The samples of [ACTIVITY] in [view], where the robot was [enabled]. */
+/** Returns the samples of [ACTIVITY] in [view], where the robot was [enabled]. */
 internal fun activeIn(view: LogView, enabled: List<EnabledSpan>): Series {
     val range = view.xAxis.range ?: return Series(DoubleArray(0), DoubleArray(0))
     if (view.enabledTopics().isEmpty()) return Series(doubleArrayOf(range.start), doubleArrayOf(1.0))

@@ -7,13 +7,13 @@ import badlog.rules.signal.NamePattern
 import badlog.rules.signal.unitScale
 
 /**
- * A name that a file of rules gives to a topic which is called differently from log to log.
+ * A name in a file of rules for a topic whose name differs from log to log.
  *
- * @property names the patterns, the first that fits a topic counts.
+ * @property names the patterns; the first that matches a topic counts.
  * @property unit the unit in which rules get the numbers, or null for the topic's own.
  */
 internal class Alias(val name: String, val names: List<NamePattern>, val unit: String?) {
-    /** Which of [signals] it means, or null. */
+    /** Returns the one of [signals] that it means, or null. */
     fun find(signals: List<Signal>): NamedSignal? = names.firstNotNullOfOrNull { pattern ->
         signals.firstNotNullOfOrNull { if (pattern.matches(it.name)) named(it) else null }
     }

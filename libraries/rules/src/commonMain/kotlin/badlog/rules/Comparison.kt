@@ -3,18 +3,18 @@ package badlog.rules
 import badlog.recording.Severity
 
 /**
- * A rule that compares the figures of a log with those of a team's others, instead of asking a condition; `docs/rules.md` says what each
- * part means.
+ * A rule that compares the figures of a log with those of the team's other logs, instead of evaluating a condition; `docs/rules.md`
+ * explains each part.
  *
- * @property name what it is called; no two rules of a set have the same.
- * @property severity how bad it is.
+ * @property name its name, unique in a set of rules.
+ * @property severity how serious it is.
  * @property group what it is about.
- * @property next what to look at next, as a sentence; empty where nobody says.
+ * @property next what to look at next, as a sentence; empty if not given.
  * @property signals the signals of whose topics the figures are compared.
- * @property deviations how far a figure has to be from the median of the others, in their usual distances from it.
- * @property percent how far it has to be from it at least, in percent of it.
- * @property findings so many figures of a log are findings, the farthest.
- * @property others how many other logs have to have the figure.
+ * @property deviations the minimum distance of a figure from the median of the others, in multiples of their usual distance from it.
+ * @property percent the minimum distance from the median, in percent of it.
+ * @property findings the maximum number of figures of a log that become findings, the farthest first.
+ * @property others the minimum number of other logs with the figure.
  */
 public class Comparison internal constructor(
     public val name: String,
@@ -29,13 +29,13 @@ public class Comparison internal constructor(
     internal val others: Int,
 ) {
     internal companion object {
-        /** The limits that each has. */
+        /** The limits that each comparison has. */
         val LIMITS = listOf("deviations", "percent", "findings", "others")
 
-        /** The places that its text may have. */
+        /** The placeholders that its text may have. */
         val PLACES = listOf("topic", "when", "value", "difference", "usual", "others")
 
-        /** Of fewer nobody knows how far they usually are from each other. */
+        /** With fewer, their usual distance from each other is unknown. */
         const val FEWEST_OTHERS = 5
     }
 }

@@ -5,25 +5,25 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.vocabularyWith
 
 /**
- * What rules say of one log.
+ * The result of rules for one log.
  *
- * @property findings in the order of the rules.
- * @property skipped the rules that were skipped, in their order.
+ * @property findings the findings, in the order of the rules.
+ * @property skipped the rules that were skipped, in order.
  */
 public class LogFindings(public val findings: List<Finding>, public val skipped: List<SkippedRule>) {
-    /** These and what [asked] came to. */
+    /** Returns these with the result of [asked]. */
     public operator fun plus(asked: AskedRule): LogFindings =
         LogFindings(findings + asked.findings, skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)))
 }
 
 /**
- * A rule that was skipped, mostly because a log lacks its topics.
+ * A rule that was skipped, usually because a log lacks its topics.
  *
  * @property rule its name.
- * @property logs for how many logs.
- * @property message why, in the first of them.
+ * @property logs the number of logs for which it was skipped.
+ * @property message why it was skipped for the first of them.
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
- * @property isBuiltIn whether it is one of badlog's own, which few logs have all topics for.
+ * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all of those.
  */
 public class SkippedRule(
     public val rule: String,
@@ -32,7 +32,7 @@ public class SkippedRule(
     public val isMistake: Boolean,
     public val isBuiltIn: Boolean = false,
 ) {
-    /** As a sentence, or more where the rule is wrong. */
+    /** Returns a sentence, or more if the rule is wrong. */
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"
     } else {
@@ -44,8 +44,8 @@ public class SkippedRule(
 /**
  * Runs these rules over [view], which was read from a file called [file].
  *
- * @param isEverywhere whether findings have all their spans, with a text for each, as for somebody who looks at them one by one.
- * @param beforeEach is called before each rule; what it throws stops the run and is passed on.
+ * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
+ * @param beforeEach called before each rule; an exception from it stops the run and is passed on.
  */
 public fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, beforeEach: () -> Unit = {}): LogFindings {
     var found = LogFindings(emptyList(), emptyList())
@@ -57,7 +57,7 @@ public fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = fal
     return found
 }
 
-/** The rules that would be skipped for [view], which needs no samples for it, with the topics that [definitions] make there. */
+/** Returns the rules that would be skipped for [view], which needs no samples, with the virtual topics of [definitions]. */
 public fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
     val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->
         Vocabulary(all.signals.filter { it.name !in all.meanings }, all.hasTime)

@@ -10,13 +10,13 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * What decides how rules are asked of a log. Logs of an equal shape share a [RuleProgram].
+ * What decides how rules are prepared for a log. Logs with equal shapes share a [RuleProgram].
  *
  * @property vocabulary the names of the topics.
  * @property timeTopic the topic of the x axis, or null.
- * @property hasClock whether x is time, though no topic has it.
- * @property empty the names of the topics that hold nothing, which are no signals.
- * @property path what the robot drove beside what was planned; null for none.
+ * @property hasClock whether x is time, although no topic has it.
+ * @property empty the names of the topics without samples, which are not signals.
+ * @property path the driven path and the planned one; null for none.
  */
 public data class LogShape(
     public val vocabulary: Vocabulary,
@@ -25,11 +25,11 @@ public data class LogShape(
     public val empty: Set<String> = emptySet(),
     public val path: PlannedPath? = null,
 ) {
-    /** Which of the topics are the signals of [signals]. */
+    /** Returns which of the topics are the signals of [signals]. */
     public fun topicsOf(signals: SignalVocabulary): SignalTopics = SignalTopics(signals, vocabulary, timeTopic, empty)
 
     public companion object {
-        /** The shape of [view], which needs no samples for it. */
+        /** Returns the shape of [view], which needs no samples. */
         public fun of(view: LogView): LogShape {
             val x = view.xAxis
             val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }

@@ -17,7 +17,7 @@ internal class Messages(private val question: RuleProgram.Question, private val 
     // A question about other topics, too, cannot be asked of a text alone.
     private val canAsk = question.expression.topics.size == 1
 
-    /** What was said last at [time], without the stack traces of errors; a single empty text before the first. */
+    /** Returns the last text at or before [time], without the stack traces of errors; a single empty text before the first. */
     fun at(time: Double): List<String> {
         var last = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
         while (last >= 0 && series.y[last].isNaN()) last--
@@ -38,7 +38,7 @@ internal class Messages(private val question: RuleProgram.Question, private val 
         question.expression.answerIfHolds(alone) != null
     }
 
-    /** [text] without what is read where it was logged, such as a stack trace: its first line, or more where that says little. */
+    /** Returns [text] without details that can be read in the log, such as a stack trace: its first line, or more if that says little. */
     private fun shortened(text: String): String {
         val message = if (text.length > MAX_LETTERS && canAsk) text.split(BETWEEN).firstOrNull(::isAsked) ?: text else text
         var end = message.indexOf('\n')

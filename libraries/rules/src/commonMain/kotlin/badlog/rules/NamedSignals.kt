@@ -13,34 +13,34 @@ import badlog.rules.signal.FRACTION
 import badlog.rules.signal.SignalTopic
 import kotlin.math.abs
 
-/** What `time` is where no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
+/** The signal `time` if no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
 internal val CLOCK = Signal(RuleProgram.TIME, SignalKind.NUMBER, "s")
 
 /**
- * The numbers of [signal] times [scale]; where that is null, so that all is [whole], whether they are percent or fractions. With a
- * [reading], whether they say that something is so.
+ * The numbers of [signal] times [scale]. If that is null, they are scaled so that the full value is [whole], whether they are
+ * percent or fractions. With a [reading], they are read as true or false.
  */
 internal data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0, val reading: FlagReading? = null)
 
-/** The sum of [summands], mostly a single one, under the name [name], in [unit]; of one that is calculated, [madeOf] are the topics. */
+/** The sum of [summands], usually a single one, under the name [name], in [unit]; for a calculated one, [madeOf] has the topics. */
 internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String, private val madeOf: List<String>? = null) {
-    /** How a vocabulary lists it. */
+    /** Its entry in a vocabulary. */
     val listed: Signal = Signal(name, kindOf(summands), unit)
 
     /** The names of its topics. */
     val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
 
-    /** The only one; null of a sum. */
+    /** The only signal; null for a sum. */
     val only: Signal? get() = summands.singleOrNull()?.signal
 
     companion object {
         fun of(name: String, signal: Signal): NamedSignal = NamedSignal(name, listOf(ScaledSignal(signal, 1.0)), signal.unit)
 
-        /** The distance from a plan, where the log has this [path]. */
+        /** Returns the distance from a plan, for a log with this [path]. */
         fun of(path: PlannedPath): NamedSignal =
             NamedSignal(DEVIATION.name, listOf(ScaledSignal(DEVIATION, 1.0)), DEVIATION.unit, path.topics)
 
-        /** The sum of [topics] as [name]. */
+        /** Returns the sum of [topics] as [name]. */
         fun of(name: String, topics: List<SignalTopic>): NamedSignal =
             NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit), it.reading) }, topics[0].unit)
 
@@ -50,14 +50,14 @@ internal class NamedSignal(val name: String, val summands: List<ScaledSignal>, u
             else -> summands[0].signal.kind
         }
 
-        /** What all of something is in [unit]. */
+        /** Returns the full value in [unit]. */
         fun wholeIn(unit: String): Double = if (unit == FRACTION) 1.0 else PERCENT
 
         private const val PERCENT = 100.0
     }
 }
 
-/** The samples of [view], of which [log] has the topics, under the names of [NamedSignal]s, each made once however many rules ask for it. */
+/** The samples of [view], whose topics are in [log], under the names of [NamedSignal]s. Each is made once, however many rules need it. */
 internal class NamedSamples(private val log: Signals, private val view: LogView) {
     private val made = HashMap<List<ScaledSignal>, Series>()
 
@@ -67,7 +67,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
 
     private val bounds = HashMap<DoubleArray, SampleBounds>()
 
-    /** Between what the samples of [series] are. */
+    /** Returns the bounds of the samples of [series]. */
     fun boundsOf(series: Series): SampleBounds = bounds.getOrPut(series.y) { SampleBounds(series.y) }
 
     private fun scaled(source: ScaledSignal): Series {
@@ -97,7 +97,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
         )
     }
 
-    // No robot has a load of so few percent all the time.
+    // No robot has a load of so few percent all the time, so such numbers are fractions.
     private fun isFraction(series: Series): Boolean = series.y.all { it.isNaN() || abs(it) <= MAX_FRACTION }
 
     private fun sumOf(summands: List<Series>): Series {
@@ -105,7 +105,7 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
         if (summands.all { it.x === x }) {
             return Series(x, DoubleArray(x.size) { i -> summands.sumOf { it.y[i].orZero() } })
         }
-        // Samples stay until the next, so that each time at which one changes has a sum.
+        // Samples hold until the next, so there is a sum at each time at which one changes.
         val times = summands.flatMapTo(HashSet()) { it.x.asIterable() }.toDoubleArray().apply { sort() }
         val sums = DoubleArray(times.size)
         for (series in summands) {
@@ -123,12 +123,12 @@ internal class NamedSamples(private val log: Signals, private val view: LogView)
     private companion object {
         const val PERCENT = 100.0
 
-        // A controller may want a little more than all.
+        // A controller may demand a little more than the full value.
         const val MAX_FRACTION = 2.0
     }
 }
 
-/** The signals of a log, and some of them under further names, as [samples] has them. */
+/** The signals of a log, some of them also under other names, with the samples in [samples]. */
 internal class NamedSignals(
     private val log: Signals,
     private val named: Map<String, NamedSignal>,
@@ -137,7 +137,7 @@ internal class NamedSignals(
 ) : Signals by log {
     override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
 
-    /** Between what the samples of the signal [name] are. */
+    /** Returns the bounds of the samples of the signal [name]. */
     fun bounds(name: String): SampleBounds = samples.boundsOf(series(name))
 
     override fun states(name: String): List<String> = log.states(named[name]?.only?.name ?: name)

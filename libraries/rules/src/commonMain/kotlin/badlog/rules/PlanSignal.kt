@@ -11,10 +11,10 @@ import badlog.rules.path.planSpans
 import badlog.rules.path.posesOf
 import badlog.rules.path.trailOf
 
-/** What `plan distance` is: how far the robot is from where its plan has it, in meters. */
+/** The signal `plan distance`: the distance of the robot from its planned place, in meters. */
 internal val DEVIATION = Signal(RuleProgram.PLAN_DISTANCE, SignalKind.NUMBER, "m")
 
-/** The samples of [DEVIATION] in [view], of whose topics [log] has those; none without a plan. */
+/** Returns the samples of [DEVIATION] in [view], whose topics' samples are in [log]; none if there is no plan. */
 internal fun planDistanceIn(view: LogView, log: Signals): Series {
     val path = PlannedPath.of(posesOf(view.recording.topics)) ?: return Series(DoubleArray(0), DoubleArray(0))
     val driven = trailOf(log.series(path.driven.x), log.series(path.driven.y), path.driven.meters)

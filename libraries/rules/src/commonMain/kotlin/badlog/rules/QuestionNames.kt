@@ -7,8 +7,8 @@ import badlog.expression.signals.Vocabulary
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * What questions may name in logs of the shape [shape]: their topics, and the signals of [signals] whose names mean no topic there.
- * Safe for several threads.
+ * The names that questions can use in logs of the shape [shape]: their topics, and the signals of [signals] whose names are not
+ * those of topics there. Thread-safe.
  */
 public class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     private val named = LinkedHashMap<String, NamedSignal>()
@@ -31,7 +31,7 @@ public class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
         Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime, meanings.toSet(), several = several)
     }
 
-    /** The samples of [view], which is of the shape, under these names. */
+    /** Returns the samples of [view], which must have this shape, under these names. */
     public fun signalsOf(view: LogView): Signals {
         val known = view.identified(view.title, topics.modes)
         val log = LogViewSignals(known)

@@ -3,15 +3,15 @@ package badlog.rules
 import badlog.recording.Severity
 
 /**
- * What is to be looked for in every log; `docs/rules.md` says what each part means.
+ * What to look for in every log; `docs/rules.md` explains each part.
  *
- * @property name what it is called; no two rules of a set have the same.
- * @property severity how bad it is.
- * @property condition the expression under `when`, its limits filled in.
- * @property only the types of match that it is for; empty for all.
+ * @property name its name, unique in a set of rules.
+ * @property severity how serious it is.
+ * @property condition the expression under `when`, with its limits filled in.
+ * @property only the types of match to which it applies; empty for all.
  * @property group what it is about, such as `power`; empty for none, and in rules that were read from JSON.
- * @property reason why it is looked for, as a sentence; empty where nobody says, and in rules that were read from JSON.
- * @property next what to look at next where it holds, as a sentence; empty where nobody says.
+ * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
+ * @property next what to look at next if it holds, as a sentence; empty if not given.
  */
 public class Rule internal constructor(
     public val name: String,
@@ -29,9 +29,9 @@ public class Rule internal constructor(
     internal val isForEachText: Boolean = false,
     internal val isForWholeLogs: Boolean = false,
 ) {
-    /** Whether it is badlog's own, in which nobody need look for a mistake. */
+    /** Whether it is a built-in rule, in which nobody needs to look for a mistake. */
     public val isBuiltIn: Boolean get() = place == null
 
-    /** Whether it is to be asked of a match of the type [type]. */
+    /** Returns whether it applies to a match of the type [type]. */
     internal fun isFor(type: String?): Boolean = only.isEmpty() || (type != null && only.any { it.equals(type, ignoreCase = true) })
 }

@@ -1,15 +1,15 @@
 package badlog.rules
 
 /**
- * Where a text stands in a file of rules.
+ * The place of a text in a file of rules.
  *
  * @property lineNumber counted from 1.
  * @property line the whole line.
- * @property column where it begins in [line], from 0.
- * @property literal the text, if it stands there character for character.
+ * @property column where the text begins in [line], from 0.
+ * @property literal the text, if the file contains it literally.
  */
 internal class RulePlace(val lineNumber: Int, val line: String, val column: Int, val literal: String?) {
-    /** [message] about what stands from [from] until [until] of the text, with the line and carets below it. */
+    /** Returns [message] about the text from [from] until [until], with the line and carets below it. */
     fun pointed(message: String, from: Int = 0, until: Int = literal?.length ?: 1): String {
         val begin = minOf(line.length, if (literal != null) column + from else column)
         val carets = if (literal != null) (until - from).coerceIn(1, maxOf(1, line.length - begin)) else 1

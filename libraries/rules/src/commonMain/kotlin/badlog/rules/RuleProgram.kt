@@ -14,32 +14,33 @@ import badlog.rules.signal.SignalTopic
 import badlog.rules.signal.matchOf
 
 /**
- * What came of asking a rule of a log.
+ * The result of a rule for a log.
  *
  * @property rule the rule.
- * @property findings what it found; empty when it was refused.
- * @property refusal why it could not be asked; null when it was.
+ * @property findings what it found; empty if it was skipped.
+ * @property refusal why it was skipped; null if it was not.
  */
 public class AskedRule internal constructor(public val rule: Rule, public val findings: List<Finding>, public val refusal: Refusal?)
 
 /**
- * Why a rule cannot be asked of a log.
+ * Why a rule is skipped for a log.
  *
- * @property message why, such as "no topic is called “Arm”".
- * @property mistake where the rule seems to be wrong, rather than not for this log, the place in the file of rules; else null.
+ * @property message the reason, such as "no topic is called “Arm”".
+ * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
+ * otherwise null.
  */
 public class Refusal internal constructor(public val message: String, public val mistake: String? = null) {
-    /** [rule] as one that was skipped for so many [logs] by this. */
+    /** Returns [rule] as skipped for this reason in [logs] logs. */
     public fun of(rule: Rule, logs: Int): SkippedRule =
         SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn)
 }
 
-/** [rules] made ready for all logs of an equal [shape]. Safe for several threads. */
+/** [rules] prepared for all logs with an equal [shape]. Thread-safe. */
 public class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
-    /** What an expression comes to. */
+    /** The result of parsing an expression. */
     internal sealed interface Parsed
 
-    /** An expression to evaluate, with the signals it names; about [topic], and of two linked ones about [other]. */
+    /** An expression to evaluate, with the signals it names. It is about [topic] and, for two linked topics, also about [other]. */
     internal class Question(
         val expression: Expression,
         val named: Map<String, NamedSignal>,
@@ -52,21 +53,21 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     /** Why an expression cannot be evaluated. */
     internal class Refused(val refusal: Refusal) : Parsed
 
-    /** What a rule comes to: [questions] to ask, or why there are none. */
+    /** A prepared rule: its [questions], or why there are none. */
     internal class Step(val rule: Rule, val questions: List<Question>, val refusal: Refusal?)
 
-    /** The names that a rule has for some topics: those it is asked of one by one, of which [topic] is the first. */
+    /** The names that a rule has for the topics of one turn; [topic] is the first of them. */
     private class Turn(val named: Map<String, NamedSignal>, val topic: String, val other: String? = null, val device: String = "")
 
     private val vocabulary get() = shape.vocabulary
     private val timeTopic get() = shape.timeTopic
     private val signals = shape.topicsOf(rules.signals)
     private val time = (vocabulary.signals.find { it.name == timeTopic } ?: CLOCK).let { x ->
-        // Without a unit, an x axis that is time counts seconds.
+        // Without a unit, a time axis counts seconds.
         NamedSignal(TIME, listOf(ScaledSignal(x, 1.0)), if (vocabulary.hasTime && Units.isNone(x.unit)) "s" else x.unit)
     }
 
-    // Of rules that are built in the signals mean what they say; others may use any name for a topic of their logs.
+    // In built-in rules, the names of signals always mean signals; in others, they may be names of topics.
     private val named: Map<String, NamedSignal>
     private val namedOfTeam: Map<String, NamedSignal>
     private val absent: Map<String, Signal>
@@ -98,20 +99,20 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         absent = lacking
     }
 
-    // With the topics in turn, which are the same to an expression as all of their kinds and units.
+    // Vocabularies with the topics of a turn; all topics of the same kinds and units are equivalent for an expression.
     private val vocabularies = HashMap<List<Signal>, Vocabulary>()
 
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics whose samples the rules look at, beside those of the time and of when the robot was enabled. */
+    /** The names of the topics whose samples the rules need, besides those of time and of when the robot was enabled. */
     public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)
 
     /**
-     * Asks the rules of [view], which was read from a file called [file] and is of the program's shape: each when its turn
-     * comes in the sequence, which may be gone through once. Those for other types of match are left out.
+     * Runs the rules on [view], which was read from a file called [file] and must have the program's shape. Each rule runs when the
+     * sequence reaches it; the sequence can be iterated once. Rules for other types of match are omitted.
      *
-     * @param isEverywhere whether findings have all their spans, with a text for each, as for somebody who looks at them one by one.
+     * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
      */
     public fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
         val match = rules.signals.matchOf(view.recording)
@@ -123,7 +124,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         }
     }
 
-    /** The rules that cannot be asked of [recording], and why. */
+    /** Returns the rules that are skipped for [recording], and why. */
     internal fun refusals(recording: Recording): List<Pair<Rule, Refusal>> {
         val type = rules.signals.matchOf(recording).type
         return steps.mapNotNull { step -> step.refusal?.takeIf { step.rule.isFor(type) }?.let { step.rule to it } }
@@ -176,7 +177,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     private fun step(rule: Rule, parsed: List<Parsed>): Step {
         val questions = parsed.filterIsInstance<Question>()
         val refusals = parsed.filterIsInstance<Refused>().map { it.refusal }
-        // Some topics are numbers, others texts: a rule for each is meant for those that it fits.
+        // Some topics are numbers, others texts: a rule with `each` is meant for those that it fits.
         val refusal = refusals.firstOrNull { it.mistake != null } ?: refusals.firstOrNull().takeIf { questions.isEmpty() }
         return Step(rule, if (refusal == null) questions else emptyList(), refusal)
     }
@@ -217,7 +218,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         )
     }
 
-    /** The topics of the signal [name], or those that fit it as a pattern. */
+    /** Returns the topics of the signal [name], or those that match it as a pattern. */
     private fun topicsCalled(name: String): List<String> {
         if (rules.signals.find(name) != null) return signals.of(name).map { it.topic }
         val pattern = NamePattern(name)
@@ -241,7 +242,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         }
     }
 
-    /** Whether [rule] would be right where what it has names for were numbers, truth values or texts, as in other logs. */
+    /** Returns whether [rule] would be valid in a log in which the topics it names are numbers, truth values or texts. */
     private fun fitsElsewhere(rule: Rule, names: Map<String, NamedSignal>, lacking: List<Signal>) = SignalKind.entries.any { kind ->
         val others = names.values.map { if (it.name == TIME || it.name == ACTIVE) it.listed else it.listed.copy(kind = kind) }
         val parsed = Expression.parse(rule.condition, Vocabulary(others + lacking + vocabulary.signals, vocabulary.hasTime))
@@ -255,7 +256,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     }
 
     internal companion object {
-        /** The name of each topic in turn, in a rule with `each`. */
+        /** The name of the current topic in a rule with `each`. */
         const val TOPIC = "topic"
 
         /** The name of the second of two linked topics. */
@@ -264,20 +265,20 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         /** The x axis. */
         const val TIME = "time"
 
-        /** Whether the robot is enabled, or nothing tells. */
+        /** Whether the robot is enabled, or nothing shows it. */
         const val ACTIVE = "active"
 
-        /** How far the robot is from where its plan has it. */
+        /** The distance of the robot from its planned place. */
         const val PLAN_DISTANCE = "plan distance"
         private const val IS_PART = "the log is only part of a log (see its value “$PART_VALUE”)"
         private const val NO_AXIS = "the log has no x axis"
         private const val NO_PLAN = "no topics for the robot's pose and its planned pose"
         private const val NO_CONDITION = "“when” is a number"
 
-        // Where a name is missing, what is left of it may read as anything.
+        // If a name is missing, the rest of it may be read as anything.
         private const val NOT_ALL_THERE = "some topics of “when” are missing"
 
-        /** Nobody looks at more graphs at once. */
+        /** Nobody can look at more graphs at once. */
         private const val MAX_EVIDENCE = 12
 
         val RESERVED = setOf(TOPIC, TIME, ACTIVE)

@@ -10,19 +10,19 @@ import badlog.expression.signals.Signals
 import badlog.rules.signal.FRACTION
 
 /**
- * The rules of a program on their way over [view], which was read from a file called [file].
+ * Runs the rules of a program on [view], which was read from a file called [file].
  *
- * @param isEverywhere whether findings are to have all their spans, with a text for each.
+ * @param isEverywhere whether findings have all their spans, with a text for each.
  */
 internal class RuleRun(view: LogView, private val file: String, private val isEverywhere: Boolean) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
     private val samples = NamedSamples(log, view)
 
-    /** The topics that each rule has found something in. */
+    /** The topics in which each rule has found something. */
     private val found = HashMap<String, Set<String?>>()
 
-    /** What comes of asking [step]. */
+    /** Returns the result of [step]. */
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
@@ -33,7 +33,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
 
     private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
-        // Most rules find nothing in most logs, and the smallest and the largest samples say so.
+        // Most rules find nothing in most logs, which the smallest and largest samples alone already show.
         if (!question.expression.mayHold(signals::bounds)) return emptyList()
         val answer = question.expression.answerIfHolds(signals) ?: return emptyList()
         val messages = messagesOf(question, signals)
@@ -51,7 +51,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         }
     }
 
-    /** What differs in its numbers alone says the same. */
+    /** Texts that differ only in their numbers count as the same. */
     private fun withoutNumbers(text: String) = text.map { if (it.isDigit()) '0' else it }.joinToString("")
 
     private fun finding(
@@ -63,7 +63,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         textAt: (time: Double) -> String,
         signals: Signals,
     ): Finding {
-        // What is said of the whole recording holds from its start to its end.
+        // A statement about the whole recording holds from its start to its end.
         val whole = listOfNotNull(signals.range).takeIf { found.isEmpty() }
         val spans = whole ?: found
         val at = if (found.isEmpty()) answer.time else found[0].from
@@ -98,11 +98,11 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         }
     }
 
-    // A share is given in percent, which needs no word for its unit.
+    // A fraction is shown in percent, which needs no unit name.
     private fun textOf(quantity: Quantity) =
         (if (quantity.unit == FRACTION) quantity.copy(value = PERCENT * quantity.value, unit = "%") else quantity).text
 
-    /** The messages of the first topic of [question] that has some, or null. */
+    /** Returns the messages of the first topic of [question] that has some, or null. */
     private fun messagesOf(question: RuleProgram.Question, signals: Signals): Messages? {
         val name = question.expression.topics.firstOrNull { topic ->
             val kind = signals.vocabulary.signals.first { it.name == topic }.kind
@@ -112,10 +112,10 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     }
 
     private companion object {
-        /** What texts say of something that was only once, which goes without saying of one of many. */
+        /** What texts say if something occurred once, which is obvious for one of many places. */
         const val ONCE = " (1×)"
 
-        /** So many different texts of a topic are listed for a rule. */
+        /** The maximum number of different texts of a topic that are listed for a rule. */
         const val MAX_TEXTS = 20
         const val PERCENT = 100.0
     }

@@ -7,9 +7,9 @@ import badlog.rules.signal.SignalVocabulary
  * Rules to run over logs, and the names they use. `docs/rules.md` has the format of the file that they are read from.
  *
  * @property rules in the order of the file; no two have the same name.
- * @property signals what topics are called that rules name by their meaning.
+ * @property signals the names of topics that rules refer to by their meaning.
  * @property causes which findings lead to which.
- * @property comparisons what compares a log with a team's others, which no page does.
+ * @property comparisons rules that compare a log with the team's others, which pages do not do.
  */
 public class RuleSet internal constructor(
     internal val aliases: List<Alias>,
@@ -18,7 +18,7 @@ public class RuleSet internal constructor(
     public val causes: CauseGraph,
     public val comparisons: List<Comparison> = emptyList(),
 ) {
-    /** These rules where topics are called as [signals] has them. */
+    /** Returns these rules with [signals] as the names of topics. */
     public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons)
 
     public companion object {

@@ -18,8 +18,8 @@ import badlog.rules.signal.patternsJson
 import badlog.rules.signal.toJson
 
 /**
- * These rules as a line of JSON, with all that decides what they find in a log: every page carries it, so reasons stay in the guide, and
- * what compares logs stays out.
+ * Returns these rules as a line of JSON, with everything that decides what they find in a log. It is in every page, so reasons are
+ * omitted, which are in the guide, and so are rules that compare logs.
  */
 public fun RuleSet.toJson(): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
@@ -28,10 +28,10 @@ public fun RuleSet.toJson(): String = jsonObject(
     "causes" to causes.toJson(),
 )
 
-/** The rules that [text] is of, or null when [RuleSet.toJson] did not write it. */
+/** Returns the rules in [text], or null if [RuleSet.toJson] did not write it. */
 public fun RuleSet.Companion.fromJson(text: String): RuleSet? = fromJson(JsonReader.readObject(text))
 
-/** The rules that an object with [members] is of, or null when [RuleSet.toJson] did not write it, or there is none. */
+/** Returns the rules in an object with [members], or null if [RuleSet.toJson] did not write it, or [members] is null. */
 public fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
     val json = JsonFields(members)
     val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it) } ?: throw UnreadableJsonException()
@@ -113,7 +113,7 @@ private fun choiceOf(value: JsonValue): TopicChoice {
     return TopicsOfSignal(signal, json.strings("with"), json.isTrue("linked"))
 }
 
-// Most conditions stand alone on their lines, which need not be written twice.
+// Most conditions are alone on their lines, which need not be written twice.
 private fun placeJson(place: RulePlace, condition: String): String = jsonObject(
     "number" to place.lineNumber.toString(),
     "line" to place.line.takeIf { it != usualLine(condition) }?.let(::quotedJson),

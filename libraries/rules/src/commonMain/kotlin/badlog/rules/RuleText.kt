@@ -1,10 +1,10 @@
 package badlog.rules
 
-/** What a finding says, with places for what was found: `{value} at {time}`. A brace itself is written twice. */
+/** The text of a finding, with placeholders for what was found: `{value} at {time}`. A literal brace is doubled. */
 internal class RuleText private constructor(val source: String, private val parts: List<Part>) {
     private class Part(val text: String, val isPlace: Boolean)
 
-    /** The text with [found], which has all of its places, in them. */
+    /** Returns the text with its placeholders replaced by [found], which must have all of them. */
     fun filled(found: Map<String, String>): String = parts.joinToString("") { if (it.isPlace) found.getValue(it.text) else it.text }
 
     /** A mistake from [from] until [until] of the text. */
@@ -13,7 +13,7 @@ internal class RuleText private constructor(val source: String, private val part
     companion object {
         val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration")
 
-        /** Reads [text], which may have [places]; throws a [Mistake]. */
+        /** Reads [text], which may have the placeholders [places]; throws a [Mistake]. */
         fun parse(text: String, places: List<String> = PLACES): RuleText {
             val parts = ArrayList<Part>()
             val plain = StringBuilder()

@@ -5,7 +5,7 @@ import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.round
 
-/** The text of [rule] about [question] in a log, which was read from [file] and is of [match]. */
+/** Builds the texts of [rule] about [question] in a log that was read from [file] and is of [match]. */
 internal class TextedRule(
     private val rule: Rule,
     private val question: RuleProgram.Question,
@@ -13,7 +13,7 @@ internal class TextedRule(
     private val file: String,
     private val timeUnit: String,
 ) {
-    /** What was found: [value], at [time], [count] times, and over a [length] of time in all. */
+    /** Returns the text for [value] at [time], found [count] times, over a total [length] of time. */
     fun text(value: String, time: Double, count: Int, length: Double): String = rule.text.filled(
         mapOf(
             "value" to value,
@@ -29,7 +29,7 @@ internal class TextedRule(
     )
 }
 
-/** [length] with so many digits as a person wants to know of how long something was. */
+/** Returns [length] with as many digits as are useful for a duration. */
 private fun roundedLength(length: Double): Double {
     if (!(length > 0 && length.isFinite())) return length
     val places = 10.0.pow(LENGTH_DIGITS - 1 - floor(log10(length)).toInt())

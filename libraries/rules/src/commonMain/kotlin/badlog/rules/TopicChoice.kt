@@ -4,10 +4,13 @@ import badlog.analysis.Units
 import badlog.expression.signals.Signal
 import badlog.rules.signal.NamePattern
 
-/** The topics that a rule is asked of one by one. */
+/** The topics on which a rule is run one by one. */
 internal sealed interface TopicChoice
 
-/** Those that fit one of [patterns] and none of [except]. A topic without a unit may have any; [unit] is null where rules do not say. */
+/**
+ * Topics that match one of [patterns] and none of [except]. A topic without a unit matches any [unit], which is null if the rule does not
+ * specify it.
+ */
 internal class TopicsByName(val patterns: List<NamePattern>, val except: List<NamePattern>, val unit: String?) : TopicChoice {
     fun takes(signal: Signal): Boolean = patterns.any { it.matches(signal.name) } && except.none { it.matches(signal.name) } &&
         (unit == null || Units.isNone(signal.unit) || unit.equals(signal.unit, ignoreCase = true))
@@ -16,7 +19,7 @@ internal class TopicsByName(val patterns: List<NamePattern>, val except: List<Na
 }
 
 /**
- * Those that are the signal [signal].
+ * Topics that are the signal [signal].
  *
  * @property with signals of the same device that the rule also needs.
  * @property isLinked whether the rule is about two of them whose devices are linked; the second is [RuleProgram.OTHER].

@@ -8,16 +8,16 @@ import badlog.rules.signal.SignalTopics
 import badlog.rules.signal.SignalVocabulary
 import badlog.rules.signal.matchOf
 
-/** This view where [vocabulary] tells what match it is of and when the robot was enabled, whatever its topics are called. */
+/** Returns this view with its match and the times when the robot was enabled, found by [vocabulary], whatever the names of its topics. */
 public fun LogView.withSignals(vocabulary: SignalVocabulary): LogView =
     identified(vocabulary.matchOf(recording).title, signalTopicsOf(this, vocabulary).modes)
 
-/** What questions and formulas may name in this view: its topics, and the signals of [vocabulary]. */
+/** Returns what questions and formulas can name in this view: its topics, and the signals of [vocabulary]. */
 public fun LogView.namesWith(vocabulary: SignalVocabulary): Signals = QuestionNames(vocabulary, LogShape.of(this)).signalsOf(this)
 
-/** This view with a topic for each of [definitions], which may name the signals of [vocabulary]. */
+/** Returns this view with a topic for each of [definitions], which may name the signals of [vocabulary]. */
 public fun LogView.withVirtualTopics(definitions: List<String>, vocabulary: SignalVocabulary): ViewWithVirtualTopics =
     if (definitions.isEmpty()) withVirtualTopics(definitions) else withVirtualTopics(definitions, namesWith(vocabulary))
 
-/** Which topics of [view] are the signals of [vocabulary]; needs no samples. */
+/** Returns which topics of [view] are the signals of [vocabulary]; needs no samples. */
 public fun signalTopicsOf(view: LogView, vocabulary: SignalVocabulary): SignalTopics = LogShape.of(view).topicsOf(vocabulary)

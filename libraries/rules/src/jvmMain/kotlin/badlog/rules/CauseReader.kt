@@ -4,7 +4,7 @@ import badlog.rules.cause.Cause
 import badlog.rules.cause.CauseGraph
 import org.tomlj.TomlTable
 
-/** The causes and effects of a file of rules. Throws [RulesException] at the first mistake. */
+/** Returns the causes and effects in a file of rules. Throws [RulesException] at the first mistake. */
 internal fun causeGraphOf(toml: TomlText, root: TomlTable): CauseGraph {
     val causes = toml.tables(root, "cause").map { (table, place) ->
         toml.requireKnown(table, KEYS, "a cause")

@@ -1,10 +1,10 @@
 package badlog.rules
 
 /**
- * The words of a [command] line: separated by spaces, but in single or double quotes a space is part of a word. A backslash is an ordinary
- * character, as Windows' paths need. No shell is involved: `$`, `|` and `*` mean nothing.
+ * Returns the words of a [command] line: separated by spaces, but in single or double quotes a space is part of a word. A backslash is an
+ * ordinary character, because Windows paths need it. No shell is involved: `$`, `|` and `*` have no special meaning.
  *
- * @throws IllegalArgumentException when a quote is never closed, or there is no word.
+ * @throws IllegalArgumentException if a quote is never closed, or there is no word.
  */
 public fun commandWords(command: String): List<String> {
     val words = ArrayList<String>()

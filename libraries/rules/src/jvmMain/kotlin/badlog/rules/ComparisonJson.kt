@@ -9,7 +9,7 @@ import badlog.rules.json.jsonArray
 import badlog.rules.json.jsonList
 import badlog.rules.json.jsonObject
 
-// Apart from RuleSetJson, since a page carries all that can read it.
+// Separate from RuleSetJson, since a page contains all code that reads that.
 
 /** These comparisons as a line of JSON. */
 internal fun comparisonsJson(comparisons: List<Comparison>): String = jsonObject(
@@ -26,7 +26,7 @@ internal fun comparisonsJson(comparisons: List<Comparison>): String = jsonObject
     },
 )
 
-/** The comparisons that [comparisonsJson] wrote. */
+/** Returns the comparisons that [comparisonsJson] wrote. */
 internal fun comparisonsOf(text: String): List<Comparison> = JsonFields(JsonReader.readObject(text)).list("comparisons", ::comparisonOf)
 
 private fun comparisonOf(value: JsonValue): Comparison {

@@ -4,19 +4,19 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The rules for the logs of a folder, and what topics are called there.
+ * The rules for the logs of a folder, and the names of topics there.
  *
- * @property rules the rules, with the built-in vocabulary and what the folder adds to it.
+ * @property rules the rules, with the built-in vocabulary and the folder's additions.
  * @property file where they come from; null for the built-in ones.
- * @property problem why a file that lies there is not used, as a sentence, perhaps with the line of the mistake below it; null
- *   when all is well.
+ * @property problem why an existing file is not used, as a sentence, with the line of the mistake below it if there is one;
+ *   null if all is well.
  */
 public class FolderRules private constructor(public val rules: RuleSet, public val file: Path?, public val problem: String?) {
     public companion object {
         /**
-         * The rules for [log]: those of the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top], which
-         * is null for its folder alone; else the built-in ones, also where that file has a mistake. The nearest file called
-         * [SignalsFile.NAME] says what else topics are called. The hooks that rules name are never run: they may have come with the logs.
+         * Returns the rules for [log]: those of the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top],
+         * which is null for only its own folder; otherwise the built-in ones, also if that file has a mistake. The nearest file called
+         * [SignalsFile.NAME] has further names of topics. Hooks in these rules are never run, because they may have come with the logs.
          */
         public fun of(log: Path, top: Path? = null): FolderRules {
             fun <T> nearest(name: String, parse: (String) -> T) =

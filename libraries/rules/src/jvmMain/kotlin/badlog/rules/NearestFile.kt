@@ -6,19 +6,20 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A file that says something of logs, and lies in their folder or in one above.
+ * A file about logs, in their folder or in one above.
  *
- * @property file it; null where there is none.
- * @property found what it says; null where there is none, or it has a mistake.
- * @property problem what is wrong with it and what to do, as a sentence, perhaps with the line of the mistake below it; null when all is well.
+ * @property file the file; null if there is none.
+ * @property found its content; null if there is none, or it has a mistake.
+ * @property problem what is wrong with it and what to do, as a sentence, with the line of the mistake below it if there is one; null if all
+ * is well.
  */
 public class NearestFile<T> internal constructor(public val file: Path?, public val found: T?, public val problem: String?) {
     public companion object {
         /**
-         * The file for [log] that is nearest: [inFolder] gives the one of a folder, null for none, and is asked for the log's own folder, then for those
-         * above it up to [top], which is null for the log's folder alone.
+         * Returns the nearest file for [log]: [inFolder] returns the file in a folder, or null for none, and is called for the log's own
+         * folder, then for those above it up to [top], which is null for only the log's own folder.
          *
-         * @param parse reads its text; an [IllegalArgumentException] says what is wrong with that.
+         * @param parse reads its text; throws an [IllegalArgumentException] that says what is wrong with it.
          */
         public fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
             val file = foldersOf(log.toAbsolutePath().normalize(), top?.toAbsolutePath()?.normalize()).firstNotNullOfOrNull(inFolder)

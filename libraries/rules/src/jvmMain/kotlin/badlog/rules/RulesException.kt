@@ -1,7 +1,7 @@
 package badlog.rules
 
 /**
- * A file of rules cannot be used.
+ * Thrown if a file of rules cannot be used.
  *
  * @property lineNumber the line of the mistake, counted from 1.
  * @property message the line's number and what is wrong as a sentence, below it the line, and carets that point at the mistake.

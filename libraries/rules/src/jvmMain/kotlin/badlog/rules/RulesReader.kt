@@ -12,7 +12,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Reads a file of rules that name topics by [signals]. Throws [RulesException] at the first mistake.
+ * Reads a file of rules that refer to topics by [signals]. Throws [RulesException] at the first mistake.
  *
  * @param isBuiltIn whether the file is badlog's own, in which nobody looks for a mistake.
  */
@@ -23,7 +23,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         val root = toml.root(setOf("extends", "off", "limits", "aliases", "rule", "comparison", "hook", "cause", "leads_to"))
         val own = read(root, emptyMap())
         val inherited = inherited(root)
-        // Causes and effects speak of rules by their names, whoever wrote these.
+        // Causes and effects refer to rules by name, whoever wrote them.
         val causes = causeGraphOf(toml, root).let { if (isBuiltIn) it else RuleSet.BUILT_IN.causes.after(it) }
         val taken = own.names
         val rules = inherited.rules.filter { it.name !in taken } + own.rules
@@ -31,13 +31,13 @@ internal class RulesReader(private val source: String, private val signals: Sign
         return RulesFile(RuleSet(aliases(root), rules, signals, causes, comparisons), hooks(root), source)
     }
 
-    /** What a file looks for. */
+    /** The rules and comparisons of a file. */
     private class Parts(val rules: List<Rule>, val comparisons: List<Comparison>) {
         val names get() = rules.mapTo(HashSet()) { it.name } + comparisons.map { it.name }
         val groups get() = rules.mapTo(HashSet()) { it.group } + comparisons.map { it.group }
     }
 
-    /** The built-in rules where the file goes on from them, with its limits and without those that it switches off. */
+    /** Returns the built-in rules if the file extends them, with its limits, and without those that it disables. */
     private fun inherited(root: TomlTable): Parts {
         val extends = toml.string(root, "extends")
         if (extends != null &&
@@ -62,7 +62,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         )
     }
 
-    /** What the file looks for with other [limits], by the rules' names. */
+    /** Returns the content of the file with other [limits], given by the rules' names. */
     private fun readWith(limits: Map<String, Map<String, Double>>): Parts =
         read(toml.root(setOf("rule", "comparison", "cause", "leads_to")), limits)
 
@@ -200,7 +200,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         )
     }
 
-    /** The numbers of a rule in [table] that its `when` and `text` have in braces, or those of [others] instead. */
+    /** The limits of a rule in [table], which its `when` and `text` have in braces; [others] override them. */
     private inner class Limits(table: TomlTable, others: Map<String, Double>, places: List<String>) {
         val numbers: Map<String, Double>
 
@@ -258,7 +258,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     }
 
     private companion object {
-        /** What the built-in rules are called. */
+        /** The name of the built-in rules. */
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",

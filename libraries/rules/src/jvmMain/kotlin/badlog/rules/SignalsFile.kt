@@ -10,12 +10,12 @@ import badlog.rules.signal.flagReadingOf
 import org.tomlj.TomlArray
 import org.tomlj.TomlTable
 
-/** A file of the names that signals have in logs; `docs/signals.md` has its format. */
+/** A file with the names of signals in logs; `docs/signals.md` describes its format. */
 public object SignalsFile {
-    /** What such a file among the logs is called. */
+    /** The name of such a file among logs. */
     public const val NAME: String = "badlog-signals.toml"
 
-    /** The built-in vocabulary as it is written. */
+    /** The source text of the built-in vocabulary. */
     public val builtInSource: String by lazy { resource(NAME) }
 
     /**
@@ -67,7 +67,7 @@ private class SignalsReader(private val toml: TomlText) {
         toml.fail(toml.placeOf(table, "topics"), mistake)
     }
 
-    /** Names, or pairs of a name and the unit in which such logs have it; of a condition, and how such logs say it. */
+    /** Returns names, or pairs of a name and the unit in such logs; for a condition, a name and how it is read. */
     private fun topics(table: TomlTable): List<TopicPattern> {
         val value = table.get(listOf("topics"))
         if (value is String) return listOf(TopicPattern(NamePattern(value), null))

@@ -6,19 +6,19 @@ import org.tomlj.TomlArray
 import org.tomlj.TomlPosition
 import org.tomlj.TomlTable
 
-/** What [read] reads of a text of TOML. */
+/** Returns the result of [read], which reads a text of TOML. */
 internal fun <T> notTooDeep(read: () -> T): T = try {
     read()
 } catch (_: StackOverflowError) {
     throw RulesException(1, "It is nested too deeply to be read; a list of texts needs one pair of brackets.")
 }
 
-/** A text of TOML that says where its mistakes are: all throw [RulesException] at the first. */
+/** A text of TOML that knows where its mistakes are: all functions throw [RulesException] at the first. */
 internal class TomlText(source: String) {
     private val source = source.removePrefix(BYTE_ORDER_MARK)
     private val lines = this.source.lines()
 
-    /** All of it, with no other keys than [known]. */
+    /** Returns all of it; only keys in [known] are allowed. */
     fun root(known: Set<String>): TomlTable {
         val root = Toml.parse(source)
         root.errors().firstOrNull()?.let { error ->
@@ -29,7 +29,7 @@ internal class TomlText(source: String) {
         return root
     }
 
-    /** Every table of the list [key], and where it begins. */
+    /** Returns every table of the list [key], and where it begins. */
     fun tables(root: TomlTable, key: String): List<Pair<TomlTable, RulePlace>> {
         val array = root.get(listOf(key)) ?: return emptyList()
         val mistake = "Each $key begins with [[$key]], in two brackets."
@@ -52,7 +52,7 @@ internal class TomlText(source: String) {
     fun patterns(table: TomlTable, key: String, isNeeded: Boolean): List<NamePattern> =
         if (!isNeeded && !table.contains(listOf(key))) emptyList() else strings(table, key).map(::NamePattern)
 
-    /** The texts of the list [key]; empty where there is none. */
+    /** Returns the texts of the list [key]; empty where there is none. */
     fun optionalStrings(table: TomlTable, key: String): List<String> = if (table.contains(listOf(key))) strings(table, key) else emptyList()
 
     fun strings(table: TomlTable, key: String): List<String> {
@@ -80,7 +80,7 @@ internal class TomlText(source: String) {
     fun placeOf(table: TomlTable, key: String, isKey: Boolean = false): RulePlace =
         place(table.inputPositionOf(listOf(key)), if (isKey) key else table.get(listOf(key)) as? String)
 
-    /** Where [text] stands on the line of [position], or [position] itself. */
+    /** Returns where [text] is on the line of [position], or [position] itself. */
     private fun place(position: TomlPosition?, text: String?): RulePlace {
         val number = (position?.line() ?: 1).coerceIn(1, lines.size)
         val line = lines[number - 1]
@@ -94,7 +94,7 @@ internal class TomlText(source: String) {
     fun fail(place: RulePlace, message: String): Nothing = throw RulesException(place.lineNumber, place.pointed(message))
 
     private companion object {
-        /** What some editors of Windows begin a file with. */
+        /** Some Windows editors begin a file with this. */
         const val BYTE_ORDER_MARK = "\uFEFF"
     }
 }

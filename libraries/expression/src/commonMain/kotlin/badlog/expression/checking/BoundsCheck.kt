@@ -7,7 +7,7 @@ import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 import kotlin.math.abs
 
-/** Between which numbers all values of something are. */
+/** The range of all values of something. */
 private class Bounds(val low: Double, val high: Double) {
     fun isOne(): Boolean = low == high
 
@@ -18,11 +18,11 @@ private class Bounds(val low: Double, val high: Double) {
 }
 
 /**
- * Says of parts of an expression, without looking at samples, whether they may hold, from what the samples of each topic are
- * between ([ofTopic], null where that is not known). Where this says no, none of them does.
+ * Determines whether parts of an expression may hold, without looking at samples, from the bounds of each topic's samples
+ * ([ofTopic], null if not known). If the result is false, they never hold.
  */
 internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
-    /** Whether the condition [node] may be true at some time. */
+    /** Returns whether the condition [node] may be true at some time. */
     fun mayHold(node: Node): Boolean = when (node) {
         is Node.Truth -> node.value
         is Node.Not -> mayFail(node.operand)
@@ -69,7 +69,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     }
 
     private fun of(node: Node): Bounds = when {
-        // In which unit its numbers become is not known yet.
+        // The unit after the conversion is not known yet.
         node.conversion != null -> Bounds.ALL
 
         node.type.kind == Kind.CONDITION -> if (mayHold(node)) Bounds.CONDITION else Bounds(0.0, 0.0)
@@ -106,11 +106,11 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
         return if (mayHold(call.arguments[0])) Bounds.ALL else Bounds(0.0, 0.0)
     }
 
-    // Of infinities that cancel each other nothing is known.
+    // If infinities cancel each other, nothing is known.
     private fun bounds(low: Double, high: Double) = if (low.isNaN() || high.isNaN()) Bounds.ALL else Bounds(low, high)
 
     private companion object {
-        /** Those that give nothing beyond what their first operand has. */
+        /** Functions whose results stay within the values of their first operand. */
         val KEEPING = setOf(
             Function.MIN, Function.MAX, Function.FIRST, Function.LAST, Function.WINDOW_MIN, Function.WINDOW_MAX, Function.PREVIOUS,
             Function.HOLD, Function.SHIFT_TIME, Function.ANY,

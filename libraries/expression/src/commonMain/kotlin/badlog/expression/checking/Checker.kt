@@ -11,7 +11,7 @@ import badlog.expression.syntax.mistake
 
 /** Finds the type of each node, or the first that does not fit. */
 internal object Checker {
-    /** Checks [node], numbers it and all below it from [firstId] on, and returns the next free number. */
+    /** Checks [node], assigns ids to it and all nodes below it from [firstId] on, and returns the next free id. */
     fun check(node: Node, firstId: Int = 0): Int {
         var id = firstId
         for (child in node.children) id = check(child, id)
@@ -166,7 +166,7 @@ internal object Checker {
         mistake(node, "A moment has no duration; count(c) counts moments, and hold(x) keeps the text of an event until the next.")
     }
 
-    /** The first function of a whole recording that [node] is made of. */
+    /** Returns the first function over the whole recording in [node]. */
     private fun summaryIn(node: Node): Node.Call? =
         if (node is Node.Call && node.arguments.any { it.type.isOverTime }) node else node.children.firstNotNullOfOrNull(::summaryIn)
 

@@ -6,7 +6,7 @@ import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 
-/** The unit of what [node] gives where it is plain to see, else empty. Times are in [timeUnit]. */
+/** Returns the unit of the result of [node] if it is obvious, otherwise empty. Times are in [timeUnit]. */
 internal fun unitOf(node: Node, timeUnit: String): String {
     node.conversion?.let { return it.unit.ifEmpty { timeUnit } }
     return when (node) {

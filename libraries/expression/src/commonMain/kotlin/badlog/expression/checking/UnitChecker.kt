@@ -9,24 +9,24 @@ import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 import badlog.expression.syntax.mistake
 
-/** What is known of the unit of some numbers. */
+/** What is known about the unit of some numbers. */
 private sealed interface UnitOf {
-    /** Numbers as they are written, which fit any unit. */
+    /** Literal numbers, which fit any unit. */
     object Any : UnitOf
 
-    /** Those of a topic without a unit. */
+    /** Numbers of a topic without a unit. */
     object None : UnitOf
 
-    /** A unit that is understood; it is called [text]. */
+    /** A known unit, called [text]. */
     class Known(val measure: Measure, val text: String) : UnitOf
 
-    /** A unit of which nothing is known but that it is called [text], or not even that. */
+    /** An unknown unit, called [text] if even that is known. */
     class Other(val text: String?) : UnitOf
 }
 
 /**
- * Finds what of one unit is compared with what of another, and converts it where both are known. What is written with a unit needs one
- * on the other side; nothing is guessed.
+ * Finds comparisons between different units, and converts them if both are known. A literal with a unit needs a unit on the other
+ * side; nothing is guessed.
  */
 internal object UnitChecker {
     /** Checks [node], the types of which are known. */
@@ -70,7 +70,7 @@ internal object UnitChecker {
 
             Operator.REMAINDER -> left
 
-            // A factor may have a unit that nobody wrote: a resistance makes volts of amperes.
+            // A factor may have an implicit unit: a resistance converts amperes to volts.
             Operator.TIMES, Operator.DIVIDED_BY, Operator.POWER -> UnitOf.Other(null)
 
             else -> {
@@ -107,7 +107,7 @@ internal object UnitChecker {
         }
     }
 
-    /** The unit of both, of which one may have to be converted. */
+    /** Returns the common unit of both, one of which may have to be converted. */
     private fun reconciled(left: Node, leftUnit: UnitOf, right: Node, rightUnit: UnitOf): UnitOf {
         if (leftUnit === UnitOf.Any) return rightUnit
         if (rightUnit === UnitOf.Any) return leftUnit
@@ -119,7 +119,7 @@ internal object UnitChecker {
                     "${described(left, leftUnit)} and ${described(right, rightUnit)} have units that cannot be converted into each other.",
                 )
             }
-            // What a person wrote becomes what was logged.
+            // A literal is converted to the logged unit.
             return if (isWritten(left) && !isWritten(right)) converted(left, leftUnit, rightUnit) else converted(right, rightUnit, leftUnit)
         }
         if (isWritten(left)) failUnknown(left, right, rightUnit)

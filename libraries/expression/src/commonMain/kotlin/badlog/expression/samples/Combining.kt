@@ -2,12 +2,12 @@ package badlog.expression.samples
 
 import kotlin.math.abs
 
-/** Calculates with two samples. Not a function type, which would make an object of each number on the JVM. */
+/** Calculates with two samples. Not a function type, because that would box each number on the JVM. */
 internal fun interface Operation {
     fun of(left: Double, right: Double): Double
 
     companion object {
-        /** The left where the right holds. */
+        /** The left where the right holds, otherwise a gap. */
         val WHEN: Operation = Operation { x, on -> if (on == 1.0) x else Double.NaN }
 
         /** Whether both are the same; not known beside a gap. */
@@ -19,7 +19,7 @@ internal fun interface Operation {
     }
 }
 
-/** 1 where it [holds], 0 where it does not; a gap beside a gap. */
+/** Returns 1 if [holds], otherwise 0; a gap if one of the samples is a gap. */
 internal fun known(a: Double, b: Double, holds: Boolean): Double = if (a.isNaN() || b.isNaN()) {
     Double.NaN
 } else if (holds) {
@@ -38,21 +38,21 @@ internal fun combined(left: Value, right: Value, operation: Operation, absent: D
     return Column(x, samples, null, joined.isMomentary, joined.stretches)
 }
 
-/** Where one of the two is a constant, the result is found where the other was. */
+/** If one of the two is a constant, the result has the time of the other. */
 private fun timeOf(left: Scalar, right: Scalar) = when {
     left.time.isNaN() -> right.time
     right.time.isNaN() -> left.time
     else -> Double.NaN
 }
 
-/** The samples of [value] where [condition] holds, gaps elsewhere. */
+/** Returns the samples of [value] where [condition] holds, and gaps elsewhere. */
 internal fun restricted(value: Value, condition: Value): Value {
     val result = combined(value, condition, Operation.WHEN)
     val texts = (value as? Column)?.texts
     return if (texts == null || result !is Column) result else Column(result.x, result.y, texts, result.isMomentary, result.stretches)
 }
 
-/** [whenTrue] where [condition] holds, [whenFalse] where it does not, a gap where that is not known. */
+/** Returns [whenTrue] where [condition] holds, [whenFalse] where it does not, and a gap where that is not known. */
 internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value =
     combinedThree(condition, whenTrue, whenFalse, isEither = true) { on, yes, no ->
         if (on == 1.0) {
@@ -64,13 +64,13 @@ internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value 
         }
     }
 
-/** [value], but not below [low] nor above [high]; where those cross, [high]. */
+/** Returns [value] limited to [low] and [high]; where those cross, [high]. */
 internal fun clamped(value: Value, low: Value, high: Value): Value =
     combinedThree(value, low, high, isEither = false) { sample, least, most -> minOf(maxOf(sample, least), most) }
 
 private inline fun combinedThree(a: Value, b: Value, c: Value, isEither: Boolean, operation: (Double, Double, Double) -> Double): Value {
     if (a is Scalar && b is Scalar && c is Scalar) return Scalar(operation(a.value, b.value, c.value))
-    // Between events none of them holds.
+    // Between events, none of them holds.
     val joined = Joined(listOf(a, b, c), absent = 0.0, isEither)
     val (first, second, third) = joined.operands
     val x = joined.x!!
@@ -78,7 +78,7 @@ private inline fun combinedThree(a: Value, b: Value, c: Value, isEither: Boolean
     return Column(x, samples, null, joined.isMomentary, joined.stretches)
 }
 
-/** True where [condition] is false. */
+/** Returns a condition that is true where [condition] is false. */
 internal fun inverted(condition: Value): Value = combined(Scalar(1.0), condition, Operation.MINUS)
 
 /** One operand after joining: its sample at each of the common times. */
@@ -87,25 +87,24 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
 }
 
 /**
- * Several values at common times. Those of equal times stay sample by sample. Otherwise the common times are all that any of
- * them has, each once, and each value is that of its last sample until then: a gap before its first one, and where it is
- * [momentary][Column.isMomentary], [absent] at all times but its own. Where one clock was set back and another was not, what
- * the other has at a time counts each time that it comes.
+ * Several values at common times. Values with equal times stay sample by sample. Otherwise the common times are all times of any of
+ * them, each once, and each value is that of its last sample up to then: a gap before its first one; if it is
+ * [momentary][Column.isMomentary], [absent] at all times but its own. If one clock was set back and another was not, the samples of
+ * the other count each time that their time occurs.
  *
- * What is made of moments and of what lasts is there at the moments only; if it [isEither] of them, it lasts, and each moment is over
- * as soon as it came.
+ * A combination of moments and lasting values exists only at the moments; with [isEither], it lasts, and each moment is over at once.
  *
- * @property x the times; null when no value is over time.
+ * @property x the times; null if no value is over time.
  */
 internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
-    /** Of those whose clock was set back. */
+    /** The stretches of those whose clock was set back. */
     val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
 
     private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
     private val columns = alike.filterIsInstance<Column>()
     private val moments = columns.filter { it.isMomentary }
 
-    /** Whether what they make is there at moments only. */
+    /** Whether their combination exists only at moments. */
     val isMomentary: Boolean = moments.isNotEmpty() && (!isEither || moments.size == columns.size)
 
     val x: DoubleArray? = if (isMomentary) {
@@ -114,7 +113,7 @@ internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
         (columns.map { it.x } + moments.map { ends(it.x) }).reduceOrNull(::union)
     }
 
-    /** The values in their order. */
+    /** The values, in order. */
     val operands: List<Operand> = alike.map {
         when (it) {
             is Scalar -> Operand(null, it.value)
@@ -127,7 +126,7 @@ private fun isSame(one: DoubleArray, other: DoubleArray) = one === other || one.
 
 private fun ends(moments: DoubleArray) = DoubleArray(moments.size) { moments[it] + tick(moments[it]) }
 
-/** How long a moment at [time] is where it has to end: no time that counts. */
+/** Returns the duration of a moment at [time] if it must end: negligibly short. */
 internal fun tick(time: Double): Double = maxOf(1.0, abs(time)) * 1e-14
 
 private fun union(one: DoubleArray, other: DoubleArray): DoubleArray {

@@ -2,46 +2,46 @@ package badlog.expression.samples
 
 import badlog.analysis.Span
 
-// When and how often a condition comes true. One that is true at the begin comes true there.
+// When and how often a condition becomes true. One that is true at the start becomes true there.
 
-/** The moments at which this condition becomes true. */
+/** Returns the moments at which this condition becomes true. */
 internal fun Column.rises(range: Span?): Column = occurrences(end(range)).let { moments(it.map(Span::from)) { 1.0 } }
 
-/** The moments at which it is true no more. */
+/** Returns the moments at which it is no longer true. */
 internal fun Column.falls(range: Span?): Column {
     val end = end(range)
     val places = (1 until size).filter { y[it] == 0.0 && y[it - 1] == 1.0 && !isMomentary && x[it] <= end }
     return moments(places.map { x[it] }) { 1.0 }
 }
 
-/** At each moment at which it becomes true, for how long. */
+/** Returns, at each moment at which it becomes true, for how long. */
 internal fun Column.lengths(range: Span?): Column = occurrences(end(range)).let { all -> moments(all.map(Span::from)) { all[it].width } }
 
-/** At each moment at which it becomes true again, how long after the time before. */
+/** Returns, at each moment at which it becomes true again, the time since the previous one. */
 internal fun Column.cycleTimes(range: Span?): Column {
     val begins = occurrences(end(range)).map { it.from }
     return moments(begins.drop(1)) { begins[it + 1] - begins[it] }
 }
 
-/** True while it is, and for [length] after. */
+/** Returns a condition that is true while this is, and for [length] after. */
 internal fun Column.after(length: Double, range: Span?): Column = within(range) { Span(it.from, it.to + length) }
 
-/** True for [length] before it becomes true. */
+/** Returns a condition that is true for [length] before this becomes true. */
 internal fun Column.before(length: Double, range: Span?): Column = within(range) { Span(it.from - length, it.from) }
 
-/** True for the first [length] of the first time that it is. */
+/** Returns a condition that is true for the first [length] of the first time that this is true. */
 internal fun Column.firstPart(length: Double, range: Span?): Column {
     val first = occurrences(end(range)).firstOrNull()
     return within(range) { if (it == first) Span(it.from, minOf(it.to, it.from + length)) else null }
 }
 
-/** True for the last [length] of the last time that it is. */
+/** Returns a condition that is true for the last [length] of the last time that this is true. */
 internal fun Column.lastPart(length: Double, range: Span?): Column {
     val last = occurrences(end(range)).lastOrNull()
     return within(range) { if (it == last) Span(maxOf(it.from, it.to - length), it.to) else null }
 }
 
-/** When it holds, on the clock of [Column.x]. */
+/** Returns when it holds, on the clock of [Column.x]. */
 private fun Column.occurrences(end: Double): List<Span> {
     val spans = ArrayList<Span>()
     for (i in 0 until size) {
@@ -55,7 +55,7 @@ private fun Column.occurrences(end: Double): List<Span> {
 private inline fun Column.moments(times: List<Double>, value: (Int) -> Double): Column =
     Column(times.toDoubleArray(), DoubleArray(times.size) { value(it) }, null, isMomentary = true, stretches)
 
-/** True in what [part] makes of each time that this condition holds; unknown where nothing of it is known. */
+/** Returns a condition that is true in the [part] of each time that this condition holds; unknown if this is never known. */
 private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
     val start = stretches?.begin ?: range?.from ?: return unknown(range)
     if (!isMomentary && y.all { it.isNaN() }) return Column(doubleArrayOf(start), doubleArrayOf(Double.NaN), stretches = stretches)
@@ -64,7 +64,7 @@ private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
     for (span in occurrences(end)) {
         val wanted = part(span) ?: continue
         if (wanted.to <= maxOf(start, wanted.from)) continue
-        // What is still true goes on.
+        // A condition that is still true continues.
         val goesOn = parts.isNotEmpty() && parts.last().to >= wanted.from
         if (goesOn) parts[parts.lastIndex] = Span(parts.last().from, wanted.to) else parts += wanted
     }
@@ -75,7 +75,7 @@ private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
             times += span.from
             states += 1.0
         }
-        // The end of the log is within what holds until then.
+        // A span that holds until the end of the log includes that end.
         if (span.to != end) {
             times += span.to
             states += 0.0

@@ -2,16 +2,16 @@ package badlog.expression.samples
 
 import badlog.analysis.AreaSum
 
-// What is made of a value and those before or after it. A value that is logged again and again is one that holds: what these
-// functions say does not depend on how often it was logged. Beside a gap there is a gap.
+// Functions of a value and those before or after it. A value that is logged again and again is one that holds: the results
+// do not depend on how often it was logged. Next to a gap, the result is a gap.
 
-/** By how much it changes, at each moment at which it does. */
+/** Returns by how much it changes, at each moment at which it does. */
 internal fun Column.delta(): Column = atChanges { if (it == 0) Double.NaN else y[it] - y[it - 1] }
 
-/** True at each moment at which it changes from one value to another. */
+/** Returns a condition that is true at each moment at which it changes. */
 internal fun Column.changed(): Column = atChanges { if (it > 0 && !y[it].isNaN() && !y[it - 1].isNaN() && y[it] != y[it - 1]) 1.0 else 0.0 }
 
-/** Moments: the first sample, and each whose value is not that before it. */
+/** Returns moments: the first sample, and each that differs from the previous one. */
 private inline fun Column.atChanges(value: (Int) -> Double): Column {
     var count = 0
     for (i in 0 until size) if (begins(i)) count++
@@ -26,13 +26,13 @@ private inline fun Column.atChanges(value: (Int) -> Double): Column {
     return Column(times, samples, null, isMomentary = true, stretches)
 }
 
-/** Whether sample [index] is not only one more of the value before it. Each moment is one of its own. */
+/** Returns whether sample [index] is not just a repetition of the value before it. Moments are never repetitions. */
 private fun Column.begins(index: Int) =
     index == 0 || isMomentary || !(y[index] == y[index - 1] || (y[index].isNaN() && y[index - 1].isNaN()))
 
 /**
- * The slope from each change to the next; a gap where time stands still or goes back. After the last change, it stays as it is: the
- * slope is 0.
+ * Returns the slope from each change to the next; a gap where time does not advance. After the last change, the value stays the
+ * same: the slope is 0.
  */
 internal fun Column.derivative(): Column {
     val slopes = DoubleArray(size)
@@ -51,7 +51,7 @@ private fun Column.slope(from: Int, to: Int): Double {
     return if (isBroken) Double.NaN else (y[to] - y[from]) / run
 }
 
-/** The integral so far. */
+/** Returns the integral so far. */
 internal fun Column.area(): Column {
     val sum = AreaSum()
     return with(
@@ -62,7 +62,7 @@ internal fun Column.area(): Column {
     )
 }
 
-/** The value that it had before the one that it has. */
+/** Returns the value before the current one. */
 internal fun Column.previous(): Column {
     var before = Double.NaN
     return withAlike(
@@ -73,7 +73,7 @@ internal fun Column.previous(): Column {
     )
 }
 
-/** Each gap filled with the value before it; an event stays until the next. */
+/** Returns this with each gap filled with the previous value; an event holds until the next. */
 internal fun Column.hold(): Column {
     var last = Double.NaN
     val samples = DoubleArray(size) {
@@ -83,13 +83,15 @@ internal fun Column.hold(): Column {
     return Column(x, samples, texts, stretches = stretches)
 }
 
-/** The same samples, [time] later. */
+/** Returns the same samples, [time] later. */
 internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x[it] + time }, y, texts, isMomentary, stretches)
 
-/** Whether a sample is a gap or not finite. */
+/** Returns whether each sample is a gap or not finite. */
 internal fun Column.missing(): Column = with(DoubleArray(size) { if (y[it].isFinite()) 0.0 else 1.0 })
 
-/** True wherever this condition holds for [length] or longer without a break; what holds last does so until [end]. */
+/**
+ * Returns a condition that is true wherever this condition holds for [length] or longer without a break; the last sample holds until [end].
+ */
 internal fun Column.heldFor(length: Double, end: Double): Column {
     val states = y.copyOf()
     var begin = 0
@@ -103,8 +105,8 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
 }
 
 /**
- * The same with a sample every [step] where one holds for longer, until [end]: what is calculated from times of its own then follows
- * time as what is logged in rows.
+ * Returns the same with a sample every [step] where one holds for longer, until [end], so that results calculated from topics' own
+ * times follow time in the same way as those from rows.
  */
 internal fun Column.refined(step: Double, end: Double): Column {
     if (size == 0 || isMomentary) return this
@@ -129,8 +131,8 @@ internal fun Column.refined(step: Double, end: Double): Column {
 }
 
 /**
- * These moments as samples that hold: each is in the first of [rows] that is not before it, and [rest] in all others. Without rows,
- * each is a pulse without width: its value and at once [rest].
+ * Returns these moments as samples that hold: each is in the first of [rows] that is not before it; all other rows have [rest].
+ * Without rows, each is a pulse without width: its value, immediately followed by [rest].
  */
 internal fun Column.pulses(rows: DoubleArray?, rest: Double): Column {
     if (rows != null && rows.all { it.isFinite() }) return inRows(stretches?.steady(rows) ?: rows, rest)
@@ -153,6 +155,6 @@ private fun Column.inRows(rows: DoubleArray, rest: Double): Column {
 
 private const val MOST_STEPS = 200_000
 
-// Times of rows jitter.
+// Allows for jitter in the times of rows.
 private const val LONG = 1.5
 private const val HALF = 0.5

@@ -3,7 +3,7 @@ package badlog.expression.samples
 import badlog.analysis.Span
 import kotlin.math.sqrt
 
-/** How [y] goes with [x] while both are known, weighed by time; moments weigh the same. */
+/** The regression of [y] on [x] while both are known, weighted by time; moments have equal weights. */
 internal class Regression(y: Value, x: Value, range: Span?) {
     private var weight = 0.0
     private var centerX = 0.0
@@ -35,10 +35,10 @@ internal class Regression(y: Value, x: Value, range: Span?) {
         products += share * fromX * (y - centerY)
     }
 
-    /** By how much y rises for each 1 that x does: the line of least squares. Unknown where x never changes. */
+    /** The increase of y per unit of x, by least squares. Unknown if x never changes. */
     val slope: Scalar get() = Scalar(if (squaresX > 0) products / squaresX else Double.NaN)
 
-    /** Pearson's correlation, from -1 to 1. Unknown where one never changes. */
+    /** Pearson's correlation, from -1 to 1. Unknown if one of them never changes. */
     val correlation: Scalar
         get() = Scalar(if (squaresX > 0 && squaresY > 0) (products / sqrt(squaresX) / sqrt(squaresY)).coerceIn(-1.0, 1.0) else Double.NaN)
 }

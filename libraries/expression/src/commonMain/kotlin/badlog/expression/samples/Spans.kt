@@ -3,16 +3,16 @@ package badlog.expression.samples
 import badlog.analysis.Span
 
 /**
- * Spans of time, in the order in which they came.
+ * Spans of time, in chronological order.
  *
- * @property times how many they are, where one over which the clock was set back counts once.
+ * @property times their number, where one during which the clock was set back counts once.
  */
 internal class Spans(private val from: DoubleArray, private val to: DoubleArray, val times: Int = from.size) : AbstractList<Span>() {
     override val size: Int get() = from.size
 
     override fun get(index: Int): Span = Span(from[index], to[index])
 
-    /** How long they are together. */
+    /** Their total length. */
     val total: Double
         get() {
             var sum = 0.0
@@ -22,8 +22,8 @@ internal class Spans(private val from: DoubleArray, private val to: DoubleArray,
 }
 
 /**
- * When this condition holds: from its first true sample to the next that is not, or to [end], behind which nothing is known. Each true
- * sample of a momentary condition is a span without width.
+ * Returns when this condition holds: from its first true sample to the next one that is not, or to [end], after which nothing is
+ * known. Each true sample of a momentary condition is a span without width.
  */
 internal fun Column.spans(end: Double): Spans {
     var known = size
@@ -55,8 +55,8 @@ private fun Stretches.logged(from: DoubleArray, to: DoubleArray): Spans {
 private fun Column.beginsAt(index: Int) = y[index] == 1.0 && (isMomentary || index == 0 || y[index - 1] != 1.0)
 
 /**
- * A condition that holds within [spans] and not elsewhere in [range]. The end of a span is not within it, but for the end of the
- * recording.
+ * Returns a condition that holds within [spans] and not elsewhere in [range]. The end of a span is not included, except for the
+ * end of the recording.
  */
 internal fun stepsOf(spans: List<Span>, range: Span?): Column {
     if (range == null) return Column(DoubleArray(0), DoubleArray(0))
@@ -79,11 +79,11 @@ internal fun stepsOf(spans: List<Span>, range: Span?): Column {
     return Column(times.toDoubleArray(), states.toDoubleArray())
 }
 
-/** A condition that holds from time [from] until [to]; not known when one of them is not. */
+/** Returns a condition that holds from time [from] until [to]; unknown if one of them is. */
 internal fun during(from: Double, to: Double, range: Span?): Column {
     if (from.isNaN() || to.isNaN()) return unknown(range)
     return stepsOf(if (from < to) listOf(Span(from, to)) else emptyList(), range)
 }
 
-/** A condition of which nothing is known in [range]. */
+/** Returns a condition that is unknown over [range]. */
 internal fun unknown(range: Span?): Column = stepsOf(emptyList(), range).let { it.with(DoubleArray(it.size) { Double.NaN }) }

@@ -4,16 +4,16 @@ import badlog.analysis.Series
 import kotlin.math.ulp
 
 /**
- * The time of a recording whose clock was set back on the way: stretches in which it goes forward, one after another. Expressions
- * see them as if the clock had gone on, so that what comes later in the recording comes later for them, too; times are shown as
- * they were logged.
+ * The time of a recording whose clock was set back during logging: a sequence of stretches in which it goes forward. Expressions
+ * see them as if the clock had run on, so that later samples of the recording are also later for them; times are shown as they
+ * were logged.
  *
  * @param positions the x of each row; may hold gaps.
  */
 public class Stretches internal constructor(positions: DoubleArray) {
     private val rows = if (positions.all { it.isFinite() }) positions else positions.filter { it.isFinite() }.toDoubleArray()
 
-    // Of each stretch: its first row, what its times are ahead of the going clock, and that clock's first and last time in it.
+    // For each stretch: its first row, how far its times are ahead of the continuous clock, and that clock's first and last time in it.
     private val firstRows = ArrayList<Int>()
     private val leads = ArrayList<Double>()
     private val begins = ArrayList<Double>()
@@ -50,14 +50,14 @@ public class Stretches internal constructor(positions: DoubleArray) {
     /** The first time of the recording. */
     internal val begin: Double get() = begins.firstOrNull() ?: Double.POSITIVE_INFINITY
 
-    /** The last time of the recording, on the clock that goes on. */
+    /** The last time of the recording, on the continuous clock. */
     internal val end: Double get() = ends.lastOrNull() ?: Double.NEGATIVE_INFINITY
 
     internal val count: Int get() = leads.size
 
     internal fun knows(logged: DoubleArray): Boolean = logged in steadyOf
 
-    /** Says that [logged] are the times of [rows], which ascend. */
+    /** Records that [logged] has the times of [rows], which ascend. */
     internal fun keepRows(logged: DoubleArray, rows: List<Int>) {
         var stretch = 0
         val times = DoubleArray(logged.size) {
@@ -73,8 +73,8 @@ public class Stretches internal constructor(positions: DoubleArray) {
     }
 
     /**
-     * [logged] on the clock that goes on. Times of unknown rows belong to the first stretch that has them, but not to one before
-     * that of the sample before.
+     * Returns [logged] on the continuous clock. Times of unknown rows belong to the first stretch that has them, but not to one
+     * before that of the previous sample.
      */
     internal fun steady(logged: DoubleArray): DoubleArray {
         steadyOf[logged]?.let { return it }
@@ -84,17 +84,17 @@ public class Stretches internal constructor(positions: DoubleArray) {
             while (stretch + 1 < count && logged[it] > lastOf(stretch)) stretch++
             logged[it] - leads[stretch]
         }
-        // What goes back more often than the rows do has no place of its own.
+        // Times that go back more often than the rows do have no stretch of their own.
         for (i in 1 until times.size) if (times[i] < times[i - 1]) times[i] = times[i - 1]
         keep(logged, times)
         return times
     }
 
-    /** [steady] as it was logged; the very array that it was made from, if it was. */
+    /** Returns [steady] as it was logged; the same array that it was made from, if there is one. */
     internal fun logged(steady: DoubleArray): DoubleArray = loggedOf[steady] ?: DoubleArray(steady.size) { logged(steady[it]) }
         .also { keep(it, steady) }
 
-    /** When [time] of the clock that goes on was logged. */
+    /** Returns the logged time for [time] on the continuous clock. */
     internal fun logged(time: Double): Double {
         if (time.isNaN()) return time
         val row = firstNotBefore(time)
@@ -111,7 +111,7 @@ public class Stretches internal constructor(positions: DoubleArray) {
         return low
     }
 
-    /** Whether the clock was set back between the times [earlier] and [later] of the one that goes on. */
+    /** Returns whether the clock was set back between [earlier] and [later] on the continuous clock. */
     internal fun isSetBackBetween(earlier: Double, later: Double): Boolean = stretchOf(earlier) != stretchOf(later)
 
     private fun stretchOf(time: Double): Int {
@@ -123,7 +123,7 @@ public class Stretches internal constructor(positions: DoubleArray) {
 
     private fun lastOf(stretch: Int) = ends[stretch] + leads[stretch]
 
-    /** The parts of the time from [from] to [to], each as it was logged. */
+    /** Calls [part] for each part of the time from [from] to [to], as it was logged. */
     internal fun eachPart(from: Double, to: Double, part: (from: Double, to: Double) -> Unit) {
         val first = stretchOf(from)
         for (stretch in first until count) {
@@ -135,8 +135,8 @@ public class Stretches internal constructor(positions: DoubleArray) {
     }
 
     /**
-     * The samples of [column], whose clock is another, which was never set back, at the same times of this one: in each stretch
-     * those that belong to its times.
+     * Returns the samples of [column], which has another clock that was never set back, at the same times on this one: each
+     * stretch gets the samples of its times.
      */
     internal fun spread(column: Column): Column {
         val own = Series(column.x, column.y)
@@ -161,7 +161,7 @@ public class Stretches internal constructor(positions: DoubleArray) {
         return Column(times.toDoubleArray(), samples.toDoubleArray(), column.texts, column.isMomentary, this)
     }
 
-    /** In each row of [positions] the last sample of [series] until then. */
+    /** Returns, for each row of [positions], the last sample of [series] up to then. */
     internal fun inRows(series: Series, positions: DoubleArray): Series {
         if (series.x === positions) return series
         val held = if (knows(series.x) || !series.isOrdered) Column(steady(series.x), series.y) else spread(Column(series.x, series.y))
@@ -177,7 +177,7 @@ public class Stretches internal constructor(positions: DoubleArray) {
     }
 
     internal companion object {
-        /** Null where [positions] never go back. */
+        /** Returns null if [positions] never go back. */
         fun of(positions: DoubleArray): Stretches? {
             var last = Double.NEGATIVE_INFINITY
             for (position in positions) {
@@ -189,5 +189,5 @@ public class Stretches internal constructor(positions: DoubleArray) {
     }
 }
 
-// Later, but by nothing that counts. A power of two, which keeps round times round.
+// Later by a negligible amount: a power of two, which keeps round times round.
 private fun after(time: Double, scale: Double) = time + maxOf(time, scale, 1e-9).ulp * 1024

@@ -6,7 +6,8 @@ import badlog.analysis.Span
 import badlog.analysis.select
 import badlog.analysis.weightedPercentile
 
-// Whole recordings in one figure. Samples without a finite value do not count, and without any other there is no figure.
+// Functions that reduce a whole recording to one number. Samples without a finite value are ignored; if there are no others, there is no
+// number.
 
 internal fun Column.minimum(): Scalar {
     var place = -1
@@ -22,7 +23,7 @@ internal fun Column.maximum(): Scalar {
 
 internal fun Column.first(): Scalar = at(y.indexOfFirst { it.isFinite() })
 
-/** The last value, at the time until which it holds. */
+/** Returns the last value, at the time until which it holds. */
 internal fun Column.last(range: Span?): Scalar {
     val place = y.indexOfLast { it.isFinite() }
     return if (place < 0) at(place) else Scalar(y[place], logged(until(place, end(range))))
@@ -30,15 +31,15 @@ internal fun Column.last(range: Span?): Scalar {
 
 private fun Column.at(place: Int) = if (place < 0) Scalar(Double.NaN) else Scalar(y[place], time(place))
 
-/** Weighed by time; moments weigh the same. */
+/** Returns the mean weighted by time; moments have equal weights. */
 internal fun Column.mean(range: Span?): Scalar = Scalar(momentsByTime(range).mean)
 
-/** Weighed by time; moments weigh the same. */
+/** Returns the standard deviation weighted by time; moments have equal weights. */
 internal fun Column.standardDeviation(range: Span?): Scalar = Scalar(momentsByTime(range).standardDeviation)
 
 internal fun Column.sampleMean(): Scalar = Scalar(momentsOfSamples().mean)
 
-/** Of a sample, dividing by one less than the count. */
+/** Returns the standard deviation of a sample, dividing by one less than the count. */
 internal fun Column.sampleStandardDeviation(): Scalar = Scalar(momentsOfSamples().sampleStandardDeviation)
 
 private fun Column.momentsByTime(range: Span?): Moments {
@@ -49,7 +50,7 @@ private fun Column.momentsByTime(range: Span?): Moments {
         val weight = width(i, end)
         if (weight > 0) moments.add(y[i], weight)
     }
-    // Where nothing holds for any time, the samples are all there is.
+    // If nothing holds for any time, the samples themselves are used.
     return if (moments.mean.isNaN()) momentsOfSamples() else moments
 }
 
@@ -59,7 +60,7 @@ private fun Column.momentsOfSamples(): Moments {
     return moments
 }
 
-/** The value below which it lies for [percent] % of the time, see [weightedPercentile]; moments weigh the same. */
+/** Returns the value below which it is for [percent] % of the time, see [weightedPercentile]; moments have equal weights. */
 internal fun Column.percentile(percent: Double, range: Span?): Scalar {
     val end = end(range)
     val values = DoubleArray(size)
@@ -79,7 +80,7 @@ internal fun Column.percentile(percent: Double, range: Span?): Scalar {
     return Scalar(weightedPercentile(values, weights, count, percent / 100))
 }
 
-/** The value below which [percent] % of the samples lie, interpolated linearly between neighbours (type 7 of Hyndman and Fan). */
+/** Returns the value below which [percent] % of the samples lie, interpolated linearly between neighbors (type 7 of Hyndman and Fan). */
 internal fun Column.samplePercentile(percent: Double): Scalar {
     val values = DoubleArray(size)
     var count = 0
@@ -94,7 +95,7 @@ internal fun Column.samplePercentile(percent: Double): Scalar {
     return Scalar(values[below] + (above - values[below]) * (place - below))
 }
 
-/** The area under the values, each as long as it holds; gaps have none. */
+/** Returns the area under the values, each for as long as it holds; gaps have none. */
 internal fun Column.wholeIntegral(range: Span?): Scalar {
     val sum = AreaSum()
     var isKnown = false
@@ -108,7 +109,7 @@ internal fun Column.wholeIntegral(range: Span?): Scalar {
     return Scalar(if (isKnown) sum.value else Double.NaN)
 }
 
-/** From the first sample with a value until the last value holds no more. */
+/** Returns the time from the first sample with a value to the end of the last value. */
 internal fun Column.duration(range: Span?): Scalar {
     val first = y.indexOfFirst { it.isFinite() }
     if (first < 0) return Scalar(Double.NaN)
@@ -116,20 +117,20 @@ internal fun Column.duration(range: Span?): Scalar {
     return Scalar(maxOf(0.0, until(last, end(range)) - x[first]))
 }
 
-/** How often a condition becomes true, else how many samples have a value. */
+/** Returns how often a condition becomes true, or, for numbers, how many samples have a value. */
 internal fun Column.count(isCondition: Boolean, range: Span?): Scalar {
     if (isCondition) return spans(end(range)).let { ifKnown(it, it.times.toDouble()) }
     return Scalar(y.count { it.isFinite() }.toDouble())
 }
 
-/** How long the condition holds. */
+/** Returns how long the condition holds in total. */
 internal fun Column.total(range: Span?): Scalar = spans(end(range)).let { ifKnown(it, it.total) }
 
-/** [figure] of [spans]; none where it is never known whether the condition holds. Where there are no events, none holds. */
+/** Returns [figure] for [spans]; unknown if the condition is never known. If there are no events, none holds. */
 private fun Column.ifKnown(spans: Spans, figure: Double) =
     Scalar(if (isMomentary || y.any { !it.isNaN() }) figure else Double.NaN, spans.firstTime(), spans)
 
-/** Whether the condition ever holds; not known where it is never known, but where there are no events, none holds. */
+/** Returns whether the condition ever holds; unknown if it is never known; but if there are no events, none holds. */
 internal fun Column.any(range: Span?): Scalar {
     val spans = spans(end(range))
     val isKnown = isMomentary || y.any { it == 0.0 }
@@ -146,7 +147,7 @@ internal fun Column.any(range: Span?): Scalar {
     )
 }
 
-/** Whether the condition holds wherever it is known; not known where it is never known. */
+/** Returns whether the condition holds wherever it is known; unknown if it is never known. */
 internal fun Column.all(): Scalar {
     val failing = y.indexOfFirst { it == 0.0 }
     return if (failing >= 0) Scalar(0.0, time(failing)) else Scalar(if (y.any { it == 1.0 }) 1.0 else Double.NaN)

@@ -2,13 +2,13 @@ package badlog.expression.samples
 
 import badlog.text.isLetterOrDigit
 
-/** 1 where the text of [column] is one that [holds], 0 where it is another, a gap where there is none. */
+/** Returns 1 where [holds] is true for the text of [column], 0 where it is false, and a gap where there is no text. */
 internal fun whereText(column: Column, holds: (String) -> Boolean): Column {
     val results = DoubleArray(column.texts!!.size) { if (holds(column.texts[it])) 1.0 else 0.0 }
     return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })
 }
 
-/** 1 where the two have the same text; a gap where one has none. */
+/** Returns 1 where the two have the same text; a gap where one has none. */
 internal fun equalTexts(left: Column, right: Column): Value {
     val places = HashMap<String, Int>()
     for ((index, text) in left.texts!!.withIndex()) if (text !in places) places[text] = index
@@ -18,8 +18,8 @@ internal fun equalTexts(left: Column, right: Column): Value {
 }
 
 /**
- * Whether the whole of [text] is like [pattern], in which `*` stands for any characters and `?` for one; regardless of case.
- * Not a regular expression: those differ between platforms, and some never come to an end.
+ * Returns whether all of [text] matches [pattern], in which `*` stands for any characters and `?` for one; case is ignored.
+ * Not a regular expression: those differ between platforms, and some take forever.
  */
 internal fun matches(text: String, pattern: String): Boolean {
     var at = 0
@@ -34,7 +34,7 @@ internal fun matches(text: String, pattern: String): Boolean {
             at++
             patternAt++
         } else if (star >= 0) {
-            // What the last star stands for gets longer by one.
+            // Let the last star match one more character.
             patternAt = star + 1
             at = ++starText
         } else {
@@ -47,7 +47,7 @@ internal fun matches(text: String, pattern: String): Boolean {
 
 private fun isLike(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
 
-/** The first number in each text, of what stands behind [mark] in it; a gap where there is none. */
+/** Returns the first number after [mark] in each text; a gap where there is none. */
 internal fun numbers(column: Column, mark: String): Column {
     val results = DoubleArray(column.texts!!.size) { numberIn(column.texts[it], mark) }
     return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })
@@ -76,7 +76,7 @@ private fun isFraction(text: String, at: Int) = text[at] == '.' && isDigit(text,
 
 private fun isDigit(text: String, at: Int) = at < text.length && text[at] in '0'..'9'
 
-/** Behind the digits that stand at [from], with their points and the exponent that Java writes to small numbers. */
+/** Returns the index after the digits at [from], with their points and the exponent that Java writes for small numbers. */
 private fun endOfNumber(text: String, from: Int): Int {
     var until = from
     while (until < text.length && (isDigit(text, until) || isFraction(text, until))) until++

@@ -5,11 +5,12 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * For each sample the smallest finite value that there was in the time of [width] up to it, or the largest if [isLargest]; a gap
- * without any. What was before holds on into the window.
+ * Returns, for each sample, the smallest finite value in the time of [width] up to it, or the largest if [isLargest]; a gap if
+ * there is none. An earlier value still holds into the window.
  *
- * Two halves meet at a fixed sample: of the older one the results up to there are known for every begin, the newer one grows.
- * When the begin passes the meeting point, it moves to the newest sample. So each sample is seen twice however wide the window is.
+ * Two halves meet at a fixed sample: for the older one, the results up to there are known for every start; the newer one grows.
+ * When the start passes the meeting point, that moves to the newest sample. So each sample is visited twice, however wide the
+ * window is.
  */
 internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
     val older = DoubleArray(size)
@@ -35,14 +36,14 @@ internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
     return with(results)
 }
 
-/** The larger of two, or the smaller; of one that is not finite the other. */
+/** Returns the larger of two, or the smaller; if one is not finite, the other. */
 private fun better(known: Double, other: Double, isLargest: Boolean): Double =
     if (other - other != 0.0 || (if (isLargest) other <= known else other >= known)) known else other
 
 /**
- * For each sample the mean over the time of [width] up to it, weighed by time; before the first sample and in gaps nothing is known.
- * Where no time is known, it is the sample's own value. No value is ever taken out of a sum, which would leave its rounding
- * behind, see [windowExtreme].
+ * Returns, for each sample, the mean over the time of [width] up to it, weighted by time; gaps, and the time before the first
+ * sample, do not count. If no time is left, it is the sample's own value. No value is ever subtracted from a sum, which would leave
+ * its rounding error behind, see [windowExtreme].
  */
 internal fun Column.windowMean(width: Double): Column {
     val olderSums = DoubleArray(size)
@@ -53,15 +54,15 @@ internal fun Column.windowMean(width: Double): Column {
     var newer = 0.0
     var newerWeight = 0.0
 
-    // Since when the value is the one before sample i.
+    // The first index since which the value has been the same.
     var sameFrom = 0
 
-    // Of sample j, which holds until the next: how long it is known, and times its value.
+    // For sample j, which holds until the next: how long it is known, and that time multiplied by its value.
     fun weight(j: Int) = if (y[j].isFinite()) x[j + 1] - x[j] else 0.0
     fun area(j: Int) = if (y[j].isFinite()) y[j] * (x[j + 1] - x[j]) else 0.0
     for (i in 0 until size) {
         begin = firstWithin(begin, i, width)
-        // The first holds only for the part of it that is within; those after it, up to the one before this, hold wholly.
+        // The first one counts only for the part within the window; those after it, up to the previous one, count fully.
         if (begin + 1 > meeting) {
             var sum = 0.0
             var weight = 0.0
@@ -91,7 +92,7 @@ internal fun Column.windowMean(width: Double): Column {
         }
         if (i > 1 && y[i - 1] != y[i - 2]) sameFrom = i - 1
         results[i] = if (weight > 0) {
-            // What does not change is its own mean, whatever rounding makes of the sum.
+            // A constant value is its own mean, regardless of rounding in the sum.
             if (sameFrom <= begin) y[begin] else sum / weight
         } else if (y[i].isFinite()) {
             y[i]
@@ -102,7 +103,7 @@ internal fun Column.windowMean(width: Double): Column {
     return with(results)
 }
 
-/** The last sample that is not later than [width] before sample [index], for it holds on into the window; not before [from]. */
+/** Returns the last sample at or before [width] before sample [index], since it still holds into the window; not before [from]. */
 private fun Column.firstWithin(from: Int, index: Int, width: Double): Int {
     val begin = x[index] - width + slack(width, x[index])
     var first = from
@@ -110,14 +111,14 @@ private fun Column.firstWithin(from: Int, index: Int, width: Double): Int {
     return first
 }
 
-/** How much of x a second is, where x is a time in [unit]; 1 where it has none. */
+/** Returns the length of a second on x, a time in [unit]; 1 if it has none. */
 internal fun perSecond(unit: String): Double {
     val seconds = Units.secondsIn(unit) ?: 1.0
     return if (seconds < 1) round(1 / seconds) else 1 / seconds
 }
 
 /**
- * How much a stretch of [length] up to [time] may seem longer than it is: times are rounded to decimals in a file, and 0.5 after
- * 9.52 is 10.02, whatever binary fractions make of it.
+ * Returns by how much a span of [length] up to [time] may appear too long: times in a file are rounded to decimals, and 0.5
+ * after 9.52 must be 10.02, despite binary fractions.
  */
 internal fun slack(length: Double, time: Double): Double = length * 1e-9 + abs(time) * 1e-15

@@ -1,8 +1,8 @@
 package badlog.expression.signals
 
-/** Between what [samples] are, each found when it is asked for; NaN of nothing. */
+/** The bounds of [samples], each calculated on demand; NaN if there are none. */
 public class SampleBounds(private val samples: DoubleArray) {
-    /** Of so many numbers, the smallest and the largest, and whether some are not finite. */
+    /** The smallest and the largest of some numbers, and whether some are not finite. */
     private class Bounds(val low: Double, val high: Double, val hasGaps: Boolean)
 
     private val own by lazy { bounds(0) { samples[it] } }

@@ -1,11 +1,11 @@
 package badlog.expression.signals
 
 /**
- * What an expression may name.
+ * Something that an expression can name.
  *
  * @property name the full name; `/` makes folders.
  * @property kind what its samples are.
- * @property unit the unit, `ul` or empty for none; only shown, never calculated with.
+ * @property unit the unit; `ul` or empty for none.
  */
 public data class Signal(public val name: String, public val kind: SignalKind, public val unit: String = "")
 
@@ -17,9 +17,9 @@ public enum class SignalKind {
     /** 0 for false and 1 for true. */
     CONDITION,
 
-    /** Texts that stay until the next one, such as a state. */
+    /** Texts that hold until the next one, such as a state. */
     STATE,
 
-    /** Texts that happen at a moment and then are over, such as the lines of an event log. */
+    /** Texts that occur at a moment, such as the entries of an event log. */
     EVENT,
 }

@@ -5,38 +5,38 @@ import badlog.analysis.Series
 import badlog.analysis.Span
 import badlog.expression.samples.Stretches
 
-/** The named signals of one recording, as expressions see them. An implementation keeps what it made: it is asked often. */
+/** The named signals of one recording, as expressions see them. Implementations should cache their results, since they are called often. */
 public interface Signals {
-    /** What there is. */
+    /** The names of the signals. */
     public val vocabulary: Vocabulary
 
     /**
-     * The samples of the signal called [name], one of [vocabulary]: numbers, 0 and 1, or places in [states]. NaN is a gap.
-     * Signals that share their times should share the very array of them, which makes combining them cheap.
+     * Returns the samples of the signal called [name], one of [vocabulary]: numbers, 0 and 1, or indices into [states].
+     * NaN is a gap. Signals with the same times should share the same array of them, which makes combining them cheap.
      */
     public fun series(name: String): Series
 
-    /** The texts that the samples of the state or event signal [name] stand for. */
+    /** Returns the texts that the samples of the state or event signal [name] stand for. */
     public fun states(name: String): List<String>
 
-    /** When the robot was enabled, in the order of time; null where the recording does not tell. */
+    /** When the robot was enabled, in the order of time; null if the recording does not show it. */
     public val enabled: List<EnabledSpan>?
 
-    /** Whether [enabled] distinguishes autonomous and teleoperated. */
+    /** Whether [enabled] distinguishes autonomous and teleop. */
     public val knowsAutonomous: Boolean get() = enabled != null
 
     /** The x axis as a signal: a sample at each of its positions, which is that position. */
     public val axis: Series
 
-    /** The x of each row of the recording, the very array that the series of topics in rows have; null where there are no rows. */
+    /** The x of each row of the recording, the same array that the series of topics in rows have; null if there are no rows. */
     public val rows: DoubleArray?
 
-    /** From the first sample of the recording to the last, or null without any. */
+    /** From the first sample of the recording to the last, or null if there are none. */
     public val range: Span?
 
-    /** The unit of x; `ul` or empty for none. Where the [vocabulary] has time, no unit means seconds. */
+    /** The unit of x; `ul` or empty for none. If the [vocabulary] has time, no unit means seconds. */
     public val timeUnit: String
 
-    /** How time went where the clock of the rows was set back; null where it never was, or the samples alone tell it. */
+    /** How time ran if the clock of the rows was set back; null if it never was, or if the samples alone show it. */
     public val stretches: Stretches? get() = null
 }

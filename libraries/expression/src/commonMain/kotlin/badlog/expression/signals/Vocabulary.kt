@@ -3,18 +3,18 @@ package badlog.expression.signals
 import badlog.text.isLetterOrDigit
 
 /**
- * The names that expressions over one recording may use. Equal ones have equal signals in the same order, so that an expression
- * parsed for one recording serves all recordings with an equal vocabulary.
+ * The names that expressions over one recording may use. Equal vocabularies have equal signals in the same order, so that an expression
+ * parsed for one recording can be used for all recordings with an equal vocabulary.
  *
- * A signal is called by its full name or by the end of its path where only one signal ends so: `Battery Voltage` for
- * `System/Battery Voltage`. Upper and lower case count only where two names differ in nothing else.
+ * A signal is named by its full name, or by the end of its path if only one signal ends like that: `Battery Voltage` for
+ * `System/Battery Voltage`. Case matters only if two names differ in nothing else.
  *
- * @property signals what there is; where two have the same name, the first counts.
- * @property hasTime whether x is a time; where it is not, an expression with a time, such as `0.5 s`, is a mistake.
- * @property meanings names that mean the same in every recording, whatever its topics are called. A virtual topic may be called so, and
- *   goes first then; one that is not among [signals] means nothing in this recording.
+ * @property signals the signals; of two with the same name, the first counts.
+ * @property hasTime whether x is a time; if not, an expression with a time, such as `0.5 s`, is a mistake.
+ * @property meanings names that mean the same in every recording, whatever the names of its topics. A virtual topic may have such a
+ *   name, and then takes precedence; one that is not among [signals] means nothing in this recording.
  * @property thing what messages call a signal.
- * @property several names that mean several signals in this recording, at least two; one of them alone cannot be asked for so.
+ * @property several names that mean several signals in this recording, at least two; they cannot refer to one of them alone.
  */
 public class Vocabulary(
     public val signals: List<Signal>,
@@ -23,7 +23,7 @@ public class Vocabulary(
     public val thing: String = "topic",
     public val several: Map<String, List<String>> = emptyMap(),
 ) {
-    /** Of a recording over time. */
+    /** Creates the vocabulary of a recording over time. */
     public constructor(signals: List<Signal>) : this(signals, hasTime = true)
 
     private val entries by lazy { Entries(signals) }
@@ -33,27 +33,27 @@ public class Vocabulary(
 
     override fun hashCode(): Int = signals.hashCode()
 
-    /** These names and [topic], which goes before a meaning of the same name. */
+    /** Returns these names with [topic], which takes precedence over a meaning of the same name. */
     public fun with(topic: Signal): Vocabulary =
         Vocabulary(signals.filter { it.name != topic.name } + topic, hasTime, meanings - topic.name, thing, several - topic.name)
 
-    /** Whether [name] means one of the signals, or several. */
+    /** Returns whether [name] means one of the signals, or several. */
     public fun knows(name: String): Boolean = find(name).isNotEmpty()
 
-    /** The signals that [name] may mean: none, the one, or those that it fails to tell apart. */
+    /** Returns the signals that [name] may mean: none, one, or several if it is ambiguous. */
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
 
-    /** How long the longest name is that stands in [text] at [from] and ends there as a word does; 0 without one. */
+    /** Returns the length of the longest name at [from] in [text] that ends at a word boundary; 0 if there is none. */
     internal fun longestAt(text: String, from: Int, ignoreCase: Boolean): Int = entries.lengths.firstOrNull { length ->
         val until = from + length
         until <= text.length && isWordEnd(text, until) && entries.find(text.substring(from, until), ignoreCase).isNotEmpty()
     } ?: 0
 
-    /** Which of [meanings] [name] is, whatever the case of its letters, though the recording has none; or null. */
+    /** Returns which of [meanings] [name] is, regardless of case, if the recording lacks it; otherwise null. */
     internal fun lacking(name: String): String? =
         meanings.find { it.equals(name, ignoreCase = true) }?.takeIf { meaning -> signals.none { it.name == meaning } }
 
-    /** The signal whose name is most like [name], or null when none is like it. */
+    /** Returns the signal whose name is most similar to [name], or null if none is similar. */
     internal fun nearest(name: String): Signal? {
         val wanted = folded(name.take(MAX_COMPARED))
         var best: Signal? = null
@@ -70,7 +70,7 @@ public class Vocabulary(
         return best
     }
 
-    /** What each name means; made when first needed, since most vocabularies are only compared. */
+    /** What each name means; created on first use, since most vocabularies are only compared. */
     private class Entries(signals: List<Signal>) {
         private val full = HashMap<String, Signal>()
         private val ends = HashMap<String, MutableList<Signal>>()
@@ -89,7 +89,7 @@ public class Vocabulary(
         private fun addEnds(signal: Signal) {
             var slash = signal.name.lastIndexOf('/', signal.name.length - 2)
             var left = MAX_ENDS
-            // What is longer than an expression is never asked for.
+            // A name longer than an expression is never looked up.
             while (slash >= 0 && left-- > 0 && signal.name.length - slash <= MAX_EXPRESSION_LENGTH) {
                 val end = signal.name.substring(slash + 1)
                 ends.getOrPut(end) { ArrayList(1) } += signal
@@ -113,29 +113,29 @@ public class Vocabulary(
     private companion object {
         const val MAX_COMPARED = 80
 
-        // Of a path; names come from files, and all ends of a long one would fill the memory.
+        // The maximum number of ends of a path; names come from files, and all ends of a long one would fill the memory.
         const val MAX_ENDS = 32
     }
 }
 
-/** How many characters an expression has at most. */
+/** The maximum number of characters in an expression. */
 internal const val MAX_EXPRESSION_LENGTH = 4000
 
-/** Whether a name that ends before [at] ends there: `Arm` does not end within `Arms`. */
+/** Returns whether a name that ends before [at] ends at a word boundary: `Arm` does not end within `Arms`. */
 internal fun isWordEnd(text: String, at: Int): Boolean =
     at >= text.length || at == 0 || !isWordCharacter(text[at]) || !isWordCharacter(text[at - 1])
 
 internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
 
-// Character by character, so that the length stays.
+// Character by character, so that the length stays the same.
 private fun folded(text: String): String {
     val characters = CharArray(text.length) { text[it].lowercaseChar() }
     return characters.concatToString()
 }
 
 /**
- * How many characters must be put in, left out or replaced to make [other] of [one] (Levenshtein 1966); [limit] when it is as
- * many or more.
+ * Returns how many characters must be inserted, deleted or replaced to turn [one] into [other] (Levenshtein 1966), but at
+ * most [limit].
  */
 internal fun editDistance(one: String, other: String, limit: Int): Int {
     if (kotlin.math.abs(one.length - other.length) >= limit) return limit

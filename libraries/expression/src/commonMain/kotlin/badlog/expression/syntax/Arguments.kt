@@ -12,9 +12,9 @@ import badlog.expression.samples.clamped
 import badlog.expression.samples.combined
 
 /**
- * What a function is called with.
+ * The arguments of a function.
  *
- * @property range of the whole recording.
+ * @property range the range of the whole recording.
  */
 internal class Arguments(private val nodes: List<Node>, private val values: List<Value>, val range: Span?) {
     fun column(index: Int): Column = values[index] as Column
@@ -27,13 +27,13 @@ internal class Arguments(private val nodes: List<Node>, private val values: List
 
     fun regression() = Regression(values[0], values[1], range)
 
-    /** Where the first operand comes above the second, or below it. */
+    /** Returns where the first operand rises above the second, or falls below it. */
     fun crossings(): Column = (combined(values[0], values[1], Operator.GREATER.operation) as Column).changed()
 
     fun chosen(): Value = chosen(values[0], values[1], values[2])
 
     fun clamped(): Value = clamped(values[0], values[1], values[2])
 
-    /** Of the one operand, or of both. */
+    /** Applies [operation] to the one operand, or to both. */
     fun elementwise(operation: Operation): Value = combined(values[0], values.getOrNull(1) ?: Scalar(Double.NaN), operation)
 }

@@ -67,14 +67,14 @@ import kotlin.math.sqrt
 import kotlin.math.tan
 
 /**
- * What can be called.
+ * The functions of the language.
  *
- * @property title how it is written; several with one title differ in how many operands they take.
- * @property movesTimes whether it makes more samples than it is given.
- * @property needsSteps whether what it gives changes while its first operand holds.
- * @property needsLasting whether moments have nothing that it could tell.
- * @property timing whether what it gives is there at moments only.
- * @property unit the unit of what it gives.
+ * @property title its name; functions with the same name differ in their number of operands.
+ * @property movesTimes whether it may return more samples than it receives.
+ * @property needsSteps whether its result changes while its first operand holds.
+ * @property needsLasting whether it is meaningless for moments.
+ * @property timing whether its result exists only at moments.
+ * @property unit the unit of its result.
  */
 internal enum class Function(
     val title: String,
@@ -275,33 +275,33 @@ internal enum class Function(
     ROUND("round", listOf(NUMBERS), Result.ELEMENTWISE, unit = UnitOfResult.AS_FIRST, compute = { it.elementwise { x, _ -> round(x) } }),
     ;
 
-    /** Whether what a function gives over time is there at moments only. */
+    /** Whether the result of a function over time exists only at moments. */
     enum class Timing { AS_OPERANDS, AT_MOMENTS, LASTING }
 
-    /** The unit of what a function gives: that of its first operand, that of x, none, or one that only it knows. */
+    /** The unit of a function's result: that of its first operand, that of x, none, or a special one. */
     enum class UnitOfResult { AS_FIRST, AXIS, NONE, UNKNOWN }
 
-    /** What a function gives. */
+    /** The kind of a function's result. */
     enum class Result {
         NUMBER,
         CONDITION,
         NUMBERS,
         CONDITIONS,
 
-        /** What its first operand is. */
+        /** The kind of its first operand. */
         AS_FIRST,
 
-        /** What its second and third operand are; over time when one of the operands is. */
+        /** The kind of its second and third operands; over time if one of the operands is. */
         AS_CHOSEN,
 
-        /** A number, over time when one of its operands is. */
+        /** A number; over time if one of its operands is. */
         ELEMENTWISE,
     }
 
     companion object {
         private val byTitle = entries.groupBy { it.title }
 
-        /** Those that are called [name], in any case; empty without one. */
+        /** Returns the functions called [name], regardless of case; empty if there are none. */
         fun called(name: String): List<Function> = byTitle[name.lowercase()].orEmpty()
     }
 }

@@ -9,28 +9,28 @@ import kotlin.math.round
 /**
  * What a unit measures.
  *
- * @property dimension what sort of thing; only numbers of one dimension can be compared.
- * @property size how many of the dimension's basic units it is.
- * @property axisPower of which power of the x axis' unit of time it is besides.
+ * @property dimension what sort of quantity; only numbers of the same dimension can be compared.
+ * @property size its size in the dimension's base unit.
+ * @property axisPower the power of the x axis' unit of time that it also contains.
  */
 internal class Measure(val dimension: String, val size: Double, val axisPower: Int = 0) {
-    /** A change of this in a unit of x. */
+    /** Returns this per unit of x. */
     fun perAxis() = Measure(if (dimension.endsWith(TIMES)) dimension.removeSuffix(TIMES) else "$dimension$PER", size, axisPower - 1)
 
-    /** This for a unit of x. */
+    /** Returns this times a unit of x. */
     fun timesAxis() = Measure(if (dimension.endsWith(PER)) dimension.removeSuffix(PER) else "$dimension$TIMES", size, axisPower + 1)
 
     companion object {
         private const val PER = "/time"
         private const val TIMES = "·time"
 
-        /** That of the x axis. */
+        /** The measure of the x axis. */
         val AXIS: Measure = Measure("time", 1.0, axisPower = 1)
 
-        /** What [unit] measures, null where it is not known. */
+        /** Returns what [unit] measures; null if it is not known. */
         fun of(unit: String): Measure? = Units.secondsIn(unit)?.let { Measure("time", it) } ?: KNOWN[unit] ?: KNOWN[unit.lowercase()]
 
-        /** The longest unit that begins at [from] in [text] and ends there as a word does; empty without one. */
+        /** Returns the longest unit at [from] in [text] that ends at a word boundary; empty if there is none. */
         fun longestAt(text: String, from: Int): String {
             var until = from
             while (until < text.length && until - from < MAX_LENGTH && (isLetter(text[until]) || text[until] in OF_UNITS)) until++
@@ -91,14 +91,14 @@ internal class Measure(val dimension: String, val size: Double, val axisPower: I
     }
 }
 
-/** Makes numbers in [from] to numbers in [to], whose dimension is the same and which is called [unit]. */
+/** Converts numbers in [from] to numbers in [to], which has the same dimension and is called [unit]. */
 internal class Conversion(private val from: Measure, private val to: Measure, val unit: String) {
-    /** What to multiply with, where a second is [perSecond] of x. */
+    /** Returns the factor, where a second is [perSecond] of x. */
     fun factor(perSecond: Double): Double {
         var factor = from.size / to.size
         repeat(abs(from.axisPower - to.axisPower)) { if (from.axisPower > to.axisPower) factor /= perSecond else factor *= perSecond }
         return when {
-            // What decimals make exact is exact.
+            // A factor that is exact in decimals stays exact.
             isNearly(factor, round(factor)) -> round(factor)
 
             isNearly(1 / factor, round(1 / factor)) -> 1 / round(1 / factor)

@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-/** Leaves the parser at the first mistake; never seen outside of it. */
+/** Thrown inside the parser at the first mistake; never leaves the parser. */
 internal class Mistake(val from: Int, val until: Int, val kind: ExpressionErrorKind, override val message: String) : Exception(message)
 
 internal fun mistake(node: Node, message: String): Nothing = throw Mistake(node.from, node.until, ExpressionErrorKind.TYPE, message)
@@ -13,15 +13,15 @@ public enum class ExpressionErrorKind {
     /** It names a topic that this recording does not have; another one may. */
     UNKNOWN_TOPIC,
 
-    /** It names a topic by an end of its path that several share. */
+    /** It names a topic by the end of its path, which several share. */
     AMBIGUOUS_TOPIC,
 
-    /** It has a time, such as `0.5 s`, but x of this recording is none; that of another may be. */
+    /** It has a time, such as `0.5 s`, but x of this recording is not a time; that of another may be. */
     NO_TIME,
 
     /** It uses something where something else is needed, such as a number as a condition. */
     TYPE,
 
-    /** It is longer, deeper or costlier than expressions may be. */
+    /** It is longer, more deeply nested or more expensive than allowed. */
     LIMIT,
 }

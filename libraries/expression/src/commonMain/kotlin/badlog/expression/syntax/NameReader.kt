@@ -4,28 +4,28 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.signals.editDistance
 import badlog.expression.signals.isWordCharacter
 
-/** Words that mean themselves when they are written like this. */
+/** Words that are keywords when written exactly like this. */
 internal val KEYWORDS = setOf("not", "true", "false", AXIS) + Mode.entries.map { it.word }
 
-/** What a word means where an operand may stand. */
+/** The meaning of a word where an operand is allowed. */
 internal sealed interface Meaning {
     class Topic(val node: Node.Topic) : Meaning
 
-    /** The scanner still stands before [name], as it is written there. */
+    /** The scanner is still before [name], which is as written. */
     class Call(val name: String) : Meaning
 
-    /** The scanner still stands before it. */
+    /** The scanner is still before it. */
     class Keyword(val word: String) : Meaning
 }
 
-/** Tells names of topics from functions and keywords. */
+/** Distinguishes names of topics from functions and keywords. */
 internal class NameReader(private val text: String, private val scanner: Scanner, private val vocabulary: Vocabulary) {
-    /** What begins at the scanner's place. */
+    /** Returns what begins at the scanner's position. */
     fun read(): Meaning {
         val from = afterNeedlessSlash(scanner.at)
         val word = scanner.wordAt(from)
         val key = word.lowercase()
-        // A keyword as it is always written gives way only to a longer name that is written in just that case.
+        // A keyword in its usual spelling yields only to a longer name written in exactly the same case.
         val isKeyword = word in KEYWORDS
         val length = vocabulary.longestAt(text, from, ignoreCase = !isKeyword)
         if (isKeyword && length <= word.length) return Meaning.Keyword(word)
@@ -40,13 +40,13 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         failUnknown(from, word, key)
     }
 
-    // Elsewhere names begin with a slash, as paths do.
+    // In other tools, names begin with a slash, like paths.
     private fun afterNeedlessSlash(from: Int): Int {
         val isNeedless = text[from] == '/' && vocabulary.longestAt(text, from, ignoreCase = true) == 0
         return if (isNeedless && vocabulary.longestAt(text, from + 1, ignoreCase = true) > 0) from + 1 else from
     }
 
-    /** The topic that is called [name], which stands from [from] until [until]. */
+    /** Returns the topic called [name], which is written from [from] until [until]. */
     fun topic(name: String, from: Int, until: Int): Node.Topic {
         val found = vocabulary.find(name).ifEmpty { vocabulary.find(name.removePrefix("/")) }
         if (found.isEmpty()) failUnknownTopic(name, from, until)
@@ -58,10 +58,10 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return Node.Topic(from, until, found[0])
     }
 
-    /** Whether the word at [from] is that of a function that is called. */
+    /** Returns whether the word at [from] is a function call. */
     fun isCallAt(from: Int): Boolean = scanner.wordAt(from).let { Function.called(it).isNotEmpty() && isCalled(from + it.length) }
 
-    /** What begins at [from] is written as a path, though parts of it are names. */
+    /** Fails because the text at [from] is written as a path, although parts of it are names. */
     fun failPath(from: Int): Nothing {
         val until = nameEnd(from)
         val name = text.substring(from, until)
@@ -120,7 +120,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         }
     }
 
-    /** Where what was meant as a name seems to end: names have spaces and slashes, operators in words do not belong to them. */
+    /** Returns where an intended name seems to end: names have spaces and slashes, but operators written as words are not part of them. */
     private fun nameEnd(from: Int): Int {
         var until = from
         while (until < text.length) {

@@ -10,16 +10,16 @@ import badlog.expression.signals.Signal
  * @property children its operands.
  */
 internal sealed class Node(var from: Int, var until: Int, val children: List<Node>) {
-    /** How many nodes there are from here down to the deepest. */
+    /** The number of nodes from here down to the deepest. */
     val depth: Int = 1 + (children.maxOfOrNull { it.depth } ?: 0)
 
-    /** A number of its own within the expression. */
+    /** Its unique number within the expression. */
     var id: Int = -1
 
-    /** What it gives, once checked. */
+    /** The type of its result, once checked. */
     lateinit var type: Type
 
-    /** How its numbers become those of another unit, in which they are needed. */
+    /** How its numbers are converted to another required unit. */
     var conversion: Conversion? = null
 
     class Number(from: Int, until: Int, val value: Double, val digits: String) : Node(from, until, emptyList())
@@ -51,25 +51,25 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
     class Call(from: Int, until: Int, val function: Function, val arguments: List<Node>) : Node(from, until, arguments)
 }
 
-/** In which mode a robot may be enabled; [ENABLED] is any. */
+/** The modes in which a robot can be enabled; [ENABLED] is any of them. */
 internal enum class Mode {
     ENABLED,
     AUTONOMOUS,
     TELEOP,
     ;
 
-    /** How it is written. */
+    /** Its spelling. */
     val word: String get() = name.lowercase()
 }
 
-/** How the x axis is written. */
+/** The spelling of the x axis. */
 internal const val AXIS: String = "time"
 
-/** What a part of an expression gives, and how an error calls it. */
+/** The kind of a result, and its name in errors. */
 internal enum class Kind(val title: String) {
     NUMBER("a number"),
 
-    /** A time that is written with its unit; a number everywhere else. */
+    /** A time written with its unit; elsewhere it is a number. */
     TIME("a time"),
 
     /** Counts as 0 and 1 where a number is needed. */
@@ -81,8 +81,9 @@ internal enum class Kind(val title: String) {
 }
 
 /**
- * What a node gives: its [kind], one for each moment or one for the whole recording.
+ * The type of a node's result: its [kind], and whether there is one for each moment or one for the whole
+ * recording.
  *
- * @property isMomentary whether each is over at once, as events are.
+ * @property isMomentary whether each is over at once, like an event.
  */
 internal data class Type(val kind: Kind, val isOverTime: Boolean, val isMomentary: Boolean = false)

@@ -5,9 +5,9 @@ import badlog.expression.samples.known
 import kotlin.math.pow
 
 /**
- * What stands between two operands.
+ * An operator between two operands.
  *
- * Conditions are 1, 0 and, where not known, NaN: what is compared with a gap is not known, and neither is what depends on it.
+ * Conditions are 1, 0 and, if unknown, NaN: a comparison with a gap is unknown, and so is everything that depends on it.
  */
 internal enum class Operator(
     val symbol: String,
@@ -37,20 +37,20 @@ internal enum class Operator(
     POWER("^", Precedence.POWER, Group.ARITHMETIC, { a, b -> if (a.isNaN() || b.isNaN()) Double.NaN else a.pow(b) }),
     ;
 
-    /** What operands an operator takes. */
+    /** The operands that an operator takes. */
     enum class Group { WHEN, LOGIC, TEXT, ORDER, EQUALITY, ARITHMETIC }
 
     val isComparison: Boolean get() = precedence == Precedence.COMPARISON
 
     companion object {
-        /** Every way to write one, so that none comes behind one that it begins with. */
+        /** All spellings, ordered so that longer ones come before those they begin with. */
         val spellings: List<Pair<String, Operator>> =
             entries.flatMap { operator -> (listOf(operator.symbol) + operator.synonyms).map { it to operator } }
                 .sortedByDescending { it.first.length }
     }
 }
 
-/** How tightly things hold together; the larger, the tighter. */
+/** How tightly operators bind; the larger, the tighter. */
 internal object Precedence {
     const val WHEN = 1
     const val OR = 2

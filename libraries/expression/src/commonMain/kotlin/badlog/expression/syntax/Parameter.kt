@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-/** What a function takes, and how an error says what is needed. */
+/** What a function accepts, and its name in errors. */
 internal enum class Parameter(val needed: String) {
     VARYING("something that changes over time"),
     VARYING_NUMBERS("numbers that change over time"),
@@ -18,7 +18,7 @@ internal enum class Parameter(val needed: String) {
     SHARE("a number from 0 to 100"),
     ;
 
-    /** Whether [node], whose type is known, will do. */
+    /** Returns whether [node], whose type is known, is accepted. */
     fun accepts(node: Node): Boolean {
         val type = node.type
         return when (this) {

@@ -6,8 +6,8 @@ import badlog.expression.signals.Vocabulary
 import badlog.text.isLetter
 
 /**
- * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since what is a name depends on the
- * vocabulary and on where an operand may stand, which a table of tokens cannot say.
+ * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since the vocabulary and the
+ * positions where operands are allowed decide what is a name, which a table of tokens cannot express.
  */
 internal class Parser(private val text: String, private val vocabulary: Vocabulary) {
     private val scanner = Scanner(text)
@@ -15,11 +15,11 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
     private var nodes = 0
     private var moves = 0
 
-    // Of the last topic that was read without quotes.
+    // The position of the last topic that was read without quotes.
     private var plainNameFrom = -1
     private var plainNameUntil = -1
 
-    /** The whole text. */
+    /** Parses the whole text. */
     fun parse(): Node {
         if (text.length > Limits.LENGTH) {
             fail(Limits.LENGTH, text.length, "An expression has at most ${Limits.LENGTH} characters.", ExpressionErrorKind.LIMIT)
@@ -56,7 +56,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
                 left = made(Node.Measured(left.from, operatorUntil, left.value, left.digits, "%"))
                 continue
             }
-            // To the right of all but ^, what holds together as tightly begins the next round.
+            // Except for ^, an operator that binds equally tightly begins the next round.
             val right = try {
                 expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
             } catch (mistake: Mistake) {
@@ -66,7 +66,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         }
     }
 
-    /** What is written as a path, as `Arm/Angle`, is not divided when it is no topic's name. */
+    /** Text written as a path, such as `Arm/Angle`, is not treated as a division if it is not a topic's name. */
     private fun requireNoPath(slash: Int) {
         val isPath = plainNameUntil == slash && slash + 1 < text.length && (isLetter(text[slash + 1]) || text[slash + 1] == '_')
         if (isPath && !names.isCallAt(slash + 1)) names.failPath(plainNameFrom)
@@ -86,7 +86,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         Mistake(from, until, kind, "There is no ${vocabulary.thing} “$name”; put a text in single quotes, as in '$name'.")
     }
 
-    // An operand in parentheses reaches farther than what it is made of.
+    // An operand in parentheses extends beyond its parts.
     private fun isInParentheses(node: Node) = node.from < node.children.first().from
 
     private fun readTime(wordFrom: Int): Node.Time {
@@ -98,7 +98,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         return number() as? Node.Time ?: fail(from, scanner.at, message)
     }
 
-    /** What follows the word “within” at [wordFrom], as in `a within 1 s after b`, which is `a and after(b, 1 s)`. */
+    /** Reads what follows the word “within” at [wordFrom], as in `a within 1 s after b`, which is `a and after(b, 1 s)`. */
     private fun readNearness(left: Node, wordFrom: Int, nesting: Int): Node {
         val time = readTime(wordFrom)
         scanner.skipSpace()
@@ -267,8 +267,8 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 }
 
 /**
- * What an expression may be at most. They keep what comes from elsewhere from overflowing the stack, and bound the work: each
- * node costs a pass over the samples, and only what moves times makes more of them.
+ * The limits of an expression. They keep expressions from untrusted sources from overflowing the stack, and bound the work:
+ * each node costs a pass over the samples, and only functions that move times create more of them.
  */
 internal object Limits {
     const val LENGTH = MAX_EXPRESSION_LENGTH

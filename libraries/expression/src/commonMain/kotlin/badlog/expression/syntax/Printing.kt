@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-/** [node] written so that it is read as the same again: full names in quotes, parentheses only where they are needed. */
+/** Returns the text of [node], which is read as the same expression again: full names in quotes, and parentheses only where necessary. */
 internal fun printed(node: Node): String = when (node) {
     is Node.Number -> node.digits
 

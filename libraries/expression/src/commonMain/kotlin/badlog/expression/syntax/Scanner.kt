@@ -6,20 +6,20 @@ import badlog.expression.signals.isWordEnd
 
 /** Walks over the text of an expression; knows numbers, quotes and operators, but not names. */
 internal class Scanner(private val text: String) {
-    /** The next character. */
+    /** The index of the next character. */
     var at = 0
 
     fun skipSpace() {
         while (at < text.length && text[at].isWhitespace()) at++
     }
 
-    /** Whether nothing but spaces is left; skips them. */
+    /** Skips spaces, and returns whether nothing else is left. */
     fun isAtEnd(): Boolean {
         skipSpace()
         return at == text.length
     }
 
-    /** Whether [character] comes next; if so, it is passed. */
+    /** Returns whether [character] comes next; if so, skips it. */
     fun take(character: Char): Boolean {
         skipSpace()
         val isNext = at < text.length && text[at] == character
@@ -33,26 +33,26 @@ internal class Scanner(private val text: String) {
         return isNext
     }
 
-    /** How the operator that comes next is written, and which it is. */
+    /** Returns the spelling of the next operator, and the operator. */
     fun peekOperator(): Pair<String, Operator>? = Operator.spellings.find { (spelling, _) ->
         text.startsWith(spelling, at, ignoreCase = true) && isWordEnd(text, at + spelling.length)
     }
 
-    /** The letters, digits and underscores that begin at [from]. */
+    /** Returns the letters, digits and underscores from [from] on. */
     fun wordAt(from: Int): String {
         var until = from
         while (until < text.length && isWordCharacter(text[until])) until++
         return text.substring(from, until)
     }
 
-    /** The word that comes next, or the one character. */
+    /** Returns the next word, or the next single character. */
     fun restWord(): String = wordAt(at).ifEmpty { text.substring(at, at + 1) }
 
     fun isNumberHere(): Boolean = isDigit(at) || (at < text.length && text[at] == '.' && isDigit(at + 1))
 
     private fun isDigit(place: Int) = place < text.length && text[place] in '0'..'9'
 
-    /** A number, or a time when a unit follows. */
+    /** Reads a number, or a time if a unit follows. */
     fun number(): Node {
         val from = at
         skipDigits()
@@ -88,7 +88,7 @@ internal class Scanner(private val text: String) {
         return Node.Time(from, at, value * seconds, "$digits $unit")
     }
 
-    /** A time as a clock shows it: `1:30` is a minute and a half, `1:02:03.5` an hour more. */
+    /** Reads a time in clock notation: `1:30` is a minute and a half, `1:02:03.5` an hour more. */
     private fun clockTime(from: Int): Node {
         while (at < text.length && (isDigit(at) || (text[at] in ":." && isDigit(at + 1)))) at++
         val written = text.substring(from, at)
@@ -103,7 +103,7 @@ internal class Scanner(private val text: String) {
         while (isDigit(at)) at++
     }
 
-    /** What stands between two [quote]s, the first of which comes next; a double one stands for one. */
+    /** Reads the text between two [quote]s, the first of which comes next; a doubled one stands for one. */
     fun quoted(quote: Char, what: String): String {
         val from = at++
         val content = StringBuilder()

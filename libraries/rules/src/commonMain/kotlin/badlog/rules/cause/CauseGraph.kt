@@ -13,13 +13,14 @@ import badlog.rules.signal.patterns
 import badlog.rules.signal.patternsJson
 
 /**
- * What rules know of cause and effect: which findings show that something happened, and which findings may follow from which.
+ * What rules know about cause and effect: which findings show that something happened, and which findings may follow from
+ * which.
  *
- * @property causes what may have happened; of two that explain the same, the earlier counts.
- * @property effects by the names of rules, the rules whose findings may follow from theirs.
+ * @property causes what may have happened; of two that explain the same, the earlier one counts.
+ * @property effects for the name of each rule, the rules whose findings may follow from its findings.
  */
 public class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
-    /** The rules whose findings may follow from those of [rules], also by way of others. */
+    /** Returns the rules whose findings may follow from those of [rules], directly or indirectly. */
     internal fun reachedFrom(rules: Collection<String>): Set<String> {
         val reached = LinkedHashSet<String>()
         val waiting = ArrayDeque(rules)
@@ -27,7 +28,7 @@ public class CauseGraph internal constructor(internal val causes: List<Cause>, i
         return reached
     }
 
-    /** This and, before it, what [own] says; of one name, its causes count. */
+    /** Returns this graph with [own] before it; for equal names, the causes of [own] count. */
     internal fun after(own: CauseGraph): CauseGraph {
         val names = own.causes.mapTo(HashSet()) { it.name }
         val all = (effects.keys + own.effects.keys).associateWith { own.effects[it].orEmpty() + effects[it].orEmpty() }
@@ -35,7 +36,7 @@ public class CauseGraph internal constructor(internal val causes: List<Cause>, i
     }
 
     public companion object {
-        /** Nothing leads to anything. */
+        /** No causes and no effects. */
         public val NONE: CauseGraph = CauseGraph(emptyList(), emptyMap())
 
         internal fun fromJson(value: JsonValue): CauseGraph {
@@ -51,13 +52,14 @@ public class CauseGraph internal constructor(internal val causes: List<Cause>, i
 }
 
 /**
- * Something that happened, as findings show it.
+ * Something that happened, as shown by findings.
  *
- * @property name what happened, as a sentence begins with it: “The robot pushed against something”.
- * @property shownBy the rules of which a finding shows it.
- * @property topics where it matters, patterns for the topic of such a finding; empty for all.
- * @property together of how many topics there have to be findings at about the same time.
- * @property onlyWith where not empty, the rules of which a finding must have followed: without one it is nothing to speak of.
+ * @property name what happened, as the start of a sentence: “The robot pushed against something”.
+ * @property shownBy the rules whose findings show it.
+ * @property topics patterns for the topic of such a finding, if it matters; empty for all.
+ * @property together the number of topics that must have findings at about the same time.
+ * @property onlyWith if not empty, one of these rules must have a finding that followed: without one, it is not worth
+ * mentioning.
  * @property next what to look at next.
  */
 internal class Cause(

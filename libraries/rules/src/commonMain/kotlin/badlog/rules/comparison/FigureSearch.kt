@@ -35,8 +35,8 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * The figures of [view], whose topics are called as [vocabulary] has them; none where it does not tell when the robot was enabled, or
- * that was too short.
+ * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
+ * time was too short.
  */
 public fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
     val shape = LogShape.of(view)
@@ -56,7 +56,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         val enabled = united(stretches.map { it.span }, gap = 0.0)
         val driving = common(enabled, drivenSpans())
         val (autonomous, teleop) = stretches.partition { it.isAutonomous }
-        // Without a word of autonomous, all of it would be teleop.
+        // If the log does not show autonomous, all of it would count as teleop.
         val isTold = view.knowsAutonomous
         spans = mapOf(
             Measure.AUTONOMOUS to if (isTold) autonomous.map { it.span } else emptyList(),
@@ -93,7 +93,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty)
     }
 
-    /** The topics that are [signal], each with what it is as that; or their sum, as the first of them. */
+    /** Returns the topics that are [signal], each as a named signal; or their sum, under the name of the first. */
     private fun namedOf(signal: String): List<Pair<String, NamedSignal>> {
         val found = topics.of(signal)
         if (found.isNotEmpty()) return found.map { it.topic to NamedSignal.of(signal, listOf(it)) }
@@ -102,7 +102,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
     }
 
     private fun measured(series: Series, measure: Measure): Double = when (measure) {
-        // Before there is a first voltage, libraries log 0.
+        // Until there is a first voltage, libraries log 0.
         Measure.LOWEST -> extreme(series) { one, other -> if (one <= LEAST_VOLTS || other < one) other else one }
 
         Measure.HIGHEST -> extreme(series) { one, other -> maxOf(one, other) }
@@ -131,7 +131,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         else -> LEAST_ENABLED
     }
 
-    /** When a motor of the drivetrain had an output, or one of its modules a speed. */
+    /** Returns when a motor of the drivetrain had an output, or one of its modules a speed. */
     private fun drivenSpans(): List<Span> {
         val (driven, least) = topics.of("motor output").filter { isOfDrivetrain(it.topic) } to LEAST_OUTPUT
         return if (driven.isNotEmpty()) spansAbove(driven, least) else spansAbove(topics.of("module speed"), LEAST_SPEED)
@@ -171,17 +171,17 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         const val LEAST_ENABLED = 20.0
         const val LEAST_VOLTS = 1.0
 
-        /** Of a motor, and of a module in meters a second. */
+        /** For a motor, and for a module in meters per second. */
         const val LEAST_OUTPUT = 0.15
         const val LEAST_SPEED = 0.5
 
-        /** Who turns around goes on driving. */
+        /** A robot that reverses is still driving. */
         const val BRIDGED = 0.3
         const val MAX_FIGURES = 240
         val DRIVETRAIN = listOf("drive", "module", "swerve", "chassis")
         val MATCH_TYPES = listOf("qual", "playoff", "elim", "final")
 
-        /** [value] with so many digits as anybody compares. */
+        /** Returns [value] with as many digits as are useful for comparing. */
         fun rounded(value: Double): Double {
             if (value == 0.0 || !value.isFinite()) return value
             val places = 10.0.pow(4 - floor(log10(abs(value))).toInt())
@@ -190,5 +190,5 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
     }
 }
 
-/** What the total current is called where it is the sum of the channels, and no topic. */
+/** The name of the total current if it is the sum of the channels, not a topic. */
 internal const val SUM_OF_CHANNELS = "Total current"

@@ -14,11 +14,11 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * What was different in a log from the team's others.
+ * How a log differs from the team's others.
  *
- * @property findings what is so far from the others that it is a finding, the farthest first.
- * @property figures what is measured in each of [findings].
- * @property differences what is far enough from the others to be said of an incident that it has to do with; [findings] first.
+ * @property findings the differences that are large enough to be findings, the largest first.
+ * @property figures the figure of each of [findings].
+ * @property differences the differences that are large enough to be mentioned in a related incident; [findings] first.
  */
 public class LogDifferences internal constructor(
     public val findings: List<Finding>,
@@ -26,14 +26,14 @@ public class LogDifferences internal constructor(
     public val differences: List<Finding>,
 ) {
     public companion object {
-        /** Nothing was. */
+        /** No differences. */
         public val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
     }
 }
 
 /**
- * Compares each of [logs], which are in the order of a team's matches, with those of its kind beside it, by the comparisons of these
- * rules.
+ * Compares each of [logs], which are in the order of a team's matches, with its neighbors of the same kind, by the comparisons of
+ * these rules.
  *
  * @return a result for each log.
  */
@@ -50,9 +50,9 @@ public fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
     return found.map { it ?: LogDifferences.NONE }
 }
 
-/** Compares [logs], which are of one kind, by [rules]. */
+/** Compares [logs] of the same kind by [rules]. */
 private class LogComparison(private val rules: List<Comparison>, private val logs: List<LogFigures>) {
-    /** The places of the logs that have a figure, in their order, and their values. */
+    /** The indices of the logs that have a figure, in order, and their values. */
     private class Column {
         val logs = ArrayList<Int>()
         val values = ArrayList<Double>()
@@ -86,7 +86,7 @@ private class LogComparison(private val rules: List<Comparison>, private val log
             if (others.size >= rule.others) found += differenceOf(log, i, others, rule) ?: continue
         }
         if (found.isEmpty()) return LogDifferences.NONE
-        // Of one topic, that which differs most says it.
+        // For each topic, only the largest difference is kept.
         val differences = found.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
         val strong = rules.flatMap { rule -> differences.filter { it.rule === rule && it.strength >= 1 }.take(rule.findings) }
         val findings = strong.sortedByDescending { it.strength }.associateWith { findingOf(it, log) }
@@ -96,7 +96,7 @@ private class LogComparison(private val rules: List<Comparison>, private val log
 
     private fun columnsOf(log: LogFigures) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
 
-    /** The figures of the logs nearest to that at [place]: a robot changes over a season. */
+    /** Returns the figures of the logs nearest to that at [place], because a robot changes over a season. */
     private fun othersOf(column: Column, place: Int): DoubleArray {
         val at = column.logs.binarySearch(place)
         val from = (at - MOST / 2).coerceAtMost(column.logs.size - MOST - 1).coerceAtLeast(0)
@@ -114,15 +114,15 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         val isBothWays = signal.isOfMotor && key.measure == Measure.DRIVING
         val isBelow = others.count { value < it } > others.size / 2
         if (!isBothWays && isBelow != signal.isWorseBelow) return null
-        // Most figures are among those of the others, which needs no sorting.
+        // Most figures are among those of the others, which can be seen without sorting.
         if (others.count { if (isBelow) it <= value else it >= value } > MOST_BEYOND) return null
         val usual = Baseline(others)
-        // What mostly is off, such as a compressor or a climber, is on when it is needed.
+        // A motor that is usually off, such as that of a compressor or a climber, is on when needed.
         if (signal.isOfMotor && abs(usual.median) < LEAST_AMPS) return null
         var away = abs(value - usual.median)
         if (key.measure == Measure.RESISTANCE) away -= log.uncertainty
         val least = if (signal.isRatio) maxOf(signal.least, rule.percent / PERCENT * abs(usual.median)) else signal.least
-        // Of a few logs nobody knows well how far they usually are from each other.
+        // With a few logs, their usual distance from each other is not well known.
         val few = 1 + FEW / usual.count
         val scale = maxOf(usual.distance, if (signal.isRatio) LEAST_SHARE * abs(usual.median) else LEAST_PART * signal.least)
         val strength = minOf(away / (rule.deviations * few * scale), away / (BEYOND_SECOND * usual.second))
@@ -159,7 +159,7 @@ private class LogComparison(private val rules: List<Comparison>, private val log
     }
 
     private companion object {
-        /** With so many other logs a log is compared. */
+        /** The maximum number of other logs that a log is compared with. */
         const val MOST = 20
         const val MOST_BEYOND = 1
         const val FEW = 8.0
@@ -170,12 +170,12 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         const val MANY_TIMES = 3.0
         const val LEAST_AMPS = 0.5
 
-        /** What has to do with an incident is one of few, so that less is enough. */
+        /** Only a few figures are related to an incident, so a smaller difference is enough. */
         const val LEAST_STRENGTH = 0.5
     }
 }
 
-/** The resistance of a log's battery, with within what it is known: `24.8 ± 0.9 mΩ`. Empty where the log does not tell. */
+/** Returns the resistance of a log's battery with its uncertainty: `24.8 ± 0.9 mΩ`. Empty if the log does not show it. */
 public fun resistanceText(log: LogFigures): String =
     if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_TOLD))} mΩ"
 
@@ -183,13 +183,13 @@ private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
 
 private const val LEAST_TOLD = 0.1
 
-/** What shows [key]: its topic, or those of the battery and its current for their resistance. */
+/** Returns the topics that show [key]: its own, or, for the resistance, those of battery voltage and current. */
 private fun LogFigures.evidenceOf(key: FigureKey): List<String> {
     val current = if (key.measure == Measure.RESISTANCE) keys.find { it.signal == "total current" }?.topic else null
     return listOfNotNull(key.topic, current).filter { it != SUM_OF_CHANNELS }
 }
 
-/** A figure with its unit, in three digits, as anybody says it: `23.1 A`. */
+/** Returns a figure with its unit, in three digits: `23.1 A`. */
 public fun figureText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
 
 private fun threeDigits(value: Double): Double {

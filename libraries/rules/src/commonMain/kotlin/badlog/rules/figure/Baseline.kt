@@ -3,10 +3,10 @@ package badlog.rules.figure
 import kotlin.math.abs
 
 /**
- * What the same figure is in the team's other logs: a median, and how far logs usually are from it (1.4826 times the median
- * absolute deviation, which is the standard deviation of what is distributed normally). A single odd log changes neither.
+ * The same figure in the team's other logs: its median, and the usual distance from it (1.4826 times the median absolute
+ * deviation, which for a normal distribution is the standard deviation). A single unusual log changes neither.
  *
- * @property second how far the second farthest of the others is from the median.
+ * @property second the distance from the median of the second farthest log.
  */
 internal class Baseline(private val others: DoubleArray) {
     val median: Double

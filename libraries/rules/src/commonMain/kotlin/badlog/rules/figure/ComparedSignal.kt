@@ -1,12 +1,12 @@
 package badlog.rules.figure
 
 /**
- * A signal of whose topics there are figures to compare.
+ * A signal whose topics have figures to compare.
  *
- * @property least what is nearer to the others is as they are, in the unit of the signal.
- * @property isRatio whether a difference is a share of the usual, and not a number of its unit as with voltages.
- * @property isWorseBelow whether less than usual is what is worth a look, and not more.
- * @property isOfMotor whether it is of one motor: of one that takes less than usual while the robot drives, something is wrong, too.
+ * @property least smaller differences do not count, in the unit of the signal.
+ * @property isRatio whether a difference is relative to the usual value, rather than absolute as for voltages.
+ * @property isWorseBelow whether less than usual, rather than more, is worth a look.
+ * @property isOfMotor whether it belongs to one motor: a motor that takes less than usual while the robot drives is also suspicious.
  */
 internal class ComparedSignal(
     val signal: String,

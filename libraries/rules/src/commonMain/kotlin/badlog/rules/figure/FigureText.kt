@@ -1,10 +1,10 @@
 package badlog.rules.figure
 
 /**
- * [LogFigures] as two texts: logs of one robot mostly share [names], which are read once for all of them.
+ * [LogFigures] as two texts: logs of one robot usually share [names], which are then parsed only once.
  *
  * @property names what is measured.
- * @property values the figures in its order.
+ * @property values the figures in the order of [names].
  */
 public class FigureText(public val names: String, public val values: String)
 
@@ -14,11 +14,11 @@ public fun LogFigures.toText(): FigureText = FigureText(
     "${kind.ordinal};$uncertainty;" + values.joinToString(";"),
 )
 
-/** Reads what [toText] wrote, the names of equal texts once. Not safe for several threads. */
+/** Reads what [toText] wrote; equal texts of names are parsed once. Not thread-safe. */
 public class FigureReader {
     private val keys = HashMap<String, List<FigureKey>>()
 
-    /** The figures that [text] is of. What is not a text of figures has none. */
+    /** Returns the figures in [text]; none if it is not a text of figures. */
     public fun read(text: FigureText): LogFigures {
         val keys = keys.getOrPut(text.names) { keysOf(text.names) }
         val parts = text.values.split(';')

@@ -1,20 +1,20 @@
 package badlog.rules.figure
 
 /**
- * What is measured, and of what.
+ * Identifies a figure: what is measured, and in which topic.
  *
- * @property signal what the topic means, or [RESISTANCE].
+ * @property signal the signal of the topic, or [RESISTANCE].
  * @property topic its full name.
  * @property unit the unit of the figure, empty for none.
  */
 public data class FigureKey(public val signal: String, public val topic: String, public val measure: Measure, public val unit: String) {
     public companion object {
-        /** The signal of the figure that battery and total current have together. */
+        /** The signal of the figure calculated from battery voltage and total current. */
         public const val RESISTANCE: String = "battery resistance"
     }
 }
 
-/** What a log is of: logs of one kind are compared. */
+/** The kind of run that a log is of: logs of the same kind are compared. */
 public enum class MatchKind(internal val words: String) {
     /** A match that counts. */
     MATCH("matches"),
@@ -27,11 +27,11 @@ public enum class MatchKind(internal val words: String) {
 }
 
 /**
- * Numbers that say something of a whole log, and may be compared with those of others.
+ * Numbers that summarize a whole log, and can be compared with those of others.
  *
- * @property kind what the log is of.
+ * @property kind the kind of run.
  * @property keys what is measured.
- * @property uncertainty within which the resistance of the battery is known, in milliohms (95 %); NaN without one.
+ * @property uncertainty the uncertainty of the battery's resistance, in milliohms (95 %); NaN if there is none.
  */
 public class LogFigures internal constructor(
     public val kind: MatchKind,
@@ -39,18 +39,18 @@ public class LogFigures internal constructor(
     internal val values: DoubleArray,
     public val uncertainty: Double,
 ) {
-    /** The figure for [key]; NaN for none. */
+    /** Returns the figure for [key]; NaN for none. */
     public operator fun get(key: FigureKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
 
-    /** The value of the first figure of [signal], measured so; NaN for none. */
+    /** Returns the value of the first figure of [signal] with [measure]; NaN for none. */
     public fun of(signal: String, measure: Measure): Double =
         keys.indexOfFirst { it.signal == signal && it.measure == measure }.let { if (it < 0) Double.NaN else values[it] }
 
-    /** The resistance of battery and wiring in milliohms; NaN where the log does not tell. */
+    /** The resistance of battery and wiring in milliohms; NaN if the log does not show it. */
     public val resistance: Double get() = of(FigureKey.RESISTANCE, Measure.RESISTANCE)
 
     public companion object {
-        /** Those of a log that has none. */
+        /** No figures. */
         public val NONE: LogFigures = LogFigures(MatchKind.UNKNOWN, emptyList(), DoubleArray(0), Double.NaN)
     }
 }

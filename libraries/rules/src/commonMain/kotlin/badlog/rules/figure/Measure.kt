@@ -1,9 +1,9 @@
 package badlog.rules.figure
 
 /**
- * How a topic's samples over a log come to one number, which is compared with that of other logs.
+ * How a topic's samples over a log become one number, which is compared with that of other logs.
  *
- * @property words when that is, as part of a sentence.
+ * @property words the condition, as part of a sentence.
  */
 public enum class Measure(public val words: String) {
     /** The mean over autonomous. */
@@ -24,7 +24,7 @@ public enum class Measure(public val words: String) {
     /** The largest sample while the robot was enabled. */
     HIGHEST("at its highest"),
 
-    /** What samples are above for one twentieth of the time in which the robot was enabled. */
+    /** The value that samples exceed for one twentieth of the time in which the robot was enabled. */
     PERCENTILE95("in its 95th percentile"),
 
     /** The slope of the battery's voltage against the total current, in milliohms. */

@@ -3,15 +3,15 @@ package badlog.rules.figure
 import badlog.analysis.Series
 import kotlin.math.sqrt
 
-/** The resistance of battery and wiring, and within what it is known (95 %), both in milliohms. */
+/** The resistance of battery and wiring, and its uncertainty (95 %), both in milliohms. */
 internal class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
- * The slope of [volts] against [amps], and within what it is known: from how much it changes when each 10 s in turn are left out,
- * since samples that follow each other say nearly the same. Null where the current hardly changes, or for too short, or where it
- * comes out as uncertain as a guess.
+ * Returns the slope of [volts] against [amps], and its uncertainty, which is estimated by leaving out each 10 s in turn, since
+ * neighboring samples are nearly the same. Null if the current hardly changes, or for too short a time, or if the result is as
+ * uncertain as a guess.
  *
- * @param end when the last samples end, in seconds as all times.
+ * @param end when the last samples end, in seconds like all times.
  */
 internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
     if (!volts.isOrdered || !amps.isOrdered || volts.size == 0 || amps.size == 0) return null
@@ -52,7 +52,7 @@ private class Sums {
     private var xy = 0.0
 
     fun add(held: Double, amp: Double, volt: Double) {
-        // Near what they are anyway, so that sums of squares keep their digits.
+        // Relative to a typical value, so that sums of squares keep their digits.
         val v = volt - USUAL_VOLTS
         weight += held
         x += held * amp
@@ -79,11 +79,11 @@ private const val LEAST_VOLTS = 1.0
 private const val BLOCK_SECONDS = 10.0
 private const val LEAST_BLOCKS = 4
 
-/** What is not logged for so long is not known. */
+/** A value that was not logged for this long is not known. */
 private const val LONGEST_HOLD = 1.0
 
 /** A share of the resistance: what is known within no less is no measurement. */
 private const val MOST_UNCERTAINTY = 0.5
 
-/** So much the current has to vary, in amperes. */
+/** The minimum variation of the current, in amperes. */
 private const val LEAST_DEVIATION = 15.0

@@ -4,7 +4,7 @@ import badlog.analysis.Series
 import badlog.analysis.Span
 import badlog.analysis.weightedPercentile
 
-/** For how long each sample at [x], which holds until the next and the last until [end], is within [spans], which ascend. */
+/** Returns how long each sample at [x] is within [spans], which ascend. A sample holds until the next, and the last one until [end]. */
 internal fun timeWithin(spans: List<Span>, x: DoubleArray, end: Double): DoubleArray {
     val weights = DoubleArray(x.size)
     var first = 0
@@ -21,7 +21,7 @@ internal fun timeWithin(spans: List<Span>, x: DoubleArray, end: Double): DoubleA
     return weights
 }
 
-/** The mean of [series] by these weights; NaN where there are samples for less than [least] in all. */
+/** Returns the mean of [series] with these weights; NaN if there are samples for less than [least] in total. */
 internal fun meanOf(series: Series, weights: DoubleArray, least: Double): Double {
     var sum = 0.0
     var time = 0.0
@@ -34,7 +34,7 @@ internal fun meanOf(series: Series, weights: DoubleArray, least: Double): Double
     return if (time >= least && time > 0) sum / time else Double.NaN
 }
 
-/** What [share] of the weight of [series] is at or below; NaN where there are samples for less than [least] in all. */
+/** Returns the value at or below which [share] of the weight of [series] is; NaN if there are samples for less than [least] in total. */
 internal fun percentileOf(series: Series, weights: DoubleArray, share: Double, least: Double): Double {
     val values = DoubleArray(weights.size)
     val counted = DoubleArray(weights.size)
@@ -49,7 +49,7 @@ internal fun percentileOf(series: Series, weights: DoubleArray, share: Double, l
     return if (time >= least) weightedPercentile(values, counted, size, share) else Double.NaN
 }
 
-/** [spans] in order, those that touch or overlap, or of which the next begins within [gap], as one. */
+/** Returns [spans] in order; those that touch, overlap, or are at most [gap] apart are joined. */
 internal fun united(spans: List<Span>, gap: Double): List<Span> {
     val united = ArrayList<Span>()
     for (span in spans.sortedBy { it.from }) {
@@ -65,7 +65,7 @@ internal fun united(spans: List<Span>, gap: Double): List<Span> {
     return united
 }
 
-/** Where both [one] and [other] are, each of which ascends. */
+/** Returns the intersection of [one] and [other], both ascending. */
 internal fun common(one: List<Span>, other: List<Span>): List<Span> {
     val found = ArrayList<Span>()
     var i = 0

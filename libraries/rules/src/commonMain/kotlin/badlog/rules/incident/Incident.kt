@@ -5,14 +5,14 @@ import badlog.rules.Finding
 import badlog.rules.timeText
 
 /**
- * Findings that belong together: what came first, which is the likely cause, and what followed from it.
+ * Findings that belong together: what came first, as the likely cause, and what followed from it.
  *
  * @property name what happened, such as “The robot pushed against something”.
  * @property severity that of the worst of its findings.
  * @property causes the findings that show what came first; at least one.
  * @property effects the findings that followed, in the order of time.
- * @property next what to look at next, as a sentence; empty where nobody says.
- * @property difference what of it was different from the team's other matches; null where nothing is known.
+ * @property next what to look at next, as a sentence; empty if not given.
+ * @property difference how it differed from the team's other matches; null if nothing is known.
  */
 public class Incident internal constructor(
     public val name: String,
@@ -23,18 +23,18 @@ public class Incident internal constructor(
 ) {
     public val severity: Severity = (causes + effects).maxOf { it.severity }
 
-    /** Where it began: its first cause, or what followed first where the cause is of the whole log. */
+    /** Its beginning: its first cause, or the first effect if the cause is about the whole log. */
     public val first: Finding = causes[0].takeUnless { it.time.isNaN() } ?: effects.firstOrNull() ?: causes[0]
 
-    /** When it began, in the unit of x; NaN where its cause is of the whole log and nothing followed at some time. */
+    /** When it began, in the unit of x; NaN if its cause is about the whole log and no effect has a time. */
     public val time: Double get() = first.time
 
     /** The unit of [time]. */
     public val timeUnit: String get() = causes[0].timeUnit
 
     /**
-     * What to say of it: first the likely cause, then what followed, the worst of it, and what was different from other matches; each
-     * with the finding that shows it.
+     * Its description: first the likely cause, then the worst of what followed, and how it differed from other matches; each with the
+     * finding that shows it.
      */
     public val sentences: List<Sentence>
         get() {
@@ -46,16 +46,16 @@ public class Incident internal constructor(
                 listOfNotNull(difference?.let { Sentence(it.text, it) })
         }
 
-    /** What followed that [sentences] leave out. */
+    /** The effects that [sentences] omit. */
     public val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
 
-    /** The full names of the topics that show what [sentences] say, in their order. */
+    /** The full names of the topics that show what [sentences] say, in order. */
     public val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()
 
-    /** Whether [finding] is a part of it. */
+    /** Returns whether [finding] is a part of it. */
     public operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
 
-    /** Whether it is what a cause was found by, at the same moment: that the loop stood still need not be said twice. */
+    /** Returns whether it is the same as a cause at the same moment: a stalled loop, for example, need not be mentioned twice. */
     private fun isSaidByCause(effect: Finding) =
         effect.topic != null && causes.any { it.time == effect.time && effect.topic in it.evidence }
 
@@ -67,7 +67,7 @@ public class Incident internal constructor(
     private fun rounded(time: Double) = kotlin.math.round(time * 10) / 10
 
     /**
-     * A part of what is said of an incident.
+     * A part of the description of an incident.
      *
      * @property text one or two sentences.
      * @property finding what shows it: its time and its topics.
@@ -77,20 +77,22 @@ public class Incident internal constructor(
     private companion object {
         const val MAX_TOLD = 2
 
-        // What begins earlier began at the same time.
+        // Effects that begin less than this after a cause count as simultaneous.
         const val MIN_LATER = 0.1
     }
 }
 
-/** The full names of the topics that show [finding], then of those that show this incident, where it is a part of one. */
+/** Returns the full names of the topics that show [finding], then of those that show this incident, if it is part of one. */
 public fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
 
 /**
- * The full names of the topics that show what stands first: the first of [incidents], else the first of [worstFirst] that is more than a note.
- * Empty without either.
+ * Returns the full names of the topics that show the first of [incidents], or else the first of [worstFirst] that is more than a note.
+ * Empty if there is neither.
  */
 public fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<String> =
     incidents.firstOrNull()?.evidence ?: worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
-/** What to look at next for [finding]: what this incident calls for, where it is a part of one, or else the finding alone; may be empty. */
+/**
+ * Returns what to look at next for [finding]: the advice of this incident, if it is part of one, or else that of the finding; may be empty.
+ */
 public fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }

@@ -6,11 +6,11 @@ import badlog.rules.RuleSet
 import badlog.rules.cause.Cause
 
 /**
- * The incidents in a log in which these rules have found [findings]: those causes of the rules that findings show, the worst first.
- * A finding that shows a cause but follows from another one begins no incident of its own.
+ * Returns the incidents in a log in which these rules have found [findings], the worst first: one for each cause that findings
+ * show. A finding that shows a cause but follows from another one does not begin a separate incident.
  *
- * @param differences what was different from the team's other matches, the most different first; an incident says the first that is
- *   of a topic that shows it.
+ * @param differences how the log differs from the team's other matches, greatest difference first; an incident mentions the first
+ *   one about its own topics.
  */
 public fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
     val ofRules = findings.filter { !it.isOfHook }
@@ -32,7 +32,7 @@ public fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Findin
     return found.sortedWith(compareBy({ -it.severity.ordinal }, { -it.effects.size }, { it.time }))
 }
 
-/** Those of [findings] that show [cause], with as many topics at once as it needs. */
+/** Returns those of [findings] that show [cause], with as many simultaneous topics as it requires. */
 private fun togetherIn(findings: List<Finding>, cause: Cause): List<Finding> {
     if (cause.together == 1) return findings
     return findings.filter { one -> findings.count { other -> other === one || overlap(one, other) } >= cause.together }
@@ -40,16 +40,16 @@ private fun togetherIn(findings: List<Finding>, cause: Cause): List<Finding> {
 
 private fun overlap(one: Finding, other: Finding) = one.first.any { span -> other.first.any { it.from <= span.to && it.to >= span.from } }
 
-// However many spans were kept, the same log has the same incidents.
+// Limited, so that the same log has the same incidents however many spans were kept.
 private val Finding.first get() = spans.take(Finding.MAX_SPANS)
 
-/** Whether [effect] began while one of [causes] was there, or soon after. What is of the whole log is there at all times. */
+/** Returns whether [effect] began during one of [causes], or soon after. A finding about the whole log lasts all the time. */
 private fun follows(effect: Finding, causes: List<Finding>): Boolean = effect.spans.isEmpty() || causes.any { cause ->
     cause.spans.isEmpty() || cause.first.any { span -> effect.first.any { begins(it, span) } }
 }
 
 private fun begins(effect: Span, cause: Span) = effect.from >= cause.from - EARLIEST && effect.from <= cause.to + LATEST
 
-// Some rules need half a second to be sure, so that an effect may be found before its cause. In seconds, as nearly all logs count.
+// Some rules need half a second to be sure, so an effect may be found before its cause. In seconds, the unit of nearly all logs.
 private const val EARLIEST = 1.0
 private const val LATEST = 3.0

@@ -3,10 +3,10 @@ package badlog.rules.json
 import badlog.json.JsonMember
 import badlog.json.JsonValue
 
-/** Text that this module did not write. */
+/** Thrown for text that this module did not write. */
 internal class UnreadableJsonException : Exception()
 
-/** The members of an object that has to be there. */
+/** The members of a required object. */
 internal class JsonFields(members: List<JsonMember>?) {
     private val values = (members ?: throw UnreadableJsonException()).associate { it.key to it.value }
 
@@ -20,7 +20,7 @@ internal class JsonFields(members: List<JsonMember>?) {
 
     fun isTrue(key: String): Boolean = values[key]?.json == "true"
 
-    /** Empty where there is none. */
+    /** Returns an empty list if there is none. */
     fun <T> list(key: String, read: (JsonValue) -> T): List<T> = values[key]?.let { itemsOf(it).map(read) }.orEmpty()
 
     fun strings(key: String): List<String> = list(key, ::stringOf)
@@ -30,11 +30,11 @@ internal fun itemsOf(value: JsonValue): List<JsonValue> = value.items ?: throw U
 
 internal fun stringOf(value: JsonValue): String = value.text ?: throw UnreadableJsonException()
 
-/** An object of those [members] that have a value. */
+/** Returns an object of those [members] that have a value. */
 internal fun jsonObject(vararg members: Pair<String, String?>): String =
     members.filter { it.second != null }.joinToString(",", "{", "}") { "\"${it.first}\":${it.second}" }
 
 internal fun <T> jsonArray(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
 
-/** Null for an empty list, which needs no member. */
+/** Returns null for an empty list, which needs no member. */
 internal fun <T> jsonList(items: List<T>, json: (T) -> String): String? = if (items.isEmpty()) null else jsonArray(items, json)

@@ -2,7 +2,9 @@ package badlog.rules.path
 
 import badlog.analysis.Series
 
-/** The index of the last sample at or before [position], the last in the order of the file where x goes backwards; -1 without one. */
+/**
+ * Returns the index of the last sample at or before [position], the last in the order of the file if x goes backwards; -1 if there is none.
+ */
 public fun Series.lastAtOrBefore(position: Double): Int {
     if (isOrdered) return firstAfter(position) - 1
     var index = size - 1

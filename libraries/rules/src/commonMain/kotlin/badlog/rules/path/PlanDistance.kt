@@ -9,25 +9,28 @@ import badlog.analysis.knowsEnabled
 import kotlin.math.round
 import kotlin.math.sqrt
 
-/** Who is nearer than this to where the plan has it is on it, in meters. */
+/** A robot closer than this to its planned place is on its plan, in meters. */
 public const val PLAN_LIMIT: Double = 0.5
 
-/** So many seconds a robot may be further away and has not left its plan. */
+/** The number of seconds for which a robot may be further away without having left its plan. */
 public const val PLAN_PATIENCE: Double = 0.3
 
-/** When the robot of [view] follows plans: while it drives by itself, or is enabled where that is not known, or all the time. */
+/**
+ * Returns when the robot of [view] follows plans: during autonomous; if that is not known, while it is enabled; if that is not known
+ * either, all the time.
+ */
 public fun planSpans(view: LogView): List<Span> {
     if (!view.knowsEnabled) return listOfNotNull(view.xAxis.range?.let { Span(it.start, it.endInclusive) })
     return view.enabledSpans().filter { it.isAutonomous || !view.knowsAutonomous }.map { it.span }
 }
 
 /**
- * How far [driven] was from where [planned] had it at the same moment during [spans], in meters, in whole centimeters: a sample for each of
- * [driven], NaN where no plan was followed. One is followed
+ * Returns the distance of [driven] from its planned place in [planned] at the same moment during [spans], in meters, rounded to
+ * centimeters: a sample for each of [driven], NaN where no plan was followed. A plan is followed
  *
- * - as long as it goes on changing: afterwards nobody follows it;
- * - by less than [PLAN_LIMIT] from sample to sample: what jumps further is another plan, or a goal without a way to it;
- * - from the moment on at which the robot was within [PLAN_LIMIT] of it: who was never on a plan has not left it.
+ * - as long as it keeps changing: afterwards it is over;
+ * - by less than [PLAN_LIMIT] from sample to sample: a larger jump is another plan, or a goal without a path to it;
+ * - from the moment on at which the robot was within [PLAN_LIMIT] of it: a robot that was never on a plan has not left it.
  */
 public fun planDistance(driven: Trail, planned: Trail, spans: List<Span>): Series {
     val distances = DoubleArray(driven.size) { Double.NaN }
@@ -46,12 +49,12 @@ public fun planDistance(driven: Trail, planned: Trail, spans: List<Span>): Serie
     return Series(driven.times, distances)
 }
 
-/** When in [span] the plans of [planned] move, from where each begins until its last move. */
+/** Returns when the plans of [planned] move within [span], each from its start until its last change. */
 private fun plansIn(planned: Trail, span: Span): List<Span> {
     val found = ArrayList<Span>()
     var begin = span.from
     var end = Double.NaN
-    // What was planned last before the span still counts when it begins.
+    // The last plan before the span still counts at its start.
     var last = planned.indexAt(span.from)
     fun finish() {
         if (!end.isNaN()) found += Span(begin, end)

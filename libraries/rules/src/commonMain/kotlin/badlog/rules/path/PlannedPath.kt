@@ -4,16 +4,16 @@ package badlog.rules.path
  * A path that a robot drove, and the one that was planned for it.
  *
  * @property driven where the robot was.
- * @property planned where it was to be.
+ * @property planned where it should have been.
  */
 public data class PlannedPath(public val driven: Pose, public val planned: Pose) {
-    /** The names of the topics that tell how far apart they were. */
+    /** The names of the topics from which the distance is calculated. */
     public val topics: List<String> get() = listOf(driven.x, driven.y, planned.x, planned.y)
 
     public companion object {
         /**
-         * The one of [poses]: those two that share the most folders, and of such the ones in the fewest; null without a plan. A plan that is
-         * an array is where the robot will be, not where it is to be at a moment.
+         * Returns the pair in [poses] that shares the most folders and, among those, is in the fewest; null if there is no plan. A plan in
+         * an array has the robot's future places, not where it should be at a moment.
          */
         public fun of(poses: List<Pose>): PlannedPath? {
             val driven = poses.filter { it.role == PoseRole.DRIVEN }

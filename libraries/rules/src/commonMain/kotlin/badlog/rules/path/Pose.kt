@@ -1,11 +1,11 @@
 package badlog.rules.path
 
-/** What a pose is, as its name says. */
+/** The role of a pose, according to its name. */
 public enum class PoseRole {
-    /** Where the robot was, as it believed itself. */
+    /** Where the robot was, by its own estimate. */
     DRIVEN,
 
-    /** Where it was to be. */
+    /** Where it should have been. */
     PLANNED,
 
     /** Where a camera saw it, or saw a tag. */
@@ -13,15 +13,15 @@ public enum class PoseRole {
 }
 
 /**
- * A place on the field over time with a heading, by the names of the topics that tell it.
+ * A place on the field over time with a heading, by the names of its topics.
  *
- * @property name what the topics have in common.
+ * @property name the part that the topics' names have in common.
  * @property x the topic of the place along the field.
  * @property y the topic of the place across it.
- * @property heading the topic of the heading, or the four of a quaternion: w, x, y, z; empty where none tells it.
- * @property meters how many meters one of [x] and [y] is.
- * @property radians how many radians one of [heading] is.
- * @property role what the name says that it is.
+ * @property heading the topic of the heading, or the four of a quaternion: w, x, y, z; empty if there is none.
+ * @property meters the length in meters of one unit of [x] and [y].
+ * @property radians the angle in radians of one unit of [heading].
+ * @property role its role, according to the name.
  * @property list the array that it is an element of; null for none.
  */
 public data class Pose(
@@ -34,6 +34,6 @@ public data class Pose(
     public val role: PoseRole,
     public val list: String?,
 ) {
-    /** In how many folders it stands: what a vendor's library logs besides a robot's own pose stands in many. */
+    /** The number of folders it is in: poses that vendors' libraries log in addition to a robot's own are in many. */
     public val depth: Int get() = name.count { it == '/' }
 }

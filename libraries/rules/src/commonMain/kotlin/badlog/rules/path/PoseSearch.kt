@@ -7,10 +7,11 @@ import badlog.rules.signal.wordsOf
 import kotlin.math.PI
 
 /**
- * The poses that [topics] tell, in their order:
+ * Returns the poses in [topics], in order:
  *
  * - the structs `Pose2d`, `Pose3d` and `Translation2d` of WPILib, and arrays of them;
- * - three numbers x, y and degrees, as of a `Field2d`, in an array whose name says that it is a pose; of a Limelight, `botpose_wpiblue`;
+ * - three numbers x, y and degrees, as from a `Field2d`, in an array whose name says that it is a pose; for a Limelight,
+ *   `botpose_wpiblue`;
  * - two topics in a unit of length whose names end in X and Y, with a third one for the heading: `Drive/Pose X`, `… Y`, `… Heading`.
  *
  * Needs no samples.
@@ -37,7 +38,7 @@ private class PoseSearch(topics: List<Topic>) {
         val fields = topic.name.removeSuffix(FIELD_X)
         val base = fields.removeSuffix("/translation")
         val isStruct = topic.type.startsWith(STRUCT)
-        // A transform is a way, not a place; and a quaternion has an x, too.
+        // A transform is a movement, not a place; and a quaternion also has an x.
         if (isStruct && !topic.type.startsWith(if (base == fields) "${STRUCT}Translation" else "${STRUCT}Pose")) return null
         if (base == fields && !isStruct) return namedPose(topic)
         val angle = "$base/rotation/value"
@@ -99,11 +100,11 @@ private const val DEGREE = PI / 180
 private val QUATERNION = listOf("w", "x", "y", "z")
 private val BOT_POSES = listOf("botpose_wpiblue", "botpose_orb_wpiblue")
 
-/** How many meters units of length have. */
+/** Units of length in meters. */
 public val LENGTHS: Map<String, Double> =
     mapOf("m" to 1.0, "meters" to 1.0, "cm" to 0.01, "in" to 0.0254, "inches" to 0.0254, "ft" to 0.3048, "feet" to 0.3048)
 
-/** How many radians units of an angle have. */
+/** Units of angle in radians. */
 public val ANGLES: Map<String, Double> = mapOf("deg" to DEGREE, "°" to DEGREE, "degrees" to DEGREE, "rad" to 1.0, "radians" to 1.0)
 private val HEADINGS = listOf("heading", "rotation", "angle", "theta", "yaw")
 private val POSE_WORDS = setOf("pose", "field", "odometry", "botpose")

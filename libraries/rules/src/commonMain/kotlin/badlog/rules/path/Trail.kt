@@ -6,8 +6,8 @@ import badlog.analysis.Span
 /**
  * Where something was over time: sample `i` is `(x[i], y[i])` at [times]`[i]`.
  *
- * @property times when; usually ascending.
- * @property x NaN where it is not known, as [y] is then or not.
+ * @property times the times; usually ascending.
+ * @property x NaN where it is not known; [y] may be known there or not.
  */
 public class Trail(public val times: DoubleArray, public val x: DoubleArray, public val y: DoubleArray) {
     private val clock = Series(times, x)
@@ -15,22 +15,22 @@ public class Trail(public val times: DoubleArray, public val x: DoubleArray, pub
     /** How many samples there are, gaps included. */
     public val size: Int get() = times.size
 
-    /** From the least to the most of x where both are finite; null without any. */
+    /** The range of x over samples where both are finite; null if there are none. */
     public val xSpan: Span? by lazy { spanOf(x) }
 
-    /** The same of y. */
+    /** The same for y. */
     public val ySpan: Span? by lazy { spanOf(y) }
 
-    /** The last sample at or before [time]; -1 for none. */
+    /** Returns the last sample at or before [time]; -1 for none. */
     public fun indexAt(time: Double): Int = if (time.isNaN()) -1 else clock.lastAtOrBefore(time)
 
-    /** The first sample of [visible]; all from there until [endOf] are in it, unless the clock goes back somewhere. */
+    /** Returns the first sample of [visible]; all from there until [endOf] are in it, unless the clock goes back somewhere. */
     public fun startOf(visible: Span): Int = if (clock.isOrdered) clock.firstAtOrAfter(visible.from) else 0
 
-    /** The sample after the last of [visible]. */
+    /** Returns the sample after the last of [visible]. */
     public fun endOf(visible: Span): Int = if (clock.isOrdered) clock.firstAfter(visible.to) else size
 
-    /** Whether sample [index] is a place. */
+    /** Returns whether sample [index] is a place. */
     public fun isPlace(index: Int): Boolean = x[index].isFinite() && y[index].isFinite()
 
     private fun spanOf(values: DoubleArray): Span? {
@@ -46,8 +46,8 @@ public class Trail(public val times: DoubleArray, public val x: DoubleArray, pub
 }
 
 /**
- * The samples of [x] over those of [y] at the same time, each times [scale]. Where they do not share their times, there is a sample at each
- * time of either, with what the other one said last.
+ * Returns the samples of [x] and [y] at the same time, each multiplied by [scale]. If they do not share their times, there is a sample at
+ * each time of either, with the last value of the other.
  */
 public fun trailOf(x: Series, y: Series, scale: Double = 1.0): Trail {
     fun scaled(values: DoubleArray) = if (scale == 1.0) values else DoubleArray(values.size) { values[it] * scale }

@@ -10,18 +10,18 @@ import badlog.recording.Topic
 import badlog.recording.TopicKind
 
 /**
- * What match a log is of, as its values tell, or else its topics. Each is null when unknown.
+ * The match that a log is of, from its values, or else from its topics. Each property is null if unknown.
  *
- * @property event where, such as `Mill Creek Regional`.
- * @property type such as `Qualification`.
- * @property number of the match.
+ * @property event the event, such as `Mill Creek Regional`.
+ * @property type the type, such as `Qualification`.
+ * @property number the number of the match.
  */
 public class LoggedMatch internal constructor(public val event: String?, public val type: String?, public val number: String?) {
-    /** What a person calls it; null without an event and a number. */
+    /** Its name for people; null unless there is an event and a number. */
     public val title: String? get() = matchTitle(event, type, number)
 }
 
-/** What match [recording] is of, where these are the names of what tells it. */
+/** Returns the match that [recording] is of, found by this vocabulary. */
 public fun SignalVocabulary.matchOf(recording: Recording): LoggedMatch {
     val empty = recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
     val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
@@ -38,7 +38,7 @@ public fun SignalVocabulary.matchOf(recording: Recording): LoggedMatch {
     )
 }
 
-/** The signals that say something of every log, whatever is asked of it. */
+/** The signals that are needed for every log, whatever the question. */
 internal val OF_EVERY_LOG: Set<String> get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS)
 
 internal const val ROBOT_ENABLED = "robot enabled"
@@ -48,7 +48,7 @@ private const val EVENT_NAME = "event name"
 private const val MATCH_TYPE = "match type"
 private const val MATCH_NUMBER = "match number"
 
-// Before the field says which match it is, robots log that they do not know.
+// Until the field reports the match, robots log that it is unknown.
 private fun lastText(topic: Topic): String? {
     val texts = topic.texts
     return (texts.size - 1 downTo 0).firstNotNullOfOrNull { i -> texts.dictionary[texts.ids[i]].trim().takeIf(::isMeant) }

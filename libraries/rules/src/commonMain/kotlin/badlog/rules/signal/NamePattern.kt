@@ -1,18 +1,18 @@
 package badlog.rules.signal
 
 /**
- * A topic's name, or a pattern for names: `*` stands for anything, regardless of case, and where the pattern has a space, `_`, `-`
- * or nothing may stand too: `*battery voltage` fits `System/BatteryVoltage`.
+ * A topic's name, or a pattern for names: `*` matches anything, case is ignored, and a space in the pattern also matches `_`, `-`
+ * or nothing: `*battery voltage` matches `System/BatteryVoltage`.
  *
  * @property text the pattern as it was written.
  */
 public class NamePattern(public val text: String) {
     private val parts = text.split('*').map(::folded)
 
-    /** Whether it fits [name], from its first letter to its last. */
+    /** Returns whether it matches all of [name]. */
     public fun matches(name: String): Boolean = matchesFolded(folded(name))
 
-    /** Whether it fits the name of which [folded] made [subject]. */
+    /** Returns whether it matches a name after [folded]. */
     internal fun matchesFolded(subject: String): Boolean {
         if (parts.size == 1) return subject == parts[0]
         if (!subject.startsWith(parts.first())) return false
@@ -26,8 +26,8 @@ public class NamePattern(public val text: String) {
     }
 
     /**
-     * The part of [name], which it fits, up to where its last `*` ends: `Left` of `Left Velocity` for `*velocity`. Topics of one
-     * device have it in common.
+     * Returns the part of [name], which it must match, up to the end of its last `*`: `Left` in `Left Velocity` for `*velocity`.
+     * Topics of the same device share it.
      */
     internal fun deviceIn(name: String): String {
         var end = name.length
@@ -41,7 +41,7 @@ public class NamePattern(public val text: String) {
     override fun hashCode(): Int = text.hashCode()
 
     internal companion object {
-        /** [text] as patterns compare it. */
+        /** Returns [text] in the form that patterns compare. */
         fun folded(text: String): String = text.lowercase().filter(::isFolded)
 
         private fun isFolded(char: Char) = char !in " _-"

@@ -1,12 +1,12 @@
 package badlog.rules.signal
 
-/** What says that something was wanted. */
+/** Words for a target value. */
 public val TARGET_WORDS: Set<String> = setOf(
     "target", "targets", "setpoint", "setpoints", "goal", "goals", "desired", "reference", "ref", "commanded", "command", "cmd",
     "demand", "demanded", "requested", "wanted", "optimized",
 )
 
-/** The words of [name] in lower case: parted by what is no letter or digit, by capitals, and before digits. */
+/** Returns the words of [name] in lower case, split at anything but letters and digits, before capitals, and before digits. */
 public fun wordsOf(name: String): List<String> {
     val words = ArrayList<String>()
     var start = 0
@@ -15,20 +15,20 @@ public fun wordsOf(name: String): List<String> {
         val word = name.substring(start, at).lowercase()
         start = at
         if (sortOf(word[0]) == OTHER) continue
-        // A set point is one thing, however it is written.
+        // “Set point” counts as one word, however it is written.
         if (word.startsWith("point") && words.lastOrNull() == "set") words[words.lastIndex] = "set$word" else words += word
     }
     return words
 }
 
-/** Whether a word begins in [name] at [at]. */
+/** Returns whether a word begins in [name] at [at]. */
 private fun isParted(name: String, at: Int): Boolean {
     val before = sortOf(name[at - 1])
     val here = sortOf(name[at])
     return when {
         before == CAPITAL && here == SMALL -> false
 
-        // Of CANLoad, the capital before a small letter begins a word.
+        // In CANLoad, the capital before a lower-case letter begins a word.
         before == CAPITAL && here == CAPITAL -> at + 1 < name.length && sortOf(name[at + 1]) == SMALL
 
         else -> before != here

@@ -8,15 +8,15 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.Vocabulary
 
 /**
- * A topic that was taken for a signal.
+ * A topic that was recognized as a signal.
  *
  * @property signal the signal.
  * @property topic the full name of the topic.
  * @property unit the unit in which rules and questions get its numbers; empty for none.
- * @property reason why it was taken, and how its unit is known, as part of a sentence.
- * @property scale what its numbers are multiplied with to be in [unit]; null where the samples tell whether they are percent or
+ * @property reason why it was recognized, and how its unit is known, as part of a sentence.
+ * @property scale the factor that converts its numbers to [unit]; null if the samples decide whether they are percent or
  *   fractions.
- * @property device what it has in common with other topics of the same device.
+ * @property device the part of its name that it shares with other topics of the same device.
  */
 public class SignalTopic internal constructor(
     public val signal: String,
@@ -31,10 +31,10 @@ public class SignalTopic internal constructor(
 }
 
 /**
- * Which topics of a log, which are called as [names] has them, are the signals of [vocabulary].
+ * Finds the signals of [vocabulary] among the topics of a log, whose names are [names].
  *
- * @param timeTopic the topic of the x axis, which is no other signal; or null.
- * @param empty the names of topics without a sample, which are none.
+ * @param timeTopic the topic of the x axis, which is not another signal; or null.
+ * @param empty the names of topics without samples, which are not signals.
  */
 public class SignalTopics(
     private val vocabulary: SignalVocabulary,
@@ -45,21 +45,21 @@ public class SignalTopics(
     private val folded by lazy { names.signals.filter { it.name !in empty }.map { it to NamePattern.folded(it.name) } }
     private val found = HashMap<String, List<SignalTopic>>()
 
-    /** All that was taken for a signal, in the order of the vocabulary. */
+    /** All topics that were recognized as signals, in the order of the vocabulary. */
     public val all: List<SignalTopic> get() = vocabulary.signals.flatMap { of(it.name) }
 
-    /** The topics of the signal [name]: at most one, unless it is one of many. */
+    /** Returns the topics of the signal [name]: at most one, unless it is one of many. */
     public fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
 
-    /** Those that tell when the robot was enabled. */
+    /** The topics that show when the robot was enabled. */
     public val modes: ModeTopics by lazy { ModeTopics(flag(ROBOT_ENABLED), flag(ROBOT_AUTONOMOUS)) }
 
     private fun flag(signal: String) = of(signal).firstOrNull()?.let { FlagTopic(it.topic, it.reading ?: FlagReading.Truth) }
 
-    /** The topics that make the signal [name] when they are added, where it has none of its own. */
+    /** Returns the topics whose sum is the signal [name], if it has no topic itself. */
     internal fun summandsOf(name: String): List<SignalTopic> = vocabulary.find(name)?.sumOf?.let(::of).orEmpty()
 
-    /** Pairs of [topics] whose devices a team has linked, each in both orders. */
+    /** Returns pairs of [topics] whose devices a team has linked, each in both orders. */
     internal fun linked(topics: List<SignalTopic>): List<Pair<SignalTopic, SignalTopic>> = vocabulary.linked.flatMap { devices ->
         val members = topics.filter { topic -> devices.any { it.matches(topic.device) } }
         members.flatMap { one -> members.filter { it !== one }.map { one to it } }

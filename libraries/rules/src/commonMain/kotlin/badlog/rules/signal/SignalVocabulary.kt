@@ -3,7 +3,7 @@ package badlog.rules.signal
 import badlog.analysis.FlagReading
 import badlog.expression.signals.SignalKind
 
-/** What signals are called in the logs of robots; `docs/signals.md` has the format of the file that it is read from. */
+/** The names of signals in robots' logs; `docs/signals.md` describes the format of its file. */
 public class SignalVocabulary internal constructor(
     internal val signals: List<SignalName>,
     internal val units: List<NamedUnit>,
@@ -17,23 +17,23 @@ public class SignalVocabulary internal constructor(
     internal fun find(name: String): SignalName? = byName[name]
 
     /**
-     * The signals that [text] holds the names of, in any case of letters, those that they are the sums of, and those that tell the match
-     * and when the robot was enabled.
+     * Returns the signals whose names occur in [text], regardless of case, those of which they are sums, and those for the match and for
+     * when the robot was enabled.
      */
     public fun namedIn(text: String): SignalVocabulary {
         val named = signals.filter { it.name in OF_EVERY_LOG || text.contains(it.name, ignoreCase = true) }
         return SignalVocabulary(named + named.mapNotNull { it.sumOf?.let(::find) }, units, linked)
     }
 
-    /** Whether a topic called [name] may be one of the signals. */
+    /** Returns whether a topic called [name] may be one of the signals. */
     public fun mayBe(name: String): Boolean = NamePattern.folded(name).let { folded ->
         signals.any { signal -> signal.topics.any { it.pattern.matchesFolded(folded) } }
     }
 
-    /** The unit that [name] tells by its end; the longest that fits counts, as in “RadPerSec”. Null for none. */
+    /** Returns the unit at the end of [name]; the longest match counts, as in “RadPerSec”. Null for none. */
     internal fun unitIn(name: String): NamedUnit? = units.filter { it.isOf(name) }.maxByOrNull { it.ending.length }
 
-    /** This and what [own], a team's vocabulary, adds: its topics come before others, and what it excepts counts, too. */
+    /** Returns this vocabulary with that of a team, [own]: its topics come before others, and its exceptions are added. */
     public fun with(own: SignalVocabulary): SignalVocabulary {
         if (own === NONE) return this
         val extended = signals.map { signal -> own.find(signal.name)?.let(signal::with) ?: signal }
@@ -46,7 +46,7 @@ public class SignalVocabulary internal constructor(
     }
 }
 
-/** The [unit] that the name of a topic tells by ending in [ending]. */
+/** The [unit] of topics whose names end in [ending]. */
 internal class NamedUnit(val ending: String, val unit: String) {
     fun isOf(name: String): Boolean {
         val end = if (name.endsWith(']')) name.substringBeforeLast('[') else name
@@ -57,25 +57,25 @@ internal class NamedUnit(val ending: String, val unit: String) {
     }
 }
 
-// The standard library's own would carry tables of letters into every page.
+// The standard library's function would add tables of letters to every page.
 private fun isUpper(char: Char) = char.lowercaseChar() != char
 
 /**
  * A pattern for the topics of a signal.
  *
- * @property unit the unit of what it fits, where neither the log nor the name says one; null where that is the signal's. Of a condition,
- *   how such a topic says that it is so, as [flagReadingOf] has it.
+ * @property unit the unit of matching topics if neither the log nor the name has one; null for the signal's own. For a condition, how
+ *   such a topic is read, see [flagReadingOf].
  */
 internal class TopicPattern(val pattern: NamePattern, val unit: String?) {
-    /** Of a condition: how what it fits says that it is so. */
+    /** For a condition: how matching topics are read. */
     val reading: FlagReading get() = unit?.let(::flagReadingOf) ?: FlagReading.Truth
 
-    /** Whether a topic of the kind [kind] can be a signal of [content] as this pattern has it. */
+    /** Returns whether a topic of the kind [kind] can be a signal of [content] by this pattern. */
     fun fits(kind: SignalKind, content: SignalContent): Boolean =
         if (content == SignalContent.CONDITION && reading is FlagReading.Text) SignalContent.TEXT.isOf(kind) else content.isOf(kind)
 }
 
-/** How a topic says that a condition holds, written `not`, `bit 3`, `bits 1-2 are 1` or `is TEXT`; null for another [text]. */
+/** Returns how a topic is read as a condition, written `not`, `bit 3`, `bits 1-2 are 1` or `is TEXT`; null for any other [text]. */
 internal fun flagReadingOf(text: String): FlagReading? = when {
     text == "not" -> FlagReading.Opposite
     text.startsWith("bits ") -> bitsIn(text)
@@ -92,15 +92,16 @@ private fun bitsIn(text: String): FlagReading? {
     return words[4].toLongOrNull()?.let { FlagReading.Bits(first, last, it) }
 }
 
-/** Those of whole numbers that samples hold exactly. */
+/** The bits of whole numbers that samples hold exactly. */
 private val BITS = 0..52
 
 /**
  * A signal, and the topics that it may be.
  *
- * @property unit the unit in which rules and questions get it; null for the topic's own.
- * @property isMany whether each topic that fits is one of it; else the first pattern that fits one decides.
- * @property sumOf the signal whose topics, added, are this one where no topic is; or null.
+ * @property unit its unit in rules and questions; null for the topic's own.
+ * @property isMany whether every matching topic is one of it; otherwise the first pattern that matches a topic
+ * decides.
+ * @property sumOf the signal whose topics, added up, are this one if no topic is; or null.
  */
 internal class SignalName(
     val name: String,
@@ -122,7 +123,7 @@ internal enum class SignalContent(private vararg val kinds: SignalKind) {
     TEXT(SignalKind.STATE, SignalKind.EVENT),
     ;
 
-    /** What an expression takes one for that is missing. */
+    /** The kind that an expression assumes for a missing signal. */
     val usualKind: SignalKind get() = kinds.last()
 
     fun isOf(kind: SignalKind): Boolean = kind in kinds

@@ -17,7 +17,7 @@ public fun SignalVocabulary.toJson(): String = jsonObject(
     "linked" to jsonList(linked) { checkNotNull(patternsJson(it)) },
 )
 
-/** The vocabulary that [value] is of, or null when [SignalVocabulary.toJson] did not write it. */
+/** Returns the vocabulary in [value], or null if [SignalVocabulary.toJson] did not write it. */
 internal fun SignalVocabulary.Companion.fromJson(value: JsonValue): SignalVocabulary? = try {
     val json = JsonFields(value.members)
     SignalVocabulary(
@@ -31,7 +31,7 @@ internal fun SignalVocabulary.Companion.fromJson(value: JsonValue): SignalVocabu
     null
 }
 
-/** Null for no patterns. */
+/** Returns null for no patterns. */
 internal fun patternsJson(patterns: List<NamePattern>): String? = jsonList(patterns) { quotedJson(it.text) }
 
 internal fun JsonFields.patterns(key: String): List<NamePattern> = strings(key).map(::NamePattern)

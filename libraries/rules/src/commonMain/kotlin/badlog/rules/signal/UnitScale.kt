@@ -2,7 +2,7 @@ package badlog.rules.signal
 
 import badlog.analysis.Units
 
-/** What a number in [from] is to be multiplied with to be one in [to]; null when they do not measure the same. */
+/** Returns the factor that converts a number in [from] to [to]; null if they do not measure the same thing. */
 internal fun unitScale(from: String, to: String): Double? {
     if (from.equals(to, ignoreCase = true)) return 1.0
     val seconds = Units.secondsIn(from)
@@ -11,7 +11,7 @@ internal fun unitScale(from: String, to: String): Double? {
     return group.getValue(from.lowercase()) / group.getValue(to.lowercase())
 }
 
-/** What a share of a whole is given in that is 1, not 100, when it is all. */
+/** The unit of a share of a whole that is 1, not 100, for all of it. */
 internal const val FRACTION = "fraction"
 
 private const val TURN = 360.0

@@ -4,18 +4,19 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * How one log stands on the clock of another.
+ * How the clock of one log relates to that of another.
  *
- * @property seconds how much later its times are there, in s, to the microsecond.
- * @property edges how many moments of enabled and disabled fit; 0 where only clocks or names tell.
- * @property error how far those are from the other log's at most, in s, to the microsecond; where there are none, how far the clocks may be off.
+ * @property seconds the offset to add to its times, in s, to the microsecond.
+ * @property edges the number of moments of enabling and disabling that match; 0 if only clocks or names were used.
+ * @property error the largest distance of those from the other log's, in s, to the microsecond; if there are none, the possible error of
+ * the clocks.
  */
 public class ClockFit(public val seconds: Double, public val edges: Int, public val error: Double) {
     public companion object {
         /**
-         * How [own] stand on the clock of [others], so that as many as can are at one of those; null when none can.
+         * Returns how the clock of [own] relates to that of [others], so that as many edges as possible match; null if none can.
          *
-         * @param near by how many seconds the clocks differ, where something tells it: of several fits with as many edges, the one nearest
+         * @param near the estimated difference of the clocks in seconds, if known: among several fits with as many edges, the one nearest
          *   to it counts.
          */
         public fun ofEdges(own: List<EnabledEdge>, others: List<EnabledEdge>, near: Double? = null): ClockFit? {
@@ -34,7 +35,7 @@ public class ClockFit(public val seconds: Double, public val edges: Int, public 
 
         private fun toMicros(seconds: Double) = round(seconds * MICROS) / MICROS
 
-        /** By how much each of [own] would have to move to be one of the others, of those that are near one when all move by [candidate]. */
+        /** Returns the exact offset of each of [own] that is near one of the others when all move by [candidate]. */
         private fun movesAt(candidate: Double, own: List<EnabledEdge>, rises: DoubleArray, falls: DoubleArray): List<Double> =
             own.mapNotNull { edge ->
                 val nearest = (if (edge.isRise) rises else falls).nearest(edge.seconds + candidate) ?: return@mapNotNull null
@@ -44,7 +45,7 @@ public class ClockFit(public val seconds: Double, public val edges: Int, public 
         private fun timesOf(edges: List<EnabledEdge>, isRise: Boolean) =
             edges.filter { it.isRise == isRise }.map { it.seconds }.sorted().toDoubleArray()
 
-        /** The one of these, which ascend, that is nearest to [x]; null without any. */
+        /** Returns the number nearest to [x] in this ascending array; null if it is empty. */
         private fun DoubleArray.nearest(x: Double): Double? {
             var low = 0
             var high = size
@@ -57,7 +58,7 @@ public class ClockFit(public val seconds: Double, public val edges: Int, public 
             return if (after == null || (before != null && x - before <= after - x)) before else after
         }
 
-        /** Clocks of one robot differ by no more while it runs for some minutes. */
+        /** Clocks of one robot drift by at most this within some minutes. */
         private const val NEAR_SECONDS = 0.25
         private const val MICROS = 1e6
     }

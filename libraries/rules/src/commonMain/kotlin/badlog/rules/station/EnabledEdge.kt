@@ -7,14 +7,14 @@ import badlog.analysis.enabledSpans
 /**
  * A moment at which the robot was enabled or disabled.
  *
- * @property seconds when, in s on the clock of its log.
- * @property isRise whether it was enabled then; else disabled.
+ * @property seconds the time, in s on the clock of its log.
+ * @property isRise whether it was enabled then, rather than disabled.
  */
 public class EnabledEdge(public val seconds: Double, public val isRise: Boolean)
 
 /**
- * When the robot was enabled and disabled, the first [MAX_EDGES] times; not where the log itself begins and ends. Empty where the log
- * does not show it.
+ * Returns when the robot was enabled and disabled, the first [MAX_EDGES] times, except at the log's own start and end. Empty if the
+ * log does not show it.
  */
 public fun LogView.enabledEdges(): List<EnabledEdge> {
     val range = xAxis.range ?: return emptyList()

@@ -6,28 +6,29 @@ import badlog.rules.signalTopicsOf
 import kotlin.math.abs
 
 /**
- * How the log of motor controllers [log] stands on the clock of the robot's log [robot]: where a motor began to be driven and ceased to be, in
- * both; where the robot's log has no motor's output, by enabled, since no motor is driven while a robot is disabled. Null where fewer than
- * three moments of a motor, or two of enabled, fit.
+ * Returns how the clock of the motor controllers' log [log] relates to that of the robot's log [robot], by the moments in both at which a
+ * motor started and stopped. If the robot's log has no motor output, the times when it was enabled are used, since no motor is driven while
+ * a robot is disabled. Null if fewer than three moments of a motor, or two of enabling, match.
  *
- * Both count from when the robot's program began, so of several fits with as many moments, the one that moves the log least counts.
+ * Both logs count from the start of the robot's program, so among several fits with as many moments, the one that moves the log least
+ * counts.
  *
- * @param signals what the topics of both are called.
+ * @param signals the names of the topics in both.
  */
 public fun motorFit(log: LogView, robot: LogView, signals: SignalVocabulary): ClockFit? {
     val own = outputsOf(log, signals).map(::edgesOf).filter { it.isNotEmpty() }
     val others = outputsOf(robot, signals).map(::edgesOf).filter { it.isNotEmpty() }
-    // Which motor is which, names do not tell: the pair that fits best are one motor.
+    // Names do not show which motor is which: the pair that fits best is taken for the same motor.
     val fits = own.flatMap { one -> others.mapNotNull { ClockFit.ofEdges(one, it, near = 0.0) } }
     fits.filter { it.edges >= FEWEST_OF_MOTOR }.maxWithOrNull(compareBy({ it.edges }, { -it.error }))?.let { return it }
     val driven = edgesOf(outputsOf(log, signals).flatMap { it })
     return ClockFit.ofEdges(driven, robot.enabledEdges(), near = 0.0)?.takeIf { it.edges >= FEWEST_OF_ENABLED }
 }
 
-/** From when until when something was driven, in s. */
+/** A time over which something was driven, in s. */
 private class Driven(val from: Double, val until: Double)
 
-/** For each of the first [MOST_MOTORS] motors of [log], when it was driven. */
+/** Returns when each of the first [MOST_MOTORS] motors of [log] was driven. */
 private fun outputsOf(log: LogView, signals: SignalVocabulary): List<List<Driven>> {
     val known = signalTopicsOf(log, signals)
     val outputs = known.of("motor output").map { it.topic to LEAST_OUTPUT }.ifEmpty {
@@ -54,12 +55,12 @@ private fun drivenIn(x: DoubleArray, y: DoubleArray, least: Double, secondsPerX:
             since = Double.NaN
         }
     }
-    // How long the last one went on, nobody knows.
+    // The end of the last one is unknown.
     if (!since.isNaN()) driven += Driven(since * secondsPerX, Double.POSITIVE_INFINITY)
     return driven
 }
 
-/** When what was [driven] began to be and ceased to be; a short pause, as of a motor that turns round, is none. */
+/** Returns the starts and ends of [driven]; a short pause, such as when a motor reverses, is ignored. */
 private fun edgesOf(driven: List<Driven>): List<EnabledEdge> {
     val edges = ArrayList<EnabledEdge>()
     var until = Double.NaN
@@ -79,11 +80,11 @@ private fun edgesOf(driven: List<Driven>): List<EnabledEdge> {
 private const val FEWEST_OF_MOTOR = 3
 private const val FEWEST_OF_ENABLED = 2
 
-/** A share of the battery's voltage, and V: less is what a motor gets that stands still. */
+/** As a fraction of the battery voltage, and in V: a motor with less is standing still. */
 private const val LEAST_OUTPUT = 0.02
 private const val LEAST_VOLTS = 0.25
 
-/** In s. */
+/** In seconds. */
 private const val SHORT_PAUSE = 0.5
 private const val MOST_MOTORS = 16
 private const val MOST_EDGES = 60

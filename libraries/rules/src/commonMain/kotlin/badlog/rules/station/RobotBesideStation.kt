@@ -9,11 +9,11 @@ import badlog.rules.withSignals
 import badlog.text.UniqueNames
 
 /**
- * The log of a robot, and the Driver Station's of the same match on its clock.
+ * The log of a robot, and that of the Driver Station of the same match, on the robot's clock.
  *
- * @param robot the robot's, with the signals of [vocabulary].
- * @param station what the Driver Station logged.
- * @param fit how that stands on the robot's clock.
+ * @param robot the robot's log, with the signals of [vocabulary].
+ * @param station the Driver Station's log.
+ * @param fit how the clock of that relates to the robot's.
  */
 public class RobotBesideStation(
     private val robot: LogView,
@@ -24,15 +24,15 @@ public class RobotBesideStation(
     private val names = UniqueNames().also { names -> robot.recording.topics.forEach { names.give(it.name) } }
     private val namesOf = station.topics.map { names.give(it.name) }
 
-    /** The names that the Driver Station's topics have in [both], in their order. */
+    /** The names of the Driver Station's topics in [both], in order. */
     public val stationTopics: Set<String> get() = namesOf.toSet()
 
     /** All topics of both, over the robot's time and the [AROUND] s before and after it. */
     public val both: LogView by lazy { with(station.topics.zip(namesOf), AROUND) }
 
     /**
-     * What rules are run over: the robot's topics, and of the Driver Station's those that are signals which the robot's log lacks, over the
-     * robot's time. What the robot logged itself counts.
+     * The view on which rules run: the robot's topics, plus those topics of the Driver Station that are signals which the robot's log
+     * lacks, over the robot's time. What the robot logged itself has priority.
      */
     public val forRules: LogView by lazy {
         val own = signalTopicsOf(robot, vocabulary).all.mapTo(HashSet()) { it.signal }
@@ -44,7 +44,7 @@ public class RobotBesideStation(
         val range = robot.xAxis.range ?: return robot
         val secondsPerX = robot.secondsPerX
         val margin = around / secondsPerX
-        // Topics that share their times still do.
+        // Topics that share their times keep sharing them.
         val moved = HashMap<DoubleArray, Pair<Int, DoubleArray>>()
         val topics = added.mapNotNull { (topic, name) ->
             val (from, times) = moved.getOrPut(topic.times ?: return@mapNotNull null) {
@@ -61,7 +61,7 @@ public class RobotBesideStation(
     }
 
     public companion object {
-        /** For so many s before and after the robot's log the Driver Station's is shown, too. */
+        /** The seconds before and after the robot's log for which the Driver Station's log is also shown. */
         public const val AROUND: Double = 10.0
     }
 }

@@ -1,31 +1,31 @@
 package badlog.rules.station
 
 /**
- * Which Driver Station log is of the same match as a log of the robot, and how it stands on that one's clock.
+ * The Driver Station log of the same match as a robot's log, and how its clock relates to the robot's.
  *
- * @property log what it was found as.
+ * @property log the log that was found.
  */
 public class FoundStation<out F>(public val log: F, public val station: ClockedLog, public val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the match that [robot] is the log of: by the time of day, or else by the match, or else by when the robot
- * was enabled. Clocks of robots are often wrong, so each may be all there is.
+ * Finds the Driver Station log of the same match as the log [robot]: by the time of day, or else by the match, or else by when the robot
+ * was enabled. Clocks of robots are often wrong, so any of these may be the only clue.
  *
- * @param startOf when one began, in s since 1970, as far as that is known before it is read; null where it is not.
- * @param read reads one; null for what is none.
+ * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
+ * @param read reads a log; returns null if it is not one.
  */
 public class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -> Double?, private val read: (F) -> ClockedLog?) {
     private class Candidate<F>(val log: F, val station: ClockedLog)
 
     /**
-     * The one of [logs]; null when none can be told to be it.
+     * Returns the matching one of [logs]; null if none can be identified.
      *
-     * @param acceptsOnly whether the only one that there is will do, though nothing but a moment of enabled speaks for it.
-     * @param mostRead of more logs than these only those are read that may be of the time of day.
+     * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.
+     * @param mostRead if there are more logs than this, only those that may match by time of day are read.
      */
     public fun over(logs: List<F>, acceptsOnly: Boolean = false, mostRead: Int = Int.MAX_VALUE): FoundStation<F>? {
         if (!robot.hasClock) return null
-        // A Driver Station writes one log after another, so those that began last are of the time.
+        // A Driver Station writes one log after another, so the matching logs are those that began last before the time.
         val near = logs.filter(::mayBeAtTime).sortedByDescending { startOf(it) ?: Double.POSITIVE_INFINITY }.take(MOST_AT_TIME).toSet()
         val atTime = near.mapNotNull(::candidate)
         byTime(atTime)?.let { found -> fitOf(found.station)?.let { return FoundStation(found.log, found.station, it) } }
@@ -35,11 +35,14 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
         return fitOf(found.station)?.let { FoundStation(found.log, found.station, it) }
     }
 
-    /** How [station] stands on the robot's clock, by the moments of enabled, or else by the time of day; null where neither tells it. */
+    /**
+     * Returns how the clock of [station] relates to the robot's, by the moments of enabling, or else by the time of day; null if neither
+     * shows it.
+     */
     private fun fitOf(station: ClockedLog): ClockFit? {
         val byClocks = station.start?.let { start -> robot.start?.let { start - it } }
         val byEdges = ClockFit.ofEdges(station.edges, robot.edges, byClocks)
-        // A single edge may be any other one.
+        // A single edge may match any other one.
         val isBelievable =
             byEdges != null && (byClocks == null || byEdges.edges > 1 || byEdges.seconds - byClocks in -NEAR_CLOCKS..NEAR_CLOCKS)
         return if (isBelievable || byClocks == null) byEdges else ClockFit(byClocks, 0, CLOCK_ERROR)
@@ -53,7 +56,7 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
         return begin < start + robot.last && begin > start + robot.first - LONGEST
     }
 
-    /** The one that has the most of the time in which the robot's log was made. */
+    /** Returns the candidate that covers most of the time of the robot's log. */
     private fun byTime(candidates: List<Candidate<F>>): Candidate<F>? {
         val start = robot.start ?: return null
         fun common(candidate: Candidate<F>): Double = candidate.station.run {
@@ -67,7 +70,7 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
         return candidates.filter { it.station.match == match }.singleOrNull()
     }
 
-    /** The only one that has all moments of enabled that the robot's log has, or nearly all where there are many. */
+    /** Returns the only candidate with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun byEdges(candidates: List<Candidate<F>>): Candidate<F>? {
         val needed = maxOf(FEWEST_EDGES, robot.edges.size * 9 / 10)
         if (robot.edges.size < FEWEST_EDGES) return null
@@ -75,16 +78,16 @@ public class StationSearch<F>(private val robot: ClockedLog, private val startOf
     }
 
     private companion object {
-        /** So many logs may begin while a robot's log goes on, and before it. */
+        /** The maximum number of logs that may begin before and during a robot's log. */
         const val MOST_AT_TIME = 16
 
-        /** No Driver Station log is longer, in s. */
+        /** The maximum length of a Driver Station log, in s. */
         const val LONGEST = 86_400.0
 
-        /** A match has two: it begins and ends. */
+        /** A match has at least two: its start and its end. */
         const val FEWEST_EDGES = 2
 
-        /** What clocks that were set by each other differ by at most, in s. */
+        /** The maximum difference between clocks that were set by each other, in s. */
         const val NEAR_CLOCKS = 5.0
 
         /** Both clocks are known to the second. */

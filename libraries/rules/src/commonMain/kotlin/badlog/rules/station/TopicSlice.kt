@@ -5,7 +5,7 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** The samples of this topic, which has times of its own, from number [from] until [until], called [name] and at [times]. */
+/** Returns the samples of this topic, which has times of its own, from index [from] until [until], as a topic called [name] at [times]. */
 internal fun Topic.slice(from: Int, until: Int, name: String, times: DoubleArray): Topic {
     val kept = texts.rows.indices.filter { texts.rows[it] in from until until }
     val rows = IntArray(kept.size) { texts.rows[kept[it]] - from }
