@@ -13,6 +13,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import java.io.ByteArrayOutputStream
+import java.io.InputStream
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -57,11 +58,16 @@ internal fun badlog(vararg arguments: Any): Ended = badlogBeside(Robots.ofSystem
 internal fun badlogBeside(robots: Robots, vararg arguments: Any): Ended = badlogOn(Computer(), *arguments, robots = robots)
 
 /** The same on another [computer]. */
-internal fun badlogOn(computer: Computer, vararg arguments: Any, robots: Robots = Robots.ofSystem()): Ended {
+internal fun badlogOn(
+    computer: Computer,
+    vararg arguments: Any,
+    robots: Robots = Robots.ofSystem(),
+    input: InputStream = InputStream.nullInputStream(),
+): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()
     val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
-    val code = Badlog(console, robots = robots, computer = computer).run(arguments.map { it.toString() })
+    val code = Badlog(console, input, robots = robots, computer = computer).run(arguments.map { it.toString() })
     err.toString(Charsets.UTF_8) shouldNotContain "\tat "
     err.toString(Charsets.UTF_8) shouldNotContain "defect"
     out.toString(Charsets.UTF_8) shouldNotContain "defect"

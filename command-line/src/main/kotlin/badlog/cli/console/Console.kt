@@ -36,6 +36,9 @@ internal class Console(
     private val outSpelling = Spelling(outCharset)
     private val errSpelling = Spelling(errCharset)
 
+    /** Whether [file] only stands for the standard input or output, and is gone when the program ends. */
+    fun isStandIn(file: Path): Boolean = file.toString() in names
+
     /** Whether results come to nowhere, because nobody reads them any longer or the disk is full. */
     val isOutClosed: Boolean get() = out.checkError()
 

@@ -14,8 +14,8 @@ internal class OpenCommand(private val computer: Computer) :
         "open",
         "Opens a log or a folder of logs in the window.",
         "If the window is not installed, opens the page of the log, or of the newest log in the folder, in the browser. The page is kept " +
-            "in the cache until the next one of the same name. ${Computer.WINDOW} names the window's program if it is not where the " +
-            "installer puts it.",
+            "in the cache until the next one of the same name. Of the standard input (-), the page opens in any case. ${Computer.WINDOW} " +
+            "names the window's program if it is not where the installer puts it.",
         logHelp = "A log, or a folder of logs.",
     ) {
     private val isPage by option("--page").flag().help("Open the page, even if the window is installed.")

@@ -30,7 +30,8 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
     }
 
     private fun open(outcomes: Outcomes, console: Console) {
-        val window = if (isPage) null else computer.window()
+        // The window would read the standard input's file when that is gone; a page has it inside.
+        val window = if (isPage || console.isStandIn(path)) null else computer.window()
         if (window != null) {
             if (computer.start(listOf(window.toString(), path.toAbsolutePath().normalize().toString()))) {
                 return outcomes.opened(path, "window", "Opened $path in the window.")

@@ -32,7 +32,7 @@ private class Desk(private val folder: Path, hasWindow: Boolean, private val bro
         Path.of(command[0]).fileName.toString() !in broken
     }
 
-    fun open(vararg arguments: Any): Ended = badlogOn(computer, "open", *arguments)
+    fun open(vararg arguments: Any, input: String = ""): Ended = badlogOn(computer, "open", *arguments, input = input.byteInputStream())
 }
 
 class OpenSpec : FunSpec({
@@ -70,6 +70,16 @@ class OpenSpec : FunSpec({
             desk.open(log, "--page").err shouldBe ""
             desk.open(log).err shouldContain "cannot be started; opening the page instead"
             desk.started.map { Path.of(it[0]).fileName.toString() } shouldBe listOf("xdg-open", "badlog", "xdg-open")
+        }
+    }
+
+    test("the standard input opens as a page, which has it inside when the program has ended") {
+        inFolder { folder ->
+            val ended = Desk(folder, hasWindow = true).run { open("-", input = BAG).also { started.single()[0] shouldBe "xdg-open" } }
+            ended.code shouldBe ExitCode.WHOLE
+            ended.out shouldBe "Opened the page of - in the browser.\n"
+            (folder / "cache/pages/stdin.html").readText() shouldContain "<!DOCTYPE html"
+            Desk(folder, hasWindow = true).open("-", input = "hello\nworld\n").code shouldBe ExitCode.NOTHING
         }
     }
 

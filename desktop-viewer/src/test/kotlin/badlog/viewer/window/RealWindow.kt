@@ -101,7 +101,7 @@ internal class RealWindow(
     fun awaitNo(text: String) = await("no “$text”") { !shows(text) }
 
     /** Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. */
-    private fun awaitRest(text: String) {
+    fun awaitRest(text: String) {
         var before: Rectangle? = null
         var since = System.nanoTime()
         await("“$text” to stand still") {
@@ -196,12 +196,22 @@ internal class RealWindow(
      */
     fun picture(name: String, guide: String? = null): BufferedImage {
         Thread.sleep(PICTURE_MILLIS)
-        val picture = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
+        val picture = capture()
         val folder = Files.createDirectories(Path.of("build/screenshots"))
         ImageIO.write(picture, "png", folder.resolve("$name.png").toFile())
         if (guide != null && System.getenv("BADLOG_WRITE_GUIDE") != null) writeGuidePicture(picture, guide)
         return picture
     }
+
+    /** What the screen shows of the window now, with a mouse pointer where that is. */
+    fun captureWithPointer(): BufferedImage {
+        Thread.sleep(PICTURE_MILLIS)
+        val corner = window.locationOnScreen
+        val pointer = MouseInfo.getPointerInfo().location
+        return capture().also { drawPointer(it, pointer.x - corner.x, pointer.y - corner.y) }
+    }
+
+    private fun capture(): BufferedImage = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
 
     /** Asks the window to close, as its frame does, and waits until it has. */
     override fun close() {

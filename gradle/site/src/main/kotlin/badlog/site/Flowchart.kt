@@ -5,12 +5,20 @@ import org.commonmark.node.Node
 import org.commonmark.renderer.NodeRenderer
 import org.commonmark.renderer.html.HtmlNodeRendererContext
 
-/** A Mermaid flowchart, shown as text: for each box, the boxes that its arrows lead to. */
-internal class Flowchart private constructor(private val arrows: List<Arrow>) {
-    private class Arrow(val from: String, val label: String, val to: String)
+/** A Mermaid flowchart: boxes, and [arrows] from one to another. */
+internal class Flowchart private constructor(val arrows: List<Arrow>) {
+    /** An arrow between two boxes, each known by its text; [label] stands beside it, empty for none. */
+    class Arrow(val from: String, val label: String, val to: String)
+
+    /** The chart as a drawing, and below it as a list for those who do not see that. */
+    fun html(): String = drawingOf(this).let {
+        "<figure class=\"flowchart\">\n$it\n<details><summary>The same as a list</summary>\n${list()}</details>\n</figure>\n"
+    }
 
     /** A list of the boxes, each with the ends of its arrows. */
-    fun html(): String = arrows.groupBy { it.from }.entries.joinToString("\n", "<ul class=\"arrows\">\n", "\n</ul>\n") { (from, arrows) ->
+    private fun list(): String = arrows.groupBy {
+        it.from
+    }.entries.joinToString("\n", "<ul class=\"arrows\">\n", "\n</ul>\n") { (from, arrows) ->
         val ends = arrows.joinToString(", ") { (if (it.label.isEmpty()) "" else escape(it.label) + " ") + "<b>${escape(it.to)}</b>" }
         "<li><b>${escape(from)}</b> → $ends</li>"
     }

@@ -8,6 +8,7 @@ import io.kotest.matchers.maps.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import org.jsoup.Jsoup
 import java.io.File
 
 class GuideReaderSpec : FunSpec({
@@ -65,9 +66,15 @@ class GuideReaderSpec : FunSpec({
         guide.sections[1].text shouldContain "help"
     }
 
-    test("a flowchart is shown as a list of its arrows") {
+    test("a flowchart is drawn, each box above those that its arrows lead to, and also shown as a list of its arrows") {
         file("docs/page.md", "# Page\n\n```mermaid\nflowchart TD\n    robot[jvm-robot] -- writes bags --> core\n    files --> core\n    files --> robot\n```\n")
-        read("docs/page.md").html shouldContain "<li><b>jvm-robot</b> → writes bags <b>core</b></li>\n<li><b>files</b> → <b>core</b>, <b>jvm-robot</b></li>"
+        val html = read("docs/page.md").html
+        html shouldContain "<li><b>jvm-robot</b> → writes bags <b>core</b></li>\n<li><b>files</b> → <b>core</b>, <b>jvm-robot</b></li>"
+        val chart = Jsoup.parse(html).select("figure svg").single()
+        chart.select("path.head").size shouldBe 3
+        chart.select("text.label").text() shouldBe "writes bags"
+        val heights = chart.select("text:not(.label)").associate { it.text() to it.attr("y").toDouble() }
+        heights.keys.sortedBy { heights[it] } shouldContainExactly listOf("files", "jvm-robot", "core")
     }
 
     test("code is shown as it is written") {

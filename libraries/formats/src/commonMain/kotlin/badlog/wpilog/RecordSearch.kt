@@ -141,7 +141,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         /** What [find] returns where it has to look at [at] again. */
         fun waiting(at: Int): Int = NOWHERE - 1 - at
 
-        /** The [at] of [waiting]. */
+        /** The place that [waiting] was given to return [found]. */
         fun waitsAt(found: Int): Int = NOWHERE - 1 - found
 
         /** So many fitting records in a row are no accident. */

@@ -91,7 +91,7 @@ internal class ValueFrames(private val signals: List<Signal>) {
  *
  * @param micros the server's time.
  * @return the answer, or null when nothing was asked.
- * @throws MessagePackException when the frame is none of NT4's.
+ * @throws RuntimeException that is a `MessagePackException` when the frame is not one of NT4's.
  */
 internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
     val questions = MessagePack.newDefaultUnpacker(frame)

@@ -11,7 +11,7 @@ import kotlinx.serialization.modules.SerializersModule
 /**
  * Reads what [CompactWriter] wrote, from [bytes] after the first [start].
  *
- * @throws SerializationException, or another exception of a runtime, where something else wrote them.
+ * @throws RuntimeException such as a `SerializationException`, where something else wrote them.
  */
 internal class CompactReader(private val bytes: ByteArray, start: Int) {
     private inner class Cursor(var at: Int) {

@@ -62,7 +62,7 @@ public class TableCell internal constructor(
 public class HookValue internal constructor(public val hook: String, public val name: String, public val text: String)
 
 /**
- * What [rows] have of hooks, in the order in which it first comes.
+ * A column of the values of a hook.
  *
  * @property title the name of the value, with that of its hook where several hooks have such a value.
  */
@@ -71,6 +71,7 @@ internal class HookColumn private constructor(private val hook: String, private 
     fun textIn(row: TableRow): String? = row.hookValues.find { it.hook == hook && it.name == name }?.text
 
     companion object {
+        /** What [rows] have of hooks, in the order in which it first comes. */
         fun of(rows: List<TableRow>): List<HookColumn> {
             val columns = rows.flatMap { row -> row.hookValues.map { it.hook to it.name } }.distinct()
             val hooks = columns.groupBy({ it.second }, { it.first })
