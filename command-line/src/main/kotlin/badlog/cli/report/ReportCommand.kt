@@ -29,6 +29,8 @@ internal class ReportCommand :
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also write a page per log and an index.html there.")
+    private val field by option("--field", metavar = "FILE").path()
+        .help("WPILib's field file for the pages; default: field.json beside the log.")
     private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
@@ -51,12 +53,12 @@ internal class ReportCommand :
         if (station != null && folder != null) {
             throw UsageError("--with-ds and --out exclude each other, since a page shows one log; merge both with merge --with-ds first")
         }
+        if (field != null && folder == null) throw UsageError("--field needs --out, since only pages draw a field")
         return ReportTask(
             paths,
             search.search(hooks, virtual.definitions),
             form,
-            folder,
-            isForced,
+            folder?.let { PagesPlan(it, isForced, field) },
             if (isFresh) null else cacheFolder(),
             xTopic,
             station,

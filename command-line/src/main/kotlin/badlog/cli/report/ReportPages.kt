@@ -53,6 +53,15 @@ internal class ReportPages(private val folder: ReportFolder) {
     }
 }
 
+/**
+ * What a person asks of the pages.
+ *
+ * @property folder where they and their index go.
+ * @property isForced whether files are replaced there that badlog did not make.
+ * @property field the file of the field on which they draw paths; null for the one beside each log.
+ */
+internal class PagesPlan(val folder: Path, val isForced: Boolean, val field: Path?)
+
 /** Where the page of a log is, or why there is none. */
 @Serializable
 internal class PageJson(private val output: String?, private val outputError: String?)

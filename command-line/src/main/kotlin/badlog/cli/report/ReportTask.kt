@@ -13,6 +13,7 @@ import badlog.cli.search.rulesBeside
 import badlog.cli.station.StationsBeside
 import badlog.cli.text.jsonOf
 import badlog.html.ExportException
+import badlog.html.fieldFor
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.report.ReportJson
@@ -29,8 +30,7 @@ import java.nio.file.Path
  * Looks for something in every log below [paths].
  *
  * @param search what to look for.
- * @param folder where pages and their index go; null for none.
- * @param isForced whether files are replaced there that badlog did not make.
+ * @param pagesPlan what is asked of the pages and their index; null for none.
  * @param cache where findings are kept; null for nowhere.
  * @param xTopic the topic to take as x axis, or null.
  * @param station below which folder Driver Station logs of the same matches are, from which rules get what the robot's logs lack; empty
@@ -40,13 +40,16 @@ internal class ReportTask(
     private val paths: List<Path>,
     private val search: Search,
     private val form: ResultForm,
-    private val folder: Path?,
-    private val isForced: Boolean,
+    private val pagesPlan: PagesPlan?,
     private val cache: Path?,
     private val xTopic: String?,
     private val station: Path?,
 ) : Task {
     override fun run(console: Console): ExitCode {
+        pagesPlan?.field?.let { fieldFor(it, it).problem }?.let {
+            console.warn(it)
+            return ExitCode.USAGE
+        }
         val rules: RuleSet
         val stations: StationsBeside?
         val report = try {
@@ -61,7 +64,7 @@ internal class ReportTask(
         }
         val logs = LogFiles(paths, console)
         val pages = try {
-            folder?.let { ReportPages(ReportFolder(it, logs.files, rules, search.virtualTopics, isForced)) }
+            pagesPlan?.let { ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field)) }
         } catch (e: ExportException) {
             console.warn(e.message.orEmpty())
             return ExitCode.NOTHING

@@ -18,6 +18,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.jsonPrimitive
 import java.awt.image.BufferedImage
+import java.nio.file.Files
 import javax.imageio.ImageIO
 import kotlin.io.path.div
 import kotlin.io.path.readText
@@ -171,6 +172,18 @@ class ExportSpec : FunSpec({
             report.code shouldBe ExitCode.SALVAGED
             report.err shouldContain "field.json is not used: "
             additionsIn(folder / "report/a.html") shouldNotContain "data:image"
+            val mine = folder.with("mine.json", text)
+            badlog("report", log, "--out", folder / "report", "--no-cache", "--field", mine).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "report/a.html") shouldContain "data:image/png;base64,"
+            badlog("report", log, "--out", folder / "none", "--no-cache", "--field", named).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "other.json is not used: Its picture “gone.png” cannot be read; put it beside the file."
+            }
+            Files.exists(folder / "none") shouldBe false
+            badlog("report", log, "--field", mine).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "--field needs --out"
+            }
         }
     }
 

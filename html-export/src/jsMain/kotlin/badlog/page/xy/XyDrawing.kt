@@ -47,6 +47,7 @@ internal class XyDrawing(
     }
     private val departure by lazy { plot?.departure(scene.view) }
     private val values = ArrayList<HTMLElement>()
+    private val strokes = Strokes()
     private val ground by lazy {
         scene.field.image?.let { image ->
             window.document.createElement("img").unsafeCast<HTMLImageElement>().apply {
@@ -164,7 +165,6 @@ internal class XyDrawing(
     private fun shown(plot: XyPlot) = plot.shown(look().hidden)
 
     private fun drawTrace(canvas: XyCanvas, trace: XyTrace, span: Span, seen: Plane, opacity: Double) {
-        val strokes = Strokes()
         trace.draw(span, seen, canvas.width.toInt(), canvas.height.toInt(), strokes)
         canvas.color(scene.palette.line(trace.color), opacity)
         canvas.strokes(strokes, isDashed = trace.role == PoseRole.PLANNED)

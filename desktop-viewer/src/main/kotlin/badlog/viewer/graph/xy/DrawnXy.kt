@@ -2,6 +2,7 @@ package badlog.viewer.graph.xy
 
 import badlog.analysis.Span
 import badlog.plot.board.BoardGraph
+import badlog.plot.curve.Strokes
 import badlog.plot.path.Departure
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
@@ -15,6 +16,9 @@ import badlog.viewer.compare.DrawnRecording
  * @property index its place among those recordings, of which there are [count].
  */
 internal class DrawnXy(val drawn: DrawnRecording, val plot: XyPlot, private val index: Int, private val count: Int) {
+    /** The strokes of the trace that is being drawn. They are reused, since allocating arrays for a million poses in each frame takes long. */
+    val strokes = Strokes()
+
     /** Where the robot left its plan. */
     val departure: Departure? by lazy { plot.departure(drawn.recording.view) }
 

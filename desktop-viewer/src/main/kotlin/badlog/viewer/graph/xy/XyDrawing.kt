@@ -94,16 +94,15 @@ internal fun DrawScope.drawXyTraces(xy: DrawnXy, spec: BoardGraph, plane: Plane,
     val isAll = xy.drawn.recording.span.let { it.from in own && it.to in own }
     for (trace in xy.shown(spec)) {
         val color = palette.line(xy.colorOf(trace))
-        if (!isAll && xy.plot.isField) drawXyTrace(trace, all, plane, color.copy(alpha = FAINT))
-        drawXyTrace(trace, own, plane, color)
+        if (!isAll && xy.plot.isField) drawXyTrace(xy, trace, all, plane, color.copy(alpha = FAINT))
+        drawXyTrace(xy, trace, own, plane, color)
     }
 }
 
-private fun DrawScope.drawXyTrace(trace: XyTrace, span: Span, plane: Plane, color: Color) {
+private fun DrawScope.drawXyTrace(xy: DrawnXy, trace: XyTrace, span: Span, plane: Plane, color: Color) {
     if (trace.followers.isNotEmpty()) return
-    val strokes = Strokes()
-    trace.draw(span, plane, size.width.toInt(), size.height.toInt(), strokes)
-    drawXyStrokes(strokes, color, isDashed = trace.role == PoseRole.PLANNED)
+    trace.draw(span, plane, size.width.toInt(), size.height.toInt(), xy.strokes)
+    drawXyStrokes(xy.strokes, color, isDashed = trace.role == PoseRole.PLANNED)
 }
 
 private fun DrawScope.drawXyStrokes(strokes: Strokes, color: Color, isDashed: Boolean) {

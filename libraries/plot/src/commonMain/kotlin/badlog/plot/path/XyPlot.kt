@@ -12,7 +12,6 @@ import badlog.rules.path.PoseRole
 import badlog.rules.path.planDistance
 import badlog.rules.path.planSpans
 import badlog.rules.path.trailOf
-import kotlin.math.abs
 
 /**
  * What a graph of y over x shows: the paths of poses on a field, or else one topic over another.
@@ -94,40 +93,11 @@ public class XyPlot internal constructor(
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */
-    public fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double {
-        val trail = (driven ?: traces.lastOrNull())?.trail ?: return Double.NaN
-        fun distance(i: Int): Double {
-            val right = (trail.x[i] - x) / pixelX
-            val up = (trail.y[i] - y) / pixelY
-            return right * right + up * up
-        }
-
-        val range = trail.startOf(visible) until trail.endOf(visible)
-        var least = reach * reach
-        var nearest = Double.NaN
-        for (i in range) {
-            // A sample without a place is not near.
-            val here = distance(i)
-            if (here < least || (here == least && nearest.isNaN())) {
-                least = here
-                nearest = trail.times[i]
-            }
-        }
-        if (before == null || nearest.isNaN()) return nearest
-        for (i in range) {
-            val isNear = distance(i) <= least + SAME_PLACE
-            if (isNear && abs(trail.times[i] - before) < abs(nearest - before)) nearest = trail.times[i]
-        }
-        return nearest
-    }
+    public fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double =
+        (driven ?: traces.lastOrNull())?.let { timeOfNearest(it.pyramid, x, y, pixelX, pixelY, reach, visible, before) } ?: Double.NaN
 
     private fun wholeOf(spans: List<Span>): Span =
         limitsFor(spans.minOfOrNull { it.from } ?: Double.NaN, spans.maxOfOrNull { it.to } ?: Double.NaN, includesZero = false)
-
-    private companion object {
-        /** Samples whose squared distance differs by at most this many square pixels count as the same place. */
-        const val SAME_PLACE = 9.0
-    }
 }
 
 /**

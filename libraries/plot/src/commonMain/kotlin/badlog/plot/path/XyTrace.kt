@@ -33,7 +33,9 @@ public class XyTrace internal constructor(
     public val followers: List<Trail> = emptyList(),
     internal val pose: Pose? = null,
 ) {
-    private val drawing = TrailDrawing()
+    /** Blocks of the samples of [trail]. */
+    internal val pyramid: TrailPyramid by lazy { TrailPyramid(trail) }
+    private val drawing by lazy { TrailDrawing(pyramid) }
 
     /** Whether its samples are joined by lines. */
     public val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
@@ -42,7 +44,7 @@ public class XyTrace internal constructor(
     public fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
         val x = plane.xScale(width.toDouble())
         val y = plane.yScale(height.toDouble())
-        drawing.draw(trail, trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
+        drawing.draw(trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
     }
 
     /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then. */

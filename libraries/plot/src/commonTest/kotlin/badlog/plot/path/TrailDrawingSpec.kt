@@ -38,7 +38,7 @@ class TrailDrawingSpec : FunSpec({
     fun drawn(places: List<Pair<Double, Double>>, isJoined: Boolean): Strokes {
         val trail = Trail(DoubleArray(places.size) { it.toDouble() }, DoubleArray(places.size) { places[it].first }, DoubleArray(places.size) { places[it].second })
         val strokes = Strokes()
-        TrailDrawing().draw(trail, 0, places.size, plane.xScale(WIDTH.toDouble()), plane.yScale(HEIGHT.toDouble()), WIDTH, HEIGHT, isJoined, strokes)
+        TrailDrawing(TrailPyramid(trail)).draw(0, places.size, plane.xScale(WIDTH.toDouble()), plane.yScale(HEIGHT.toDouble()), WIDTH, HEIGHT, isJoined, strokes)
         return strokes
     }
 
@@ -65,7 +65,7 @@ class TrailDrawingSpec : FunSpec({
             val times = DoubleArray(samples) { it.toDouble() }
             val trail = Trail(times, DoubleArray(samples) { 10 + 9.5 * sin(it * 0.0137) }, DoubleArray(samples) { 6 + 5.5 * cos(it * 0.0191) })
             val strokes = Strokes()
-            TrailDrawing().draw(trail, 0, samples, plane.xScale(1000.0), plane.yScale(600.0), 1000, 600, true, strokes)
+            TrailDrawing(TrailPyramid(trail)).draw(0, samples, plane.xScale(1000.0), plane.yScale(600.0), 1000, 600, true, strokes)
             return strokes.isDense
         }
         isDense(200_000) shouldBe true
@@ -110,7 +110,7 @@ class TrailDrawingSpec : FunSpec({
             DoubleArray(count) { 6 + 5 * sin(it / 1000.0) },
         )
         val strokes = Strokes()
-        TrailDrawing().draw(trail, 0, count, plane.xScale(WIDTH.toDouble()), plane.yScale(HEIGHT.toDouble()), WIDTH, HEIGHT, true, strokes)
+        TrailDrawing(TrailPyramid(trail)).draw(0, count, plane.xScale(WIDTH.toDouble()), plane.yScale(HEIGHT.toDouble()), WIDTH, HEIGHT, true, strokes)
         (0 until strokes.count).sumOf { (strokes.endOf(it) - strokes.startOf(it)) / 2 } shouldBeLessThanOrEqual 60
     }
 

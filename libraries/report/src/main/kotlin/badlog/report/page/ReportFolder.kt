@@ -27,6 +27,7 @@ import java.nio.file.Path
  * @param rules what the pages look for; those of the report, so that index and pages agree.
  * @param virtualTopics definitions of topics that the pages show beside the logs' own, where a log can be given them.
  * @param isForced whether files are replaced that badlog did not make, too.
+ * @param field the file of the field on which the pages draw paths; null for the one beside each log, if any.
  * @param exporter makes the pages of the logs.
  */
 public class ReportFolder(
@@ -35,6 +36,7 @@ public class ReportFolder(
     private val rules: RuleSet,
     private val virtualTopics: List<String> = emptyList(),
     private val isForced: Boolean = false,
+    private val field: Path? = null,
     private val exporter: HtmlExporter = HtmlExporter(),
 ) {
     private val read = logs.mapTo(HashSet()) { realPath(it.path) }
@@ -69,8 +71,8 @@ public class ReportFolder(
         // A page knows its own log alone.
         val compared = log.differences
         val layout = layoutFor(log.file.path, rules.signals)
-        val field = fieldFor(log.file.path)
-        problems += listOfNotNull(layout.problem, field.problem)
+        val ground = fieldFor(log.file.path, field)
+        problems += listOfNotNull(layout.problem, ground.problem)
         val additions = PageAdditions(
             virtualTopics = defined,
             rules = rules,
@@ -78,7 +80,7 @@ public class ReportFolder(
             hooks = hookParts(hooks),
             differences = compared.differences,
             layout = layout.text,
-            field = field.json,
+            field = ground.json,
         )
         exporter.export(log.file.path, page, additions)
         pages[log] = name
