@@ -30,7 +30,7 @@ internal class ReportCommand :
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also write a page per log and an index.html there.")
     private val field by option("--field", metavar = "FILE").path()
-        .help("WPILib's field file for the pages; default: field.json beside the log.")
+        .help("WPILib's field file; default: field.json beside the log.")
     private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
     private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
