@@ -6,12 +6,12 @@ import org.apache.spark.SparkConf
 import org.apache.spark.api.java.JavaSparkContext
 import java.nio.file.Path
 
-/** Where Spark is, which `:season-spark:installSpark` installs; null where it is not. */
+/** Where Spark is, which `:spark:installSpark` installs; null where it is not. */
 internal val SPARK_HOME: Path? = System.getProperty("badlog.spark.home")?.let(Path::of)
 
 /** For a test that needs Spark. */
 internal val SPARK_IS_HERE: EnabledOrReasonIf = {
-    if (SPARK_HOME != null) Enabled.enabled else Enabled.disabled("Apache Spark is not here; ./gradlew :season-spark:installSpark installs it.")
+    if (SPARK_HOME != null) Enabled.enabled else Enabled.disabled("Apache Spark is not here; ./gradlew :spark:installSpark installs it.")
 }
 
 /** Spark in this process, on two threads. */
@@ -23,6 +23,7 @@ internal object LocalSpark {
                 .set("spark.ui.enabled", "false")
                 .set("spark.driver.host", "127.0.0.1")
                 .set("spark.driver.bindAddress", "127.0.0.1")
+                .set("spark.sql.shuffle.partitions", "2")
                 // Samples of a log are more than what is to come back of all of them.
                 .set("spark.driver.maxResultSize", "200k"),
         )

@@ -5,33 +5,37 @@ import badlog.season.sql.LakeDatabase
 import badlog.season.written
 import io.kotest.assertions.withClue
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 
-private val TABLES = listOf("samples", "series", "statistics", "matches", "topics", "events", "findings")
+/** Of the samples, which are many, a number for each row is compared. */
+private val MANY = listOf("samples", "series")
+private val ALWAYS_THERE = listOf("samples", "statistics", "matches", "topics")
 
-/** Compares two lakes: their files by name, and each table row by row. */
+/** Compares two lakes: their files by name, and each table by its columns and row by row. */
 internal infix fun Path.shouldBeTheLake(expected: Path) {
     written().keys.sorted() shouldBe expected.written().keys.filter { it != ".lock" }.sorted()
-    for (table in TABLES) {
-        val rows = rowsOf(this, table)
-        val wanted = rowsOf(expected, table)
+    for (table in ALWAYS_THERE + listOf("series", "events", "findings")) {
         withClue("$table of $this") {
-            wanted.size shouldBeGreaterThan 1
+            columnsOf(this, table) shouldBe columnsOf(expected, table)
+            val rows = rowsOf(this, table)
+            val wanted = rowsOf(expected, table)
+            if (table in ALWAYS_THERE) wanted.shouldNotBeEmpty()
             // As sets first, for a short message.
             (rows - wanted.toSet()).take(2).shouldBeEmpty()
             (wanted - rows.toSet()).take(2).shouldBeEmpty()
-            rows shouldBe wanted
+            (rows == wanted) shouldBe true
         }
     }
 }
 
-/** The columns of [table], then its rows in an order of their own. */
+private fun columnsOf(lake: Path, table: String): List<String> = LakeDatabase.open(Lake(lake)).use { database ->
+    buildList { database.query("SELECT * FROM $table LIMIT 0", { all -> all.mapTo(this) { "${it.name} ${it.type}" } }) { true } }
+}
+
+/** The rows of [table], sorted. */
 private fun rowsOf(lake: Path, table: String): List<String> = LakeDatabase.open(Lake(lake)).use { database ->
-    buildList {
-        database.query("SELECT * FROM $table ORDER BY ALL", { add(it.joinToString("|") { column -> "${column.name} ${column.type}" }) }) { row ->
-            add(row.joinToString("|"))
-        }
-    }
+    val row = if (table in MANY) "md5(CAST($table AS VARCHAR))" else "*"
+    buildList { database.query("SELECT $row FROM $table ORDER BY ALL", {}) { add(it.joinToString("|")) } }
 }

@@ -26,12 +26,13 @@ public sealed interface ExaminedLog {
     public class None internal constructor(public val message: String, public val isNoLog: Boolean) : ExaminedLog
 }
 
-/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine]. Safe for several threads. */
-internal class LakeExamination(private val rules: RuleSet, private val engine: Engine) {
+/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Safe for several threads. */
+internal class LakeExamination(private val rules: RuleSet, private val engine: Engine, private val hasSamples: Boolean = true) {
     private val programs = ConcurrentHashMap<LogShape, RuleProgram>()
 
     /** What decides what becomes of a log besides its file. */
-    val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}"
+    val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}" +
+        if (hasSamples) "" else WITHOUT_SAMPLES
 
     /**
      * Reads [file] on [cores] cores, which is the log [source] or a copy of it, and writes its files into [folder], where the lake calls
@@ -58,7 +59,15 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
 
     private fun write(view: LogView, findings: List<Finding>, source: LogSource, log: String, folder: Path): LakeEntry {
         val identity = LogIdentity.of(source.file, view.recording, rules.signals)
-        val samples = SamplesTable(view, log, identity)
+        val samples = if (hasSamples) SamplesTable(view, log, identity) else null
+        val columns = samples?.nameOf.orEmpty()
+        val files = if (samples == null) emptyList() else write(view, samples, log, identity, folder)
+        val records = LogRecords(log, source, view, findings, identity, columns, files, maker)
+        return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
+    }
+
+    /** Writes the files of a single log; returns their names, seen from the lake. */
+    private fun write(view: LogView, samples: SamplesTable, log: String, identity: LogIdentity, folder: Path): List<String> {
         val tables = listOfNotNull(
             samples.table?.let { LakeLayout.logFile(LakeLayout.SAMPLES, identity.partition, log) to it },
             seriesTable(view, log, identity)?.let { LakeLayout.logFile(LakeLayout.SERIES, identity.partition, log) to it },
@@ -69,9 +78,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
                 engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(target), metadata, table.columns.size) }
             }
         }
-        val files = tables.map { it.first }
-        val records = LogRecords(log, source, view, findings, identity, samples.nameOf, files, maker)
-        return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
+        return tables.map { it.first }
     }
 
     private fun programFor(view: LogView): RuleProgram {
@@ -83,6 +90,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
         const val MAX_PROGRAMS = 64
         const val IO_ERROR = "IO Error"
         const val HEX = 16
+        const val WITHOUT_SAMPLES = "-without-samples"
 
         /** By which name a file of samples says what its topics are. */
         const val METADATA = "badlog"

@@ -9,12 +9,13 @@ import java.nio.file.Path
  * logs, and the tables of single partitions. A [Lake] puts the same pieces together by itself. Safe for several threads.
  *
  * @param rules what findings are looked for, and what topics are called.
+ * @param hasSamples false to leave out the files of single logs, so that the lake has the tables of all logs alone.
  */
-public class LakePieces(rules: RuleSet) : AutoCloseable {
+public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
-    private val examination = LakeExamination(rules, engine)
+    private val examination = LakeExamination(rules, engine, hasSamples)
 
-    /** What decides what becomes of a log besides its file: the version of the layout, and the rules. */
+    /** What decides what becomes of a log besides its file: the version of the layout, the rules, and whether there are samples. */
     public val maker: String get() = examination.maker
 
     /**

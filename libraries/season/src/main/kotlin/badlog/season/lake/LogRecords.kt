@@ -61,7 +61,7 @@ internal class LogRecords(
         val column = columnOf[topic]
         val stored = when {
             column != null -> LakeLayout.SAMPLES
-            topic.times != null && topic.size > 0 -> LakeLayout.SERIES
+            topic.times != null && topic.size > 0 && files.isNotEmpty() -> LakeLayout.SERIES
             else -> null
         }
         return listOf(

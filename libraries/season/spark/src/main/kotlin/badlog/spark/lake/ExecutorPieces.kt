@@ -3,21 +3,35 @@ package badlog.spark.lake
 import badlog.rules.RuleSet
 import badlog.rules.fromJson
 import badlog.season.lake.LakePieces
+import java.io.Serializable
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
-/** What makes the pieces of lakes in this executor: one for each set of rules, as starting DuckDB takes longer than a log. */
+/**
+ * What is to be made of logs.
+ *
+ * @property rules what findings are looked for, as JSON.
+ * @property hasSamples whether the lake has a file for each log, besides the tables of all logs.
+ */
+internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Serializable {
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** What makes the pieces of lakes in this executor: one for each kind of work, as starting DuckDB takes longer than a log. */
 internal object ExecutorPieces {
-    private val made = ConcurrentHashMap<String, LakePieces>()
+    private val made = ConcurrentHashMap<LakeWork, LakePieces>()
 
     init {
         Runtime.getRuntime().addShutdownHook(Thread { made.values.forEach(LakePieces::close) })
     }
 
-    /** The one that looks for what the rules [json] say. */
-    fun of(json: String): LakePieces =
-        made.computeIfAbsent(json) { LakePieces(checkNotNull(RuleSet.fromJson(it)) { "The rules cannot be read: $it" }) }
+    /** The one for [work]. */
+    fun of(work: LakeWork): LakePieces = made.computeIfAbsent(work) {
+        LakePieces(checkNotNull(RuleSet.fromJson(it.rules)) { "The rules cannot be read: ${it.rules}" }, it.hasSamples)
+    }
 }
 
 /** Does [work] with a folder of this machine that goes afterwards. */

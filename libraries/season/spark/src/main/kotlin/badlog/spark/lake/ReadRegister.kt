@@ -5,11 +5,11 @@ import badlog.season.lake.RegisteredLog
 import badlog.spark.storage.RemoteFolder
 import org.apache.spark.api.java.function.FlatMapFunction
 
-/** Reads which logs [lake] has, of the file of a table of matches; [rules] as JSON. */
-internal class ReadRegister(private val lake: RemoteFolder, private val rules: String) : FlatMapFunction<String, RegisteredLog> {
+/** Reads which logs [lake] has, of the file of a table of matches. */
+internal class ReadRegister(private val lake: RemoteFolder, private val work: LakeWork) : FlatMapFunction<String, RegisteredLog> {
     override fun call(file: String): Iterator<RegisteredLog> = inScratch { scratch ->
         lake.fetch(file, scratch.resolve(file))
-        ExecutorPieces.of(rules).registered(scratch).iterator()
+        ExecutorPieces.of(work).registered(scratch).iterator()
     }
 
     internal companion object {

@@ -52,8 +52,9 @@ public class SparkLakeResult internal constructor(
  * [badlog.season.lake.Lake]. One program at a time may write to it.
  *
  * @param address of its folder, which all machines of the cluster have.
+ * @param hasSamples false for the tables of all logs alone: enough where only the rules are asked, and much less to write.
  */
-public class SparkLake(private val spark: JavaSparkContext, private val address: String) {
+public class SparkLake(private val spark: JavaSparkContext, private val address: String, private val hasSamples: Boolean = true) {
     private val configuration = SerializableConfiguration(spark.hadoopConfiguration())
     private val lake = RemoteFolder(address, configuration, LakeLayout.DRAFT)
 
@@ -62,7 +63,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
      * own, up to [MAX_TASKS] of them. A task that is lost is done again, and leaves nothing half. This program learns names and counts
      * alone, never samples.
      *
-     * @param folders addresses of folders or files, of any file system.
+     * @param folders addresses of folders or files, of any file system; that of a lake stands for the logs that it was made of.
      * @param rules what findings are looked for, and what topics are called.
      * @param maxBytes the size of the largest file to read, in bytes; a log needs some 3 times as much memory, packed ones 15 times.
      * @throws LakeException when the address is of something else than a lake, or a folder cannot be looked into.
@@ -70,16 +71,16 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
     public fun refresh(folders: List<String>, rules: RuleSet, maxBytes: Long = Long.MAX_VALUE): SparkLakeResult {
         try {
             requireOwn()
-            val json = rules.toJson()
+            val work = LakeWork(rules.toJson(), hasSamples)
             val files = dropDrafts(lake.files())
-            val inventory = inventory(files, json)
-            val logs = folders.flatMap { logsIn(it, configuration.value()) }.distinctBy { it.source.path }
+            val inventory = inventory(files, work)
+            val logs = folders.flatMap(::logsOf).distinctBy { it.source.path }
             val (small, large) = logs.partition { it.source.size <= maxBytes }
             val isBelow = belowAny(folders)
             // What is too large now was not perhaps, and stays as it is.
             val isGone = large.mapTo(HashSet()) { it.source.path }.let { kept -> { path: String -> path !in kept && isBelow(path) } }
-            val plan = inventory.plan(small.map { it.source }, ExecutorPieces.of(json).maker, isGone) { it in files }
-            val outcomes = if (plan.changed.isEmpty() && plan.gone.isEmpty()) emptyList() else run(plan, small, json)
+            val plan = inventory.plan(small.map { it.source }, ExecutorPieces.of(work).maker, isGone) { it in files }
+            val outcomes = if (plan.changed.isEmpty() && plan.gone.isEmpty()) emptyList() else run(plan, small, work)
             val all = outcomes.filter { it.message != null }.map { RefusedLog(it.path, it.message!!, it.isNoLog) } +
                 plan.ignored.map { (log, why) -> RefusedLog(log.path, why, true) }
             if (outcomes.isNotEmpty() || LakeLayout.MARK !in files) mark(inventory, small.map { it.source }, all)
@@ -110,14 +111,24 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         lake.put(LakeInventory.of(address, null, emptyList()).markAfter(emptyList(), emptyMap()), LakeLayout.MARK)
     }
 
-    private fun inventory(files: Set<String>, rules: String): LakeInventory {
+    private fun inventory(files: Set<String>, work: LakeWork): LakeInventory =
+        LakeInventory.of(address, lake.text(LakeLayout.MARK), registeredIn(lake, files, work))
+
+    private fun registeredIn(lake: RemoteFolder, files: Set<String>, work: LakeWork): List<RegisteredLog> {
         val tables = files.filter(ReadRegister::isMatches).sorted()
-        val registered = if (tables.isEmpty()) {
-            emptyList<RegisteredLog>()
-        } else {
-            spark.parallelize(tables, minOf(tables.size, MAX_TASKS)).flatMap(ReadRegister(lake, rules)).collect()
-        }
-        return LakeInventory.of(address, lake.text(LakeLayout.MARK), registered)
+        if (tables.isEmpty()) return emptyList()
+        return spark.parallelize(tables, minOf(tables.size, MAX_TASKS)).flatMap(ReadRegister(lake, work)).collect()
+    }
+
+    /** The logs in [folder]; where that is a lake, those that it was made of. */
+    private fun logsOf(folder: String): List<RemoteLog> {
+        val other = RemoteFolder(folder, configuration, LakeLayout.DRAFT)
+        if (!other.has(LakeLayout.MARK)) return logsIn(folder, configuration.value())
+        val work = LakeWork(RuleSet.NONE.toJson(), hasSamples)
+        val named = registeredIn(other, other.files(), work).associateBy { it.path }
+        return named.keys.mapTo(LinkedHashSet()) { it.substringBeforeLast('/') }
+            .flatMap { logsIn(it, configuration.value(), isDeep = false) }
+            .mapNotNull { log -> named[log.source.path]?.let { RemoteLog(log.source.copy(name = it.log), log.files) } }
     }
 
     private fun belowAny(folders: List<String>): (String) -> Boolean {
@@ -128,15 +139,15 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         return { path -> tops.any { path == it || path.startsWith("$it/") } }
     }
 
-    private fun run(plan: LakePlan, logs: List<RemoteLog>, rules: String): List<LogOutcome> {
+    private fun run(plan: LakePlan, logs: List<RemoteLog>, work: LakeWork): List<LogOutcome> {
         val byPath = logs.associateBy { it.source.path }
         // The largest first, so that none is waited for at the end.
         val plans = plan.changed.map { RemotePlan(it, byPath.getValue(it.source.path)) }.sortedByDescending { it.planned.source.size }
-        val written = spark.parallelize(plans, plans.size.coerceIn(1, MAX_TASKS)).flatMapToPair(WriteLog(lake, rules, configuration))
+        val written = spark.parallelize(plans, plans.size.coerceIn(1, MAX_TASKS)).flatMapToPair(WriteLog(lake, work, configuration))
         val gone = plan.gone.map { Tuple2(it.place, LogPiece(LakeChange.Remove(it), null)) }
         val pieces = written.union(spark.parallelizePairs(gone, 1))
         val tables = (plans.size / LOGS_PER_TABLE_TASK).coerceIn(spark.defaultParallelism(), MAX_TABLE_TASKS)
-        val outcomes = pieces.repartitionAndSortWithinPartitions(HashPartitioner(tables)).mapPartitions(WriteTables(lake, rules)).collect()
+        val outcomes = pieces.repartitionAndSortWithinPartitions(HashPartitioner(tables)).mapPartitions(WriteTables(lake, work)).collect()
         for (file in outcomes.flatMap { it.obsolete } + plan.gone.flatMap { it.files }) lake.delete(file)
         dropDrafts(lake.files())
         return outcomes

@@ -24,10 +24,8 @@ internal class RemotePlan(val planned: PlannedLog, val log: RemoteLog) : Seriali
 /**
  * The work on one log: fetches it, reads it, runs the rules, and writes its files into [lake]. Its pieces of the tables go on, by their
  * place. Done again, or twice at once, it writes the same files.
- *
- * @param rules as JSON.
  */
-internal class WriteLog(private val lake: RemoteFolder, private val rules: String, private val configuration: SerializableConfiguration) :
+internal class WriteLog(private val lake: RemoteFolder, private val work: LakeWork, private val configuration: SerializableConfiguration) :
     PairFlatMapFunction<RemotePlan, String, LogPiece> {
     override fun call(plan: RemotePlan): Iterator<Tuple2<String, LogPiece>> = inScratch { scratch ->
         val path = plan.planned.source.path
@@ -41,7 +39,7 @@ internal class WriteLog(private val lake: RemoteFolder, private val rules: Strin
 
     private fun piecesOf(log: PlannedLog, file: Path, scratch: Path): List<LogPiece> {
         val made = Files.createDirectory(scratch.resolve(MADE))
-        return when (val examined = ExecutorPieces.of(rules).write(file, log, made)) {
+        return when (val examined = ExecutorPieces.of(work).write(file, log, made)) {
             is ExaminedLog.None -> listOf(LogPiece(null, LogOutcome(log.source.path, examined.message, examined.isNoLog)))
 
             is ExaminedLog.Written -> {

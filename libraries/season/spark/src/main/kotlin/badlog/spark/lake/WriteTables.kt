@@ -11,10 +11,8 @@ import java.nio.file.Path
 /**
  * The work on the tables of some places of [lake]: takes those that are there, makes the changes, and puts them back, that of matches
  * last. What comes in is sorted by place. Done again, or twice at once, it writes the same. Gives what became of the logs.
- *
- * @param rules as JSON.
  */
-internal class WriteTables(private val lake: RemoteFolder, private val rules: String) :
+internal class WriteTables(private val lake: RemoteFolder, private val work: LakeWork) :
     FlatMapFunction<Iterator<Tuple2<String, LogPiece>>, LogOutcome> {
     override fun call(pieces: Iterator<Tuple2<String, LogPiece>>): Iterator<LogOutcome> {
         val outcomes = ArrayList<LogOutcome>()
@@ -28,7 +26,7 @@ internal class WriteTables(private val lake: RemoteFolder, private val rules: St
     private fun write(place: String, changes: Iterator<LakeChange>) = inScratch { scratch ->
         val files = LakeLayout.TABLES.map { table -> "$table/$place/$table${LakeLayout.ENDING}" }
         for (file in files) lake.fetch(file, scratch.resolve(file))
-        ExecutorPieces.of(rules).merge(scratch, changes)
+        ExecutorPieces.of(work).merge(scratch, changes)
         for (file in files) putBack(scratch.resolve(file), file)
     }
 

@@ -18,7 +18,7 @@ import java.nio.file.Files
  *
  * @property files the addresses of its files, mostly one; a log of the Driver Station may have two.
  */
-internal class RemoteLog(val source: LogSource, private val files: List<String>) : Serializable {
+internal class RemoteLog(val source: LogSource, val files: List<String>) : Serializable {
     /**
      * Copies its files into [folder] of this machine; returns the first.
      *
@@ -34,27 +34,28 @@ internal class RemoteLog(val source: LogSource, private val files: List<String>)
     }
 }
 
-/** What may be logs in [folder] and the folders in it, in their natural order, as `badlog lake` finds them on a disk.
+/**
+ * What may be logs in [folder] and, if it [isDeep], in the folders in it, in their natural order, as `badlog lake` finds them on a disk.
  *
  * @throws IOException when it cannot be looked into.
  */
-internal fun logsIn(folder: String, configuration: Configuration): List<RemoteLog> {
+internal fun logsIn(folder: String, configuration: Configuration, isDeep: Boolean = true): List<RemoteLog> {
     val path = Path(folder)
     val system = plain(path.getFileSystem(configuration))
     val top = system.makeQualified(path)
-    val found = if (system.getFileStatus(top).isFile) listOf(system.getFileStatus(top)) else filesIn(system, top)
+    val found = if (system.getFileStatus(top).isFile) listOf(system.getFileStatus(top)) else filesIn(system, top, isDeep)
     val seconds = found.mapNotNull { second -> firstPartOf(plainPath(second))?.let { it to second } }.toMap()
     return wholeLogs(found, ::plainPath).map { logOf(it, seconds[plainPath(it)], top) }
         .sortedWith(compareBy(NaturalOrder) { it.source.path })
 }
 
-private fun filesIn(system: FileSystem, folder: Path): List<FileStatus> {
+private fun filesIn(system: FileSystem, folder: Path, isDeep: Boolean): List<FileStatus> {
     val found = ArrayList<FileStatus>()
     val open = ArrayDeque(listOf(folder))
     while (open.isNotEmpty()) {
         for (status in system.listStatus(open.removeFirst())) {
             val name = status.path.name
-            if (status.isDirectory && !name.startsWith(".") && name != "node_modules") open += status.path
+            if (isDeep && status.isDirectory && !name.startsWith(".") && name != "node_modules") open += status.path
             if (status.isFile && mayBeLog(name)) found += status
         }
     }

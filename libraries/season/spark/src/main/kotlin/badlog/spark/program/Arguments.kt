@@ -1,0 +1,51 @@
+package badlog.spark.program
+
+/** What was typed cannot be understood; the message says what. */
+internal class UsageException(override val message: String) : Exception(message)
+
+/**
+ * What stands behind the name of a job.
+ *
+ * @property named what is named there, in order.
+ */
+internal class Arguments private constructor(val named: List<String>, private val options: Map<String, String>) {
+    /** The value of the option [name]; null where it is not given. */
+    fun option(name: String): String? = options[name]
+
+    /** The value of the option [name], which has to be given. */
+    fun required(name: String): String = options[name] ?: throw UsageException("$name is missing.")
+
+    /** The limit for the size of files, in bytes. */
+    fun maxBytes(): Long {
+        val text = options[MAX_SIZE] ?: return Long.MAX_VALUE
+        val megabytes = text.toLongOrNull()?.takeIf { it in 1..MOST_MEGABYTES }
+            ?: throw UsageException("$MAX_SIZE $text: it is a number of MB, such as 500.")
+        return megabytes shl MEGA
+    }
+
+    internal companion object {
+        const val OUT = "--out"
+        const val RULES = "--rules"
+        const val FORMAT = "--format"
+        const val MAX_SIZE = "--max-size"
+        private const val MEGA = 20
+        private const val MOST_MEGABYTES = 1L shl 40
+
+        /** Those of a job that knows the options [known], each of which has a value. */
+        fun of(words: List<String>, known: Set<String>): Arguments {
+            val named = ArrayList<String>()
+            val options = HashMap<String, String>()
+            var i = 0
+            while (i < words.size) {
+                val word = words[i++]
+                when {
+                    !word.startsWith("--") -> named += word
+                    word !in known -> throw UsageException("$word is not an option here; there are ${known.sorted().joinToString()}.")
+                    i == words.size -> throw UsageException("$word has no value.")
+                    else -> options[word] = words[i++]
+                }
+            }
+            return Arguments(named, options)
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package badlog.spark.cluster
+
+import badlog.season.inFolder
+import badlog.season.matchBag
+import badlog.season.put
+import badlog.season.refresh
+import badlog.spark.SPARK_HOME
+import badlog.spark.SPARK_IS_HERE
+import badlog.spark.shouldBeTheLake
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.readText
+
+private const val LOGS = 150
+private const val ROWS = 4_000
+
+class KilledWorkerSpec : FunSpec({
+    test("a cluster that loses a worker in the middle makes the lake of one process, row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
+        inFolder { folder ->
+            val logs = folder / "logs"
+            for (match in 1..LOGS) {
+                val volts = DoubleArray(ROWS) { row -> 12.0 + (row * match % 97) / 100.0 }
+                logs.put("day ${match % 4}/q$match.bag", matchBag(match, *volts, event = "Event ${match % 3}"))
+            }
+            logs.put("cut.bag", matchBag(200, 12.0, 11.0, event = "Event 1") + "0.2")
+            logs.put("notes.bag", ByteArray(5000) { (it * 31).toByte() })
+            refresh(logs, folder / "expected")
+            LocalCluster(SPARK_HOME!!, (folder / "cluster").createDirectories()).use { cluster ->
+                val job = cluster.submit(System.getProperty("badlog.spark.jar"), "lake", "$logs", "--out", "${folder / "lake"}")
+                val written = untilWritten(folder / "lake/samples", job)
+                cluster.killWorker()
+                // It was in the middle.
+                written shouldBeInRange (1 until LOGS)
+                withClue({ cluster.log("job").takeLast(4_000) }) {
+                    job.waitFor(5, TimeUnit.MINUTES) shouldBe true
+                    job.exitValue() shouldBe 0
+                }
+                cluster.log("job") shouldContain Regex("Lost executor|Removed executor|worker lost", RegexOption.IGNORE_CASE)
+                val told = (folder / "cluster/job.out").readText()
+                told shouldContain "${LOGS + 1} written (1 with data missing), 1 not in the lake"
+                told shouldContain "${logs / "notes.bag"}: "
+            }
+            folder / "lake" shouldBeTheLake folder / "expected"
+        }
+    }
+})
+
+/** Waits until some logs are in [samples]; returns how many. */
+private fun untilWritten(samples: Path, job: Process): Int {
+    while (job.isAlive) {
+        val written = if (Files.isDirectory(samples)) filesIn(samples) else 0
+        if (written >= LOGS / 10) return written
+        Thread.sleep(20)
+    }
+    return 0
+}
+
+/** Files come and go while one counts. */
+private fun filesIn(folder: Path): Int = folder.toFile().walk().count { it.name.endsWith(".parquet") }
