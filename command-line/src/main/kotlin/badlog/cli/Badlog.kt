@@ -12,12 +12,12 @@ import java.io.IOException
 import java.io.InputStream
 
 /**
- * The command line: understands what is asked for, then does it.
+ * The command line: parses the arguments, then runs the command.
  *
- * @param input what `-` stands for among the logs.
+ * @param input the input for `-` among the logs.
  * @param robots where robots answer.
- * @param parts where commands are found that are loaded when they are called.
- * @param computer what there is beside the program.
+ * @param parts finds commands that are loaded when they are called.
+ * @param computer the rest of the computer.
  */
 internal class Badlog(
     private val console: Console,
@@ -26,7 +26,7 @@ internal class Badlog(
     private val parts: PartLoader = PartLoader.ofProgram(),
     private val computer: Computer = Computer(),
 ) {
-    /** Does what [arguments] ask for. */
+    /** Runs the command in [arguments]. */
     fun run(arguments: List<String>): ExitCode = try {
         StandardStreams(arguments, input).use { streams ->
             val console = console.naming(streams.names, isOutTaken = streams.hasResult)
@@ -62,7 +62,7 @@ internal class Badlog(
             console.say(text)
             return ExitCode.WHOLE
         }
-        // The line of usage before it says nothing that the help does not say better.
+        // The usage line before it is not needed, since the help is better.
         val reason = text.substringAfter(ERROR).replaceFirstChar(Char::uppercase)
         val inside = arguments.first().takeIf { it in command.registeredSubcommandNames() }
         val help = listOfNotNull(BadlogCommand.NAME, "help", inside).joinToString(" ")

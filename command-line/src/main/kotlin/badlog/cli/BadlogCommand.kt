@@ -45,13 +45,13 @@ import com.github.ajalt.clikt.parameters.types.choice
 import java.io.InputStream
 
 /**
- * `badlog` and its sub-commands. A new one is added here and nowhere else.
+ * `badlog` and its subcommands. Add a new one here and nowhere else.
  *
- * @property arguments what was typed.
+ * @property arguments the arguments as typed.
  * @param robots where robots answer.
- * @param parts where commands are found that are loaded when they are called.
- * @param input the standard input, for commands that talk with another program.
- * @param computer what there is beside the program.
+ * @param parts finds commands that are loaded when they are called.
+ * @param input the standard input, for commands that communicate with another program.
+ * @param computer the rest of the computer.
  */
 internal class BadlogCommand(
     val arguments: List<String>,
@@ -79,7 +79,7 @@ internal class BadlogCommand(
         DoctorCommand(computer, robots),
     )
 
-    /** What was asked for, or null when nothing was. */
+    /** The requested task, or null if there is none. */
     val task: Task? get() = logCommands.firstNotNullOfOrNull { it.task }
 
     override val printHelpOnEmptyArgs: Boolean get() = true
@@ -105,7 +105,7 @@ internal class BadlogCommand(
 
     override fun run() = Unit
 
-    /** [error], or that the first argument is not a sub-command, where this is what is wrong with them. */
+    /** Returns [error], or one that says that the first argument is not a subcommand, if that is the mistake. */
     fun explained(error: CliktError): CliktError {
         val first = arguments.firstOrNull()
         val names = registeredSubcommandNames()
@@ -114,12 +114,12 @@ internal class BadlogCommand(
     }
 
     companion object {
-        /** What a person types. */
+        /** The name that a person types. */
         const val NAME = "badlog"
     }
 }
 
-/** `badlog help cut`: says what `badlog cut --help` says. */
+/** `badlog help cut`: prints the same as `badlog cut --help`. */
 internal class HelpCommand : CoreCliktCommand("help") {
     private val command by argument("COMMAND").optional().help("The sub-command to explain.")
 
@@ -134,7 +134,7 @@ internal class HelpCommand : CoreCliktCommand("help") {
     }
 }
 
-/** `badlog completion bash`: prints what a shell needs to complete the commands of [BadlogCommand]. */
+/** `badlog completion bash`: prints the completion script of a shell for the commands of [BadlogCommand]. */
 internal class CompletionCommand : CoreCliktCommand("completion") {
     private val shell by argument("SHELL").choice("bash", "zsh", "fish").help("bash, zsh or fish.")
 

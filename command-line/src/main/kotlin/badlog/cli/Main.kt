@@ -13,7 +13,7 @@ import kotlin.system.exitProcess
 
 /** The program `badlog`. */
 fun main(arguments: Array<String>) {
-    // The start script can ask for it; Java could not until version 22.
+    // The start script can find this out; Java cannot before version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
     val results = ResultStream(FileOutputStream(FileDescriptor.out))
     val charset = charsetOf("stdout")
@@ -32,7 +32,7 @@ fun main(arguments: Array<String>) {
     exitProcess(if (console.isOutClosed) afterLoss(console, results).code else code.code)
 }
 
-/** The start script knows how wide the terminal is, and says 0 where there is none. */
+/** Returns the start script knows the width of the terminal, and passes 0 if there is none. */
 private fun width(): Int = when (val told = System.getProperty("badlog.columns")?.toIntOrNull()) {
     null -> if (System.console() != null) LINE_WIDTH else Console.UNLIMITED
     0 -> Console.UNLIMITED
@@ -40,12 +40,12 @@ private fun width(): Int = when (val told = System.getProperty("badlog.columns")
 }
 
 private fun afterLoss(console: Console, results: ResultStream): ExitCode {
-    // Whoever asked for the first line only knows.
+    // A reader that only wanted the first line need not be told.
     if (!results.isReaderGone) console.warn("The results cannot be written (${results.failure?.message}); check whether the disk is full.")
     return ExitCode.NOTHING
 }
 
-/** What the system's stream [name] is written in; Java gave it another name until version 19. */
+/** Returns the character set of the system's stream [name]; Java used another property until version 19. */
 private fun charsetOf(name: String): Charset {
     val encoding = System.getProperty("$name.encoding") ?: System.getProperty("sun.$name.encoding") ?: System.getProperty("native.encoding")
     val charset = if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()

@@ -7,7 +7,7 @@ import badlog.viewer.app.ViewerWindow
 import badlog.viewer.app.opensClickedFiles
 import java.nio.file.Path
 
-/** Opens the window on the folder or file that [args] names, else on the folder of last time. */
+/** Opens the window with the folder or file named in [args], or otherwise with the last folder. */
 fun main(args: Array<String>) {
     val samples = System.getProperty("badlog.samples")?.let(Path::of)
     application {

@@ -2,7 +2,7 @@ package badlog.cli.command
 
 import java.nio.file.Path
 
-/** Where what was found out about logs is kept between runs: the system's folder for what may be deleted at any time. */
+/** Returns the folder for cached results about logs: in the system's folder for files that may be deleted at any time. */
 internal fun cacheFolder(
     system: String = System.getProperty("os.name"),
     home: Path = Path.of(System.getProperty("user.home")),

@@ -9,7 +9,7 @@ import java.nio.file.Path
 /**
  * A [SubCommand] over logs.
  *
- * @param logHelp what may be named.
+ * @param logHelp the help for the argument `LOG`.
  */
 internal abstract class LogCommand(
     name: String,
@@ -17,7 +17,7 @@ internal abstract class LogCommand(
     details: String,
     logHelp: String = "A log, or a folder: all logs in it, at any depth.",
 ) : SubCommand(name, summary, details) {
-    /** The files and folders that were named. */
+    /** The files and folders given as arguments. */
     protected val paths: List<Path> by argument("LOG").path().multiple(required = true).help(logHelp)
 
     override val words: List<String> get() = paths.map { it.toString() }

@@ -9,7 +9,7 @@ import badlog.file.reading
 import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
 
-/** The logs below [paths] as they are now, to ask all of them at once, and to report each result afterwards. */
+/** The current logs below [paths], for evaluating all of them at once, and reporting each result afterwards. */
 internal class LogFiles(paths: List<Path>, console: Console) {
     private val found = console.searching().use { LogSearch(it::next).find(paths) }
     private val failures = LinkedHashMap<LogInput, UnreadableFileException>()
@@ -25,17 +25,17 @@ internal class LogFiles(paths: List<Path>, console: Console) {
         }
     }
 
-    /** Those that are there, in their order. */
+    /** The existing logs, in order. */
     val files: List<LogFile> get() = fileOf.values.toList()
 
-    /** What [file], one of [files], is called below the folder in which it was found, with slashes. */
+    /** Returns the path of [file], one of [files], relative to the folder in which it was found, with slashes. */
     fun nameOf(file: LogFile): String = names.getValue(file)
 
     private val names: Map<LogFile, String> by lazy {
         fileOf.entries.associate { (input, file) -> file to input.relativePath.invariantSeparatorsPathString }
     }
 
-    /** Reports to [outcomes] what cannot be read, and lets [report] report the rest, all in their order. */
+    /** Reports files that cannot be read to [outcomes], and the others with [report], all in order. */
     fun report(outcomes: Outcomes, report: (LogInput, LogFile) -> Unit) {
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for (input in found.inputs) {

@@ -13,20 +13,19 @@ import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
- * Does the same to each of many logs, one at a time, so that memory is bounded by the largest. What fails costs the others
- * nothing.
+ * Processes many logs one at a time, so that memory is bounded by the largest. A failure does not affect the others.
  *
  * @param isJson whether each log is one line of JSON.
  */
 internal class LogLoop(command: String, private val console: Console, isJson: Boolean) {
     private val outcomes = Outcomes(command, console, isJson, isSummed = true)
 
-    /** Does [work] to every log below [paths], in their order; says what came of it. */
+    /** Does [work] on every log below [paths], in order, and reports the outcomes. */
     fun run(paths: List<Path>, work: (LogInput, Progress) -> Outcome): ExitCode {
         val found = console.searching().use { LogSearch(it::next).find(paths) }
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for ((index, input) in found.inputs.withIndex()) {
-            // Nobody reads what would come of the others.
+            // Nobody would read the results of the others.
             if (console.isOutClosed) break
             val label = (if (found.inputs.size > 1) "${index + 1}/${found.inputs.size} " else "") + input.file.fileName
             attempt(input, label, work)
@@ -46,7 +45,7 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
     }
 
     companion object {
-        /** What to report about [failure], which ended the work on [file]. */
+        /** Returns the sentence about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
 

@@ -12,18 +12,18 @@ import kotlinx.serialization.json.JsonObject
 import java.nio.file.Path
 
 /**
- * What came of one log.
+ * The outcome for one log.
  *
- * @property isSalvaged whether something of the log is lost.
- * @property text what a person reads about it.
- * @property json what a program reads about it, in this order, besides its file and status.
+ * @property isSalvaged whether data of the log is lost.
+ * @property text the text for people.
+ * @property json the properties for programs, in this order, besides file and status.
  */
 internal class Outcome(val isSalvaged: Boolean, val text: String, val json: Map<String, JsonElement>)
 
 /**
- * Says what came of each log, and counts it for the exit code.
+ * Reports the outcome for each log, and counts it for the exit code.
  *
- * @param isSummed whether to say at the end what came of several logs; false where the results themselves end with that.
+ * @param isSummed whether to summarize several logs at the end; false if the results themselves end with a summary.
  */
 internal class Outcomes(
     private val command: String,
@@ -37,7 +37,7 @@ internal class Outcomes(
     private val skipped = ArrayList<String>()
     private var isIncomplete = false
 
-    /** [file] was worked on. */
+    /** Reports that [file] was processed. */
     fun done(file: Path, outcome: Outcome) {
         if (outcome.isSalvaged) salvaged++ else whole++
         if (isJson) {
@@ -47,19 +47,19 @@ internal class Outcomes(
         }
     }
 
-    /** Nothing could be done with [file], for the reason of [message]. */
+    /** Reports that [file] could not be processed because of [message]. */
     fun failed(file: Path, message: String) {
         failed++
         if (isJson) line(file, "failed", jsonOf(ErrorJson(message))) else console.fail(message)
     }
 
-    /** [input] cannot be read, for the reason of [message]; [isNoLog] when it is something else than a log. */
+    /** Reports that [input] cannot be read because of [message]; [isNoLog] if it is something other than a log. */
     fun unreadable(input: LogInput, message: String, isNoLog: Boolean) {
         val file = input.file
         if (isNoLog && input.isFound) skipped(file, message) else failed(file, named(file, message))
     }
 
-    /** [file] lies in a folder that was named and is not a log; [message] says why. */
+    /** Reports that [file], found in a folder, is not a log; [message] says why. */
     private fun skipped(file: Path, message: String) {
         skipped += named(file, message)
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message)))
@@ -67,21 +67,21 @@ internal class Outcomes(
 
     private fun named(file: Path, message: String) = if ("$file" in message) message else "$file: $message"
 
-    /** [file], which nobody named, was passed over for the reason of [message], which is reported at once. */
+    /** Reports that [file], found in a folder, was skipped because of [message], which is printed at once. */
     fun passedOver(file: Path, message: String) {
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message))) else console.warn(message)
     }
 
-    /** Something of the result is missing beside logs, for the reason of [message], which may be reported already. */
+    /** Records that part of the result other than logs is missing because of [message], which may already have been reported. */
     fun leaveOut(message: String = "") {
         isIncomplete = true
         if (message.isNotEmpty()) console.warn(message)
     }
 
     /**
-     * Says what there is to say about all; how the program ends.
+     * Prints the summary, and returns the exit code.
      *
-     * @param isNothingFine whether it is as well when there was nothing to do.
+     * @param isNothingFine whether it is a success if there was nothing to do.
      */
     fun end(isNothingFine: Boolean = false): ExitCode {
         if (!isJson) {
@@ -101,7 +101,7 @@ internal class Outcomes(
         }
     }
 
-    /** Such as `4 logs: 2 complete, 1 incomplete, 1 failed.` */
+    /** Returns a summary, such as `4 logs: 2 complete, 1 incomplete, 1 failed.` */
     private fun summary(): String {
         val parts = listOf(whole to "complete", salvaged to "incomplete", failed to "failed").filter { it.first > 0 }
         return counted((whole + salvaged + failed).toLong(), "log") + ": " +
@@ -113,7 +113,7 @@ internal class Outcomes(
     }
 
     private companion object {
-        /** So many files that are no logs are named. */
+        /** The maximum number of files listed that are not logs. */
         const val LISTED = 20
     }
 }

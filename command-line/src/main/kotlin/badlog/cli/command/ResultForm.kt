@@ -10,7 +10,7 @@ internal enum class ResultForm {
     ;
 
     companion object {
-        /** What `--csv` and `--json` ask for. */
+        /** Returns the form requested by `--csv` and `--json`. */
         fun of(isCsv: Boolean, isJson: Boolean): ResultForm = when {
             isCsv && isJson -> throw UsageError("--csv and --json exclude each other")
             isCsv -> CSV

@@ -10,14 +10,14 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 
-/** What was typed after the program's name. */
+/** The arguments after the program's name. */
 internal class CommandLine(val arguments: List<String>)
 
 /**
- * The options of one sub-command, and what they ask for. Parsing does nothing yet: it ends with a [task].
+ * A subcommand with its options. Parsing only creates a [task], without running it.
  *
- * @param summary what it does, in one short sentence, which stands in the list of all.
- * @param details what else there is to know; may be empty.
+ * @param summary what it does, in one short sentence for the list of all commands.
+ * @param details further help; may be empty.
  * @param hasJson whether its results can be JSON.
  */
 internal abstract class SubCommand(
@@ -28,12 +28,12 @@ internal abstract class SubCommand(
 ) : CoreCliktCommand(name) {
     private val json = option("--json").flag().help("Print one JSON object per line, for programs.")
 
-    /** Whether programs read the results. */
+    /** Whether the results are JSON for programs. */
     protected val isJson: Boolean get() = hasJson && json.value
 
     private val commandLine by requireObject<CommandLine>()
 
-    /** What was asked for; null until its arguments were parsed. */
+    /** The requested task; null until the arguments were parsed. */
     var task: Task? = null
         private set
 
@@ -41,16 +41,16 @@ internal abstract class SubCommand(
         if (hasJson) registerOption(json)
     }
 
-    /** Command lines to learn from, without the program's name, each of at most 66 characters. */
+    /** Example command lines, without the program's name, each of at most 66 characters. */
     protected open val examples: List<String> get() = emptyList()
 
     /** All arguments that are not options. */
     protected abstract val words: List<String>
 
-    /** Clikt takes whatever begins with a sign and contains `=` for an option. */
+    /** Clikt takes anything that begins with a sign and contains `=` for an option. */
     final override val treatUnknownOptionsAsArgs: Boolean get() = true
 
-    /** Makes the task that the options ask for; throws a usage error where they contradict each other. */
+    /** Creates the task for the options; throws a usage error if they contradict each other. */
     protected abstract fun makeTask(): Task
 
     final override fun run() {
@@ -74,15 +74,15 @@ internal abstract class SubCommand(
         examplesText(context.parent?.command?.commandName.orEmpty(), examples) + paragraph(EXIT_CODES)
 }
 
-/** What a help text says of [examples], command lines of [program] without its name, before it ends; nothing without any. */
+/** Returns the part of a help text with [examples], command lines of [program] without its name; empty if there are none. */
 internal fun examplesText(program: String, examples: List<String>): String =
     if (examples.isEmpty()) "" else examples.joinToString("\n", "Examples:\n", "\n\n") { "  $program $it" }
 
-/** What every help text ends with. */
+/** The end of every help text. */
 internal const val EXIT_CODES: String =
     "Exit code: 0 success, 3 some data was lost or left out, 1 nothing could be done, 2 wrong usage."
 
-/** [text] in lines that fit a terminal, with room for the margin that help texts have. */
+/** Returns [text] in lines that fit a terminal, including the margin of help texts. */
 internal fun paragraph(text: String): String = wrapped("", text, width = HELP_WIDTH)
 
 private const val HELP_WIDTH = 76

@@ -2,27 +2,27 @@ package badlog.cli.command
 
 import badlog.cli.console.Console
 
-/** What a command line asks for, once it is understood. */
+/** Returns the task requested by a command line. */
 internal fun interface Task {
-    /** Does it. Whatever goes wrong with the logs is reported and counted, never thrown. */
+    /** Runs it. Problems with logs are reported and counted, never thrown. */
     fun run(console: Console): ExitCode
 }
 
 /**
- * How `badlog` ended, as scripts see it.
+ * How `badlog` ended, for scripts.
  *
- * @property code what the process returns.
+ * @property code the exit code of the process.
  */
 public enum class ExitCode(public val code: Int) {
-    /** All was done, and every log is whole. */
+    /** Everything was done, and every log is complete. */
     WHOLE(0),
 
     /** Nothing could be done. */
     NOTHING(1),
 
-    /** The arguments make no sense. */
+    /** The arguments are invalid. */
     USAGE(2),
 
-    /** Something was done, but something of the logs is lost or was left out. */
+    /** Something was done, but data of the logs is lost, or some of them were skipped. */
     SALVAGED(3),
 }

@@ -5,7 +5,7 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 
-/** `--topic`, for everything that looks at topics. */
+/** `--topic`, for all commands that use topics. */
 internal class VirtualTopicOption : OptionGroup() {
     /** What to calculate from other topics, in the order of the command line. */
     val definitions: List<String> by option("--topic", metavar = "FORMULA").multiple()

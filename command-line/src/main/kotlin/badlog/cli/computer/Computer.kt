@@ -8,13 +8,13 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * What this computer has for badlog beside the program itself.
+ * The parts of this computer that badlog uses besides the program itself.
  *
- * @property system the name of its system, as Java has it.
- * @property user the folder of the user.
- * @property variable the values of its environment.
- * @property folders where badlog keeps what is the user's own.
- * @property start starts a program with a window, and says whether that worked.
+ * @property system the name of its system in Java.
+ * @property user the user's home folder.
+ * @property variable returns values of environment variables.
+ * @property folders returns the folders for the user's own files.
+ * @property start starts a program with a window, and returns whether that worked.
  */
 internal class Computer(
     val system: String = System.getProperty("os.name"),
@@ -23,10 +23,13 @@ internal class Computer(
     val folders: UserFolders = UserFolders.ofSystem(system, user, variable),
     val start: (List<String>) -> Boolean = ::startProgram,
 ) {
-    /** Where the program [name] is on the PATH; null when it is not there. */
+    /** Returns the path of the program [name] on the PATH; null if it is not there. */
     fun program(name: String): Path? = programOnPath(name, variable("PATH"))
 
-    /** Where the window is installed, or what [WINDOW] names; null when it is in none of the places in which its installers put it. */
+    /**
+     * Returns the program of the window: where it is installed, or what [WINDOW] names; null if it is in none of the places used by its
+     * installers.
+     */
     fun window(): Path? = (listOf(variable(WINDOW)) + installed()).firstNotNullOfOrNull { it?.let(::executable) }
 
     private fun installed(): List<String> = when {
@@ -42,12 +45,12 @@ internal class Computer(
     private fun executable(file: String): Path? = try {
         Path.of(file).takeIf { Files.isRegularFile(it) && Files.isExecutable(it) }
     } catch (_: InvalidPathException) {
-        // Whoever set the variable hears that there is no window.
+        // If the variable is wrong, the window counts as missing.
         null
     }
 
     companion object {
-        /** The variable that names the window's program, for one that was unpacked anywhere. */
+        /** The environment variable with the window's program, for a copy unpacked elsewhere. */
         const val WINDOW = "BADLOG_WINDOW"
     }
 }

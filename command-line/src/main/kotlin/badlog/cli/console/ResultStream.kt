@@ -3,13 +3,13 @@ package badlog.cli.console
 import java.io.IOException
 import java.io.OutputStream
 
-/** Passes what is written on to [out], and keeps why that failed, which a print stream does not say. */
+/** Passes bytes on to [out], and remembers why that failed, which a print stream does not report. */
 internal class ResultStream(private val out: OutputStream) : OutputStream() {
     /** Why something could not be written, or null. */
     var failure: IOException? = null
         private set
 
-    /** Whether the program that read the results has ended, as `head` does. */
+    /** Whether the program that read the results has ended, such as `head`. */
     val isReaderGone: Boolean get() = failure?.message.orEmpty().contains("pipe", ignoreCase = true)
 
     override fun write(byte: Int) = write(byteArrayOf(byte.toByte()), 0, 1)

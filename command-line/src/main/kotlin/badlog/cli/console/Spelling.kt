@@ -2,14 +2,14 @@ package badlog.cli.console
 
 import java.nio.charset.Charset
 
-/** Spells texts with the characters of [charset], so that no two names look the same because both are question marks. */
+/** Spells texts with the characters of [charset], so that different names never become the same question marks. */
 internal class Spelling(charset: Charset) {
     private val encoder = charset.newEncoder()
     private val hasAll = charset == Charsets.UTF_8
 
-    /** [text] with simpler signs for those that [charset] lacks, and the numbers of letters, such as `\u00f6`. */
+    /** Returns [text] with simpler characters for those that [charset] lacks, and the codes of letters, such as `\u00f6`. */
     fun of(text: String): String {
-        // Only halves of characters are none of Unicode's.
+        // Only unpaired surrogates are not in Unicode.
         if ((hasAll && text.none { it.isSurrogate() }) || encoder.canEncode(text)) return text
         return buildString {
             for (char in text) if (char.isSurrogate() || !encoder.canEncode(char)) append(SIMPLER[char] ?: escaped(char)) else append(char)
@@ -24,7 +24,7 @@ internal class Spelling(charset: Charset) {
             '\uFFFD' to "?",
         )
 
-        /** The same [json] in plain ASCII, which comes through whatever encoding the standard output has. */
+        /** Returns the same [json] in plain ASCII, which works with any encoding of the standard output. */
         fun ascii(json: String): String {
             if (json.all { it.code < ASCII }) return json
             return buildString {
@@ -34,7 +34,7 @@ internal class Spelling(charset: Charset) {
 
         private const val ASCII = 0x7F
 
-        /** [char] as JSON and programs write it. */
+        /** Returns [char] escaped as in JSON and programs. */
         fun escaped(char: Char): String = "\\u" + char.code.toString(16).padStart(4, '0')
     }
 }

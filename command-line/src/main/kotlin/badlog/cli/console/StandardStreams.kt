@@ -9,26 +9,26 @@ import kotlin.io.path.exists
 import kotlin.io.path.outputStream
 
 /**
- * Lets `-` stand for the standard input among the logs, and after `--out` for the standard output. Logs are read more than once and
- * written whole or not at all, so both are files while the program runs.
+ * Makes `-` stand for the standard input among the logs, and for the standard output after `--out`. Logs are read more than once
+ * and written atomically, so both are files while the program runs.
  *
- * @param input the standard input, read to its end where it is asked for.
+ * @param input the standard input, read to its end if it is used.
  */
 internal class StandardStreams(typed: List<String>, private val input: InputStream) : AutoCloseable {
     private var folder: Path? = null
     private var log: Path? = null
     private var result: Path? = null
 
-    /** What was typed, with files in place of `-`. */
+    /** The arguments, with files in place of `-`. */
     val arguments: List<String> = withFiles(typed)
 
-    /** How the files are to be called in front of people. */
+    /** The names of these files for people. */
     val names: Map<String, String> get() = listOfNotNull(log, result).associate { it.toString() to "-" }
 
-    /** Whether the standard output gets a result, so that nothing may be said there. */
+    /** Whether the standard output receives a result, so that nothing else may be printed there. */
     val hasResult: Boolean get() = result != null
 
-    /** Gives the result, where there is one, to [sink]. */
+    /** Passes the result, if there is one, to [sink]. */
     fun giveResult(sink: (Path) -> Unit) {
         result?.takeIf { it.exists() }?.let(sink)
     }
@@ -62,10 +62,10 @@ internal class StandardStreams(typed: List<String>, private val input: InputStre
     private companion object {
         val OUT = setOf("-o", "--out")
 
-        /** Options after which `-` is a text like any other. */
+        /** Options after which `-` is an ordinary text. */
         val TEXTS = setOf("--around")
 
-        /** Sub-commands that would write beside the log. */
+        /** Subcommands that would write beside the log. */
         val WRITERS = setOf("convert", "cut", "export", "recover")
     }
 }

@@ -1,12 +1,12 @@
 package badlog.cli.console
 
 /**
- * Colors on a terminal: of severities, of titles above tables and of what failed. What has a color is known by its place in the line.
+ * Colors on a terminal: for severities, titles of tables and errors. Colored parts are recognized by their place in the line.
  *
- * @param isOn false for a result without any.
+ * @param isOn false for no colors.
  */
 internal class TerminalColors private constructor(private val isOn: Boolean) {
-    /** [line] of a result, in its colors. */
+    /** Returns [line] of a result with its colors. */
     fun result(line: String): String {
         if (!isOn || line.isEmpty()) return line
         if (TITLES.containsMatchIn(line)) return painted(line, BOLD)
@@ -14,7 +14,7 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
         return line.replaceRange(found.range, painted(found.value, COLORS.getValue(found.value)))
     }
 
-    /** [line] that says what failed. */
+    /** Returns [line] of an error with its color. */
     fun failure(line: String): String = if (isOn && line.isNotEmpty()) painted(line, RED) else line
 
     private fun painted(text: String, color: String) = "$color$text$RESET"
@@ -23,14 +23,17 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
         /** No colors. */
         val NONE = TerminalColors(isOn = false)
 
-        /** Those of a stream that [isTerminal], unless the environment [variable] of NO_COLOR asks for none, or the terminal has none. */
+        /**
+         * Returns the colors of a stream if [isTerminal], unless the environment [variable] NO_COLOR turns them off, or the terminal has
+         * none.
+         */
         fun of(
             isTerminal: Boolean,
             system: String = System.getProperty("os.name"),
             variable: (String) -> String? = System::getenv,
         ): TerminalColors {
             val isRefused = !variable("NO_COLOR").isNullOrEmpty() || variable("TERM") == "dumb"
-            // The console of older Windows prints colors as signs.
+            // The console of older Windows prints colors as characters.
             val isAble = !system.startsWith("Windows") || listOf("WT_SESSION", "ANSICON", "TERM").any { variable(it) != null }
             return TerminalColors(isTerminal && isAble && !isRefused)
         }
@@ -53,7 +56,7 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
             "missing" to YELLOW,
         )
 
-        /** After a time, if at all, and before two blanks. */
+        /** After an optional time, and before two spaces. */
         private val SEVERITY = Regex("^ *(?:-?[0-9.]+(?: [^ ]+)? +)?(${COLORS.keys.joinToString("|")})(?= {2})")
         private val TITLES = Regex("^(?:LOG|TOPIC|SIGNAL|Match) {2,}[A-Z]")
     }

@@ -46,12 +46,12 @@ import java.nio.file.Path
 /**
  * Writes logs in another format.
  *
- * @param isGzip whether results are compressed though their logs were not.
+ * @param isGzip whether to compress results although their logs were not.
  * @param xTopic the topic to make the x axis, or null.
  * @param virtualTopics definitions of topics to add.
  * @param only which topics to write.
- * @param rows at which times a log without rows gets them, where the format needs them.
- * @param isChangesOnly whether samples are left out that are the same as those before them.
+ * @param rows the times of rows for a log without rows, if the format needs them.
+ * @param isChangesOnly whether to skip samples that equal the previous ones.
  */
 internal class ConvertTask(
     private val paths: List<Path>,
@@ -125,11 +125,14 @@ internal class ConvertTask(
         return omissionOf(repeats) + writeWith(calculated, wanted, target, progress)
     }
 
-    /** Whether this entry is one of the topics of [recording], or what they need. The names of a struct's fields begin with that of its entry. */
+    /**
+     * Returns whether this entry is one of the topics of [recording], or needed by them. The names of a struct's fields begin with that of
+     * its entry.
+     */
     private fun RecordEntry.isWanted(recording: Recording) = only.isAll || isValue || SCHEMAS in "/$name" ||
         recording.topics.any { it.name == name || it.name.startsWith("$name/") || it.name.startsWith("$name (") }
 
-    /** Writes [records] and beside them [calculated], the topics that are not logged. */
+    /** Writes [records] and [calculated], the topics that were not logged. */
     private fun writeWith(calculated: Recording, records: List<RecordEntry>, target: Path, progress: Progress): Omissions {
         val (more, leftOut) = recordsOf(calculated, isChangesOnly)
         val lanes = (records + more.entries).map { RecordLane(it.name, listOf(RecordPiece(it))) }
@@ -162,7 +165,7 @@ internal class ConvertTask(
     private companion object {
         const val INDENT = 4
 
-        /** What the entries of descriptions are called that others need. */
+        /** The part of the names of type descriptions, which other entries need. */
         const val SCHEMAS = "/.schema/"
         const val REPEATS = "Samples that repeat the previous one have no record."
     }

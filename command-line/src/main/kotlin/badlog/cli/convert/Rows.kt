@@ -13,17 +13,17 @@ import badlog.wpilog.isOfBytes
 import java.nio.file.Path
 
 /**
- * At which times a log without rows gets them.
+ * The times of rows for a log without rows.
  *
- * @param period how far apart, in seconds; null for [DEFAULT_PERIOD].
- * @property topic the topic at whose times they are instead, or null.
+ * @param period the time between rows, in seconds; null for [DEFAULT_PERIOD].
+ * @property topic a topic whose times are used instead, or null.
  */
 internal class Rows(private val period: Double?, val topic: String?) {
     /**
-     * The times for [recording], which was read from [file].
+     * Returns the times for [recording], which was read from [file].
      *
-     * @throws badlog.report.TopicException when it has no such topic.
-     * @throws Failure when there would be too many.
+     * @throws badlog.report.TopicException if it has no such topic.
+     * @throws Failure if there would be too many.
      */
     fun timesIn(recording: Recording, file: Path): DoubleArray {
         if (topic != null) return timesOf(recording, recording.topicCalled(topic, file) { "for --rows-at" })
@@ -35,12 +35,12 @@ internal class Rows(private val period: Double?, val topic: String?) {
     }
 
     companion object {
-        /** A robot's loop. */
+        /** The period of a robot's loop. */
         const val DEFAULT_PERIOD = 0.02
     }
 }
 
-/** What of [recording], whose topics have times of their own, rows at [times] do not hold. */
+/** Returns what rows at [times] omit of [recording], whose topics have times of their own. */
 internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val between = recording.topics.sumOf { samplesBetween(it, times) }
     val topics = recording.topics
@@ -56,10 +56,10 @@ internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
 
 private fun topicsText(what: String, count: Int): String? = if (count == 0) null else "$what of ${counted(count.toLong(), "topic")}"
 
-/** How many samples of [topic] no row at [times] shows. */
+/** Returns how many samples of [topic] are in no row at [times]. */
 private fun samplesBetween(topic: Topic, times: DoubleArray): Long {
     val own = topic.times ?: return 0
-    // All events before a row stand in it.
+    // All events before a row are in it.
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) {
         return own.count { times.isEmpty() || it > times.last() }.toLong()
     }

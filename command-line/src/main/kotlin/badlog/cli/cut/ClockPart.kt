@@ -7,15 +7,15 @@ import kotlin.math.round
 /**
  * Which samples of topics that share their times are kept.
  *
- * @property indices which samples; the same one may come again, where it holds in several spans.
- * @property times when each of them stands in the part.
+ * @property indices the samples; the same one may occur again if it holds in several spans.
+ * @property times the time of each of them in the part.
  */
 internal class ClockPart private constructor(val indices: IntArray, val times: DoubleArray) {
-    /** Finds the samples in [spans], which ascend; with [holdsValues] also those that hold where a span begins. */
+    /** Finds the samples in [spans], which ascend; with [holdsValues], also those that hold at the start of a span. */
     class Cache(private val spans: List<Span>, private val holdsValues: Boolean) {
         private val known = IdentityHashMap<DoubleArray, ClockPart>()
 
-        /** Those of the samples at [times], which ascend. */
+        /** Returns the kept samples among those at [times], which ascend. */
         fun of(times: DoubleArray): ClockPart = known.getOrPut(times) { find(times) }
 
         private fun find(times: DoubleArray): ClockPart {
@@ -44,7 +44,7 @@ internal class ClockPart private constructor(val indices: IntArray, val times: D
         /** The times of a WPILOG are whole microseconds. */
         const val MICROS = 1e6
 
-        /** The first index in [times], which ascend, where [isThere] is true, as it is for all that follow. */
+        /** Returns the first index in [times], which ascend, for which [isThere] is true, as it is for all that follow. */
         inline fun firstWhere(times: DoubleArray, isThere: (Double) -> Boolean): Int {
             var low = 0
             var high = times.size

@@ -14,9 +14,9 @@ import badlog.recording.TopicKind
 /**
  * The part of a log that is kept.
  *
- * @property recording what holds it.
- * @property rows which rows of [recording] it is; where that has no rows, it is all of it.
- * @property spans where on the x axis it lies.
+ * @property recording the recording that contains it.
+ * @property rows its rows in [recording]; if that has no rows, the part is all of it.
+ * @property spans its place on the x axis.
  */
 internal class CutPart(val recording: Recording, val rows: List<IntRange>, val spans: List<Span>) {
     /** How many rows it has. */
@@ -28,9 +28,9 @@ internal class CutPart(val recording: Recording, val rows: List<IntRange>, val s
 }
 
 /**
- * The rows of [view] that lie in [spans].
+ * Returns the rows of [view] that lie in [spans].
  *
- * @throws Failure when there are none.
+ * @throws Failure if there are none.
  */
 internal fun rowPart(view: LogView, spans: List<Span>): CutPart {
     val x = view.xAxis.positions
@@ -39,7 +39,7 @@ internal fun rowPart(view: LogView, spans: List<Span>): CutPart {
     return CutPart(view.recording, runs, runs.map { Span(x[it.first], x[it.last]) })
 }
 
-/** What to say where no [noun] of [view] lies in what was asked for. */
+/** Returns the failure if no [noun] of [view] is in the requested part. */
 internal fun nothingThere(view: LogView, noun: String): Failure {
     val axis = view.xAxis
     val range = axis.range ?: return Failure("it has no ${noun}s.")
@@ -48,16 +48,16 @@ internal fun nothingThere(view: LogView, noun: String): Failure {
 }
 
 /**
- * The samples of [view], whose topics have times of their own, that lie in [spans], which ascend. A value holds until the next
- * one: where a span begins, each topic has the one it held there. Events only happen, and hold nothing.
+ * Returns the samples of [view], whose topics have times of their own, in [spans], which ascend. A value holds until the next
+ * one: at the start of a span, each topic has the value that holds there. Events do not hold.
  *
- * @throws badlog.cli.input.Failure when there are none.
+ * @throws badlog.cli.input.Failure if there are none.
  */
 internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
     val whole = view.recording
     val range = view.xAxis.range ?: throw nothingThere(view, "sample")
     val inside = intersection(spans, listOf(Span(range.start, range.endInclusive)))
-    // Topics that share their times do so in the part, too.
+    // Topics that share their times also share them in the part.
     val holding = ClockPart.Cache(inside, holdsValues = true)
     val happening = ClockPart.Cache(inside, holdsValues = false)
     val topics = whole.topics.map { topic ->
@@ -72,5 +72,5 @@ internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
 
 private fun isEvent(topic: Topic) = topic.kind == TopicKind.EVENT || EVENT_LOG in topic.attributes
 
-/** Gives the time of day at a time of the log, which is true only where it was written. */
+/** The entry with the time of day, which is only correct at its original time. */
 private const val CLOCK_PAIR = "systemTime"

@@ -38,8 +38,8 @@ import java.nio.file.Path
 /**
  * Writes a part of each log.
  *
- * @param choices what to keep: what all of them choose.
- * @param xTopic the topic to take as x axis, or null.
+ * @param choices what to keep: the intersection of all of them.
+ * @param xTopic the topic to use as x axis, or null.
  */
 internal class CutTask(
     private val paths: List<Path>,
@@ -71,7 +71,7 @@ internal class CutTask(
         return if (view.recording.format.hasRows) rowPart(view, spans) else samplePart(view, spans)
     }
 
-    /** Where it lies, as a person reads it. */
+    /** Returns its place on the x axis for people. */
     private fun saidOf(spans: List<Span>, unit: String): String {
         val first = spans.take(LISTED).joinToString { "${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
         return if (spans.size > LISTED) "$first and ${spans.size - LISTED} more" else first

@@ -8,17 +8,17 @@ import badlog.cli.input.Position
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** A way to choose a part of a log by its x. */
+/** Returns a way to select a part of a log by its x. */
 internal fun interface PartChoice {
     /**
-     * Which stretches of x to keep; may overlap.
+     * Returns the spans of x to keep; they may overlap.
      *
-     * @throws badlog.cli.input.Failure when the log has nothing to choose by.
+     * @throws badlog.cli.input.Failure if the log lacks what is needed to select.
      */
     fun spans(view: LogView): List<Span>
 }
 
-/** What lies from [from] to [to], both included; null is without end. */
+/** The range from [from] to [to], both included; null for no limit. */
 internal class RangeChoice(private val from: Position?, private val to: Position?) : PartChoice {
     override fun spans(view: LogView): List<Span> {
         val span = Span(from?.on(view.xAxis) ?: Double.NEGATIVE_INFINITY, to?.on(view.xAxis) ?: Double.POSITIVE_INFINITY)
@@ -27,7 +27,7 @@ internal class RangeChoice(private val from: Position?, private val to: Position
     }
 }
 
-/** What the robot did while it was enabled, and [margin] before and after. */
+/** The time while the robot was enabled, and [margin] before and after. */
 internal class EnabledChoice(private val margin: Double) : PartChoice {
     override fun spans(view: LogView): List<Span> {
         val spans = view.enabledSpans()
@@ -40,7 +40,7 @@ internal class EnabledChoice(private val margin: Double) : PartChoice {
     }
 }
 
-/** What lies around each event, or change of state, whose text contains [text] in any case of letters. */
+/** The time around each event, or change of state, whose text contains [text], regardless of case. */
 internal class EventChoice(private val text: String, private val before: Double, private val after: Double) : PartChoice {
     override fun spans(view: LogView): List<Span> {
         val x = view.xAxis.positions
@@ -54,7 +54,7 @@ internal class EventChoice(private val text: String, private val before: Double,
     private fun rowsOf(topic: Topic): List<Int> {
         val texts = topic.texts
         val isMeant = BooleanArray(texts.dictionary.size) { texts.dictionary[it].contains(text, ignoreCase = true) }
-        // A state stands in every row; what happened is that it began.
+        // A state is in every row; only its start counts.
         val isState = topic.kind == TopicKind.STATE && "log" !in topic.attributes
         return (0 until texts.size).filter { isMeant[texts.ids[it]] && (!isState || begins(topic, it)) }
             .map { texts.rows[it] }

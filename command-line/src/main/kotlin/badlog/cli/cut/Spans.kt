@@ -3,7 +3,7 @@ package badlog.cli.cut
 import badlog.analysis.Span
 import java.util.BitSet
 
-/** The same places of x in spans that ascend and do not touch. */
+/** Returns the same parts of x as spans that ascend and do not touch. */
 internal fun joined(spans: List<Span>): List<Span> {
     val joined = ArrayList<Span>()
     for (span in spans.filter { it.from <= it.to }.sortedBy { it.from }) {
@@ -17,7 +17,7 @@ internal fun joined(spans: List<Span>): List<Span> {
     return joined
 }
 
-/** The places of x that are in one of [one] and in one of [other], both of which ascend and do not touch. */
+/** Returns the intersection of [one] and [other], both of which ascend and do not touch. */
 internal fun intersection(one: List<Span>, other: List<Span>): List<Span> = buildList {
     var i = 0
     var j = 0
@@ -29,7 +29,7 @@ internal fun intersection(one: List<Span>, other: List<Span>): List<Span> = buil
     }
 }
 
-/** Which rows of [positions], the x of each, lie in one of [spans]. A row without x goes with the row before it. */
+/** Returns which rows are in one of [spans]; [positions] has the x of each. A row without x belongs with the previous row. */
 internal fun rowsIn(positions: DoubleArray, spans: List<Span>): BitSet {
     val rows = BitSet(positions.size)
     val apart = joined(spans)
@@ -42,7 +42,7 @@ internal fun rowsIn(positions: DoubleArray, spans: List<Span>): BitSet {
     return rows
 }
 
-/** The rows that are set, as runs of neighbors. */
+/** Returns the rows that are set, as runs of neighbors. */
 internal fun BitSet.runs(): List<IntRange> = buildList {
     var from = nextSetBit(0)
     while (from >= 0) {
@@ -53,7 +53,7 @@ internal fun BitSet.runs(): List<IntRange> = buildList {
 }
 
 private fun isInside(x: Double, spans: List<Span>): Boolean {
-    // By the operators, to which 0 and -0 are the same.
+    // Uses operators, for which 0 and -0 are equal.
     val place = spans.binarySearch {
         if (it.from < x) {
             -1

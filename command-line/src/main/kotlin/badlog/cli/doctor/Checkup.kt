@@ -15,34 +15,34 @@ import java.nio.file.Path
 import java.time.Duration
 import kotlin.io.path.isRegularFile
 
-/** What a check came to. */
+/** The result of a check. */
 internal enum class CheckState(val word: String) {
-    /** All is well. */
+    /** Everything is fine. */
     OK("ok"),
 
-    /** Something that only some people need is not there. */
+    /** Something that only some people need is missing. */
     MISSING("missing"),
 
-    /** Something that was asked for, or that badlog needs, does not work. */
+    /** Something that was requested, or that badlog needs, does not work. */
     ERROR("error"),
 }
 
 /**
  * A line of a check-up.
  *
- * @property name what was looked at.
- * @property text what was found, and what to do where that is not [CheckState.OK].
+ * @property name what was checked.
+ * @property text what was found, and what to do unless it is [CheckState.OK].
  */
 internal class CheckFinding(val name: String, val state: CheckState, val text: String)
 
 /**
- * Looks at what [computer] has for badlog.
+ * Checks what [computer] has for badlog.
  *
- * @param addresses where a robot may answer; null when nobody asks.
+ * @param addresses where a robot may answer; null to check no robot.
  * @param patience how long a robot may take to answer.
  */
 internal class Checkup(private val computer: Computer, private val addresses: List<RobotAddress>?, private val patience: Duration) {
-    /** One finding for each thing that was looked at. */
+    /** Returns one finding for each check. */
     fun findings(): List<CheckFinding> = listOf(
         CheckFinding("badlog", CheckState.OK, BADLOG_VERSION),
         java(),
@@ -92,7 +92,7 @@ internal class Checkup(private val computer: Computer, private val addresses: Li
         else -> CheckFinding("owlet", CheckState.OK, "$owlet")
     }
 
-    /** The answers to questions, where they are not in the folder of all that is cached. */
+    /** Returns the answers to questions, where they are not in the folder of all that is cached. */
     private fun answers(): CheckFinding? {
         val answers = cacheFolder(computer.system, computer.user, computer.variable)
         return if (answers.startsWith(computer.folders.cache)) null else folder("answers", answers, "safe to delete")

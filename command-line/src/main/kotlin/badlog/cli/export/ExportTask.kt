@@ -42,10 +42,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Makes a page of each log, one after the other: each takes all cores by itself.
+ * Makes a page of each log, one after the other: each uses all cores by itself.
  *
- * @param video a video of the match that the only log is of; null for none.
- * @param search what the pages look for, and what is looked for in the logs for them.
+ * @param video a video of the match of the only log; null for none.
+ * @param search the rules of the pages, and the hooks to run on the logs.
  * @param field the field of all pages; null for those beside the logs.
  */
 internal class ExportTask(
@@ -88,7 +88,7 @@ internal class ExportTask(
             val ground = fieldFor(input.file, field)
             for (problem in listOfNotNull(layout.problem, ground.problem)) if (problemsBeside.add(problem)) console.warn(problem)
             val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text, field = ground.json)
-            // Only what looks for something here reads a log before it is in a page.
+            // Without hooks, the log need not be read before it is embedded in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
             val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
             export(exporter, input, additions, rules, found, refused) { done, total -> progress.advanced(total + done, total * 2) }
@@ -164,7 +164,7 @@ internal class ExportTask(
     }
 
     private companion object {
-        /** In a kB. */
+        /** Bytes per kB. */
         const val BYTES = 1000
     }
 }

@@ -8,20 +8,20 @@ import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
- * What is embedded in the page of a log because the page cannot find it itself.
+ * Findings embedded in the page of a log because the page cannot find them itself.
  *
- * @property hooks what each program returned.
+ * @property hooks the results of hooks.
  * @property unreadable why none could run, or null.
  */
 internal class PageFindings private constructor(val hooks: List<HookOutcome>, val unreadable: String?) {
-    /** How many findings that is; null where no program was asked. */
+    /** The number of findings; null if no hook was to run. */
     val count: Int? get() = if (hooks.isEmpty()) null else hooks.sumOf { it.result?.findings?.size ?: 0 }
 
-    /** The programs that failed. */
+    /** The hooks that failed. */
     val failures: List<Pair<String, HookException>> get() = hooks.mapNotNull { hook -> hook.failure?.let { hook.hook to it } }
 
     companion object {
-        /** Nothing, since nothing is asked for. */
+        /** Nothing, because there are no hooks. */
         val NONE = PageFindings(emptyList(), null)
 
         /** Runs [hooks] for the log in [file], which they need with its samples. */

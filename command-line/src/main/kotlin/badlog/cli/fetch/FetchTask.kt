@@ -24,7 +24,7 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
- * Fetches what is new from the robot at one of [addresses]; again and again where it [isWatching].
+ * Fetches new logs from the robot at one of [addresses]; repeatedly if [isWatching].
  */
 internal class FetchTask(
     private val addresses: List<RobotAddress>,
@@ -46,13 +46,13 @@ internal class FetchTask(
                     if (isWatching) Thread.sleep(WATCH_MILLIS)
                 } while (isWatching)
             } catch (_: InterruptedException) {
-                // Whoever watches has seen enough.
+                // The person stopped watching.
             }
         }
         return outcomes.end(isNothingFine = true)
     }
 
-    /** Why nothing more can be fetched now, or null. */
+    /** Returns why nothing more can currently be fetched, or null. */
     private fun once(fetch: LogFetch, talk: FetchTalk): String? = try {
         fetch.run(talk)
         null
@@ -64,7 +64,7 @@ internal class FetchTask(
         e.message
     }
 
-    /** Says what happens. A person who watches hears of what changes only. */
+    /** Reports what happens. While watching, only changes are reported. */
     private inner class FetchTalk(private val console: Console, private val outcomes: Outcomes) :
         FetchListener,
         AutoCloseable {
@@ -125,17 +125,17 @@ internal class FetchTask(
 
         override fun deleted(path: String) = warn("$path was removed from the robot; the copy is safe here.")
 
-        /** A look at the robot ended well. */
+        /** Records that a round was successful. */
         fun endRound() {
             close()
             if (isNothing) tell("Nothing new on $address; ${counted(known.toLong(), "log")} fetched before.")
         }
 
-        /** A look at the robot failed, for the reason of [message]. */
+        /** Records that a round failed because of [message]. */
         fun fail(message: String) {
             close()
             if (message in said) return
-            // Whoever watches hears of the robot when it is back.
+            // While watching, the robot is reported again when it is back.
             said.clear()
             said += message
             if (isWatching && !isJson) console.warn(message) else outcomes.failed(options.folder, message)
@@ -158,7 +158,7 @@ internal class FetchTask(
     }
 
     private companion object {
-        /** How long whoever watches waits for the next look. */
+        /** The time between rounds while watching. */
         const val WATCH_MILLIS = 5_000L
     }
 }

@@ -6,12 +6,13 @@ import badlog.file.UserFolders
 import java.nio.file.Path
 
 /**
- * Where robots answer, and what is known of them.
+ * Where robots answer, and what is known about them.
  *
- * @property addressesOf the places of a robot that a person typed, and of the user where that is not null.
- * @property settings the folder of what is to be kept.
+ * @property addressesOf returns the addresses of a robot that a person typed, with the given user unless that is
+ * null.
+ * @property settings returns the folder of settings.
  * @property password the robot's password, or null for the known ones.
- * @property patience how long is waited for what.
+ * @property patience how long to wait.
  */
 internal class Robots(
     val addressesOf: (robot: String, user: String?) -> List<RobotAddress>,
@@ -22,7 +23,7 @@ internal class Robots(
     val settings: Path by lazy(settings)
 
     companion object {
-        /** Those of the network that this computer is in. */
+        /** Returns the robots on this computer's network. */
         fun ofSystem() = Robots(RobotAddress::of, { UserFolders.ofSystem().settings }, System.getenv("BADLOG_ROBOT_PASSWORD"))
     }
 }

@@ -51,11 +51,11 @@ internal class FindCommand :
 }
 
 /**
- * Asks [question] of every log below [paths].
+ * Evaluates [question] for every log below [paths].
  *
- * @param virtualTopics definitions of topics that it may use beside the logs' own.
- * @param cache where answers are kept; null for nowhere.
- * @param xTopic the topic to take as x axis, or null.
+ * @param virtualTopics definitions of topics that it may use in addition to the logs' own.
+ * @param cache the folder for cached answers; null for none.
+ * @param xTopic the topic to use as x axis, or null.
  */
 internal class FindTask(
     private val paths: List<Path>,
@@ -77,7 +77,7 @@ internal class FindTask(
         }
         val mistake = mistakeIn(results)
         if (mistake != null) {
-            // What the question lacks may be what was not defined.
+            // A topic missing in the question may be one that could not be calculated.
             undefinedTexts(results.filter { it.reply is Reply.NotAsked }.map { it.undefined }).forEach(console::warn)
             console.warn(mistake.pointed)
             return ExitCode.USAGE

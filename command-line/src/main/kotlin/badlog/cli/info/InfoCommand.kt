@@ -62,7 +62,7 @@ internal class InfoCommand :
     }
 }
 
-/** What may be shown of a log beside its summary. */
+/** The parts that can be shown of a log besides its summary. */
 internal enum class InfoPart {
     /** A table of the topics. */
     TOPICS,
@@ -70,24 +70,24 @@ internal enum class InfoPart {
     /** Below each topic its attributes. */
     ATTRIBUTES,
 
-    /** Which topics mean what. */
+    /** Which topics were recognized as signals. */
     SIGNALS,
 
     /** The values. */
     VALUES,
 
-    /** What was wrong in the file, without notes. */
+    /** The problems of the file, without notes. */
     WORST,
 
-    /** What was wrong in the file, and what was only odd. */
+    /** All problems of the file, including notes. */
     PROBLEMS,
 }
 
 /**
  * Shows what is in logs.
  *
- * @param parts what to show; empty for all of one log, and for one line of each of several.
- * @param xTopic the topic to take as x axis, or null.
+ * @param parts what to show; empty for everything about a single log, or one line for each of several.
+ * @param xTopic the topic to use as x axis, or null.
  * @param virtualTopics definitions of topics to add.
  * @param only which topics to show.
  */

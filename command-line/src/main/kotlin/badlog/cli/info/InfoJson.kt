@@ -11,7 +11,7 @@ import badlog.report.UndefinedJson
 import badlog.rules.signal.SignalTopic
 import kotlinx.serialization.Serializable
 
-/** All about one log, for a program. */
+/** Everything about one log, for programs. */
 @Serializable
 internal class InfoJson private constructor(
     private val format: String,
@@ -25,7 +25,7 @@ internal class InfoJson private constructor(
     private val problems: List<ProblemJson>,
     private val undefined: List<UndefinedJson>,
 ) {
-    /** Of a log in which [signals] mean something, and to which virtual topics could not be added for the reasons [errors]. */
+    /** Creates it for a log with [signals], to which some virtual topics could not be added because of [errors]. */
     constructor(summary: LogSummary, signals: List<SignalTopic>, errors: List<ExpressionError>) : this(
         summary.view.recording.format.name.lowercase(),
         summary.bytes,

@@ -20,11 +20,11 @@ import badlog.terminal.printable
 import kotlin.math.roundToLong
 
 /**
- * All about one log, for a person, in lines that fit a terminal.
+ * Everything about one log, for people, in lines that fit a terminal.
  *
  * @param parts what to show below its summary.
- * @param signals which topics mean what.
- * @param width how many columns there are.
+ * @param signals the topics recognized as signals.
+ * @param width the number of columns.
  */
 internal class InfoText(
     private val summary: LogSummary,
@@ -35,7 +35,7 @@ internal class InfoText(
     private val view = summary.view
     private val recording = view.recording
 
-    /** The lines, without a newline at their end. */
+    /** Returns the lines, without a newline at their end. */
     fun text(): String = listOf(
         summaryLines(),
         if (InfoPart.VALUES in parts) valueLines() else emptyList(),
@@ -48,7 +48,7 @@ internal class InfoText(
         },
     ).filter { it.isNotEmpty() }.joinToString("\n\n") { it.joinToString("\n") }
 
-    /** What a person has to know who asked for something else; that all is well is said on demand. */
+    /** Returns what a person must know even if they asked for something else; that all is well is shown only on request. */
     private fun worstLines(): List<String> {
         val (notes, others) = view.problems.partition { it.severity == Severity.NOTE }
         val more = if (notes.isEmpty()) emptyList() else listOf("${counted(notes.size.toLong(), "note")}: see --problems")
@@ -115,7 +115,7 @@ internal class InfoText(
         else -> "${shortNumber(summary.min, DIGITS)} … ${shortNumber(summary.max, DIGITS)}"
     }
 
-    /** What a terminal has more than the least, names get, and units and ranges a little of it. */
+    /** Additional width goes to names, and a little of it to units and ranges. */
     private fun topicTable(): TextTable {
         val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
         val little = minOf(more / 5, MAX_MORE)

@@ -9,20 +9,20 @@ import badlog.recording.TopicKind
 import java.nio.file.Path
 
 /**
- * What there is to say about one log.
+ * A summary of one log.
  *
  * @property bytes the size of its file.
- * @param numbers what is known of numbers that [view] does not hold.
- * @param only which topics to say something about.
+ * @param numbers what is known about numbers that are not in [view].
+ * @param only the topics to include.
  */
 internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers, only: TopicChoice) {
     /** The smallest and the largest x, or null without any. */
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
-    /** How many seconds one unit of x is, or null when x is not a time. */
+    /** The number of seconds in one unit of x, or null if x is not a time. */
     val secondsPerX: Double? = Units.secondsIn(view.xAxis.unit)
 
-    /** How long it is in seconds, or null when x is not a time. */
+    /** Its length in seconds, or null if x is not a time. */
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }
 
     /** Each of the topics, in the order of the file. */
@@ -31,13 +31,13 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
 }
 
 /**
- * What there is to say about one topic.
+ * A summary of one topic.
  *
- * @property count how many samples it has: numbers, or texts of states and events.
- * @property rate samples per second from its first to its last, or null where x is not a time or nothing lies between.
+ * @property count the number of its samples: numbers, or texts of states and events.
+ * @property rate samples per second from its first to its last, or null if x is not a time or they are at the same x.
  * @property min the smallest finite number, NaN without any.
  * @property max the largest finite number, NaN without any.
- * @property gaps how many times it has no number for a while; null where that is not a lack: of texts, and of sparse topics.
+ * @property gaps the number of gaps; null for texts and sparse topics, in which they mean nothing.
  */
 internal class TopicSummary private constructor(
     val topic: Topic,
@@ -51,7 +51,7 @@ internal class TopicSummary private constructor(
     val hasTexts: Boolean get() = isText(topic.kind)
 
     companion object {
-        /** Of [topic] with [numbers], over [xAxis], whose unit is [secondsPerX] seconds. */
+        /** Returns the summary of [topic] with [numbers], over [xAxis], whose unit is [secondsPerX] seconds. */
         fun of(topic: Topic, numbers: NumberSummary, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
             val x = topic.times ?: xAxis.positions
             val isText = isText(topic.kind)

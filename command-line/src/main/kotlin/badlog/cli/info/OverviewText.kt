@@ -22,10 +22,10 @@ internal class OverviewText(width: Int) {
         shortens = width != Console.UNLIMITED,
     )
 
-    /** What stands above the lines. */
+    /** Returns the titles of the columns. */
     fun titles(): String = table.titles()
 
-    /** The line of [summary]. */
+    /** Returns the line of [summary]. */
     fun line(summary: LogSummary): String = table.line(
         listOf(
             summary.file.toString(),

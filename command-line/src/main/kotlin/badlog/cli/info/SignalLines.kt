@@ -5,7 +5,9 @@ import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import kotlinx.serialization.Serializable
 
-/** Which topic was taken for what, and why, in lines of [width] columns; where that is without limit, each name is whole. */
+/**
+ * Returns which topics were recognized as which signals, and why, in lines of [width] columns; without a limit, names are not shortened.
+ */
 internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     if (signals.isEmpty()) return listOf("No topic matches a known signal; docs/signals.md explains how to name yours.")
     val rows = signals.groupBy { Triple(it.signal, it.unit, it.reason) }.values.flatMap { alike ->
@@ -16,7 +18,7 @@ internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     return TextTable(COLUMNS, width).lines(rows).flatten()
 }
 
-/** A topic that was taken for a signal, for a program. */
+/** A topic that was recognized as a signal, for programs. */
 @Serializable
 internal class SignalJson private constructor(
     private val signal: String,
@@ -27,7 +29,7 @@ internal class SignalJson private constructor(
     constructor(topic: SignalTopic) : this(topic.signal, topic.topic, topic.unit, topic.reason)
 }
 
-/** Of the channels of a power distribution, or the buttons of a controller, one stands for all. */
+/** With more topics than this, such as the channels of a power distribution or the buttons of a controller, one stands for all. */
 private const val MOST_ALIKE = 3
 
 private val COLUMNS = listOf("SIGNAL", "TOPIC", "UNIT", "WHY").map { Column(it) }

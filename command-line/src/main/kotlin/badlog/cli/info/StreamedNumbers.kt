@@ -4,12 +4,12 @@ import badlog.recording.NumberSink
 import badlog.recording.NumberSinks
 import badlog.recording.Topic
 
-/** What there is to say about the numbers of a topic; the finite ones count. */
+/** A summary of the numbers of a topic; only finite ones count. */
 internal class NumberSummary : NumberSink {
     var count = 0
         private set
 
-    /** The row, or the sample, of the first number; -1 without any. */
+    /** The row, or the sample, of the first number; -1 if there are none. */
     var first = -1
         private set
     var last = -1
@@ -29,14 +29,14 @@ internal class NumberSummary : NumberSink {
     }
 }
 
-/** Sums up the numbers of a log while it is read, so that it needs no memory for those that are not [needed] otherwise. */
+/** Summarizes the numbers of a log while it is read, so that it needs no memory for those that are not otherwise [needed]. */
 internal class StreamedNumbers(private val needed: NumberSinks) : NumberSinks {
     private val summaries = HashMap<String, NumberSummary>()
 
     override fun of(name: String, attributes: List<String>): NumberSink? =
         if (needed.of(name, attributes) == null) null else summaries.getOrPut(name, ::NumberSummary)
 
-    /** Of [topic], from its samples where it has them. */
+    /** Returns the summary of [topic], from its samples if it has them. */
     fun of(topic: Topic): NumberSummary = summaries[topic.name] ?: NumberSummary().also { summary ->
         topic.samples.forEachIndexed(summary::add)
     }

@@ -8,26 +8,26 @@ import java.nio.file.Path
 /**
  * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped.
  *
- * @property stem what is left without [ending].
- * @property ending that of a log, with its dot and in its own case; empty when there is none.
- * @property isGzip whether `.gz` stands behind it.
+ * @property stem the name without [ending] and `.gz`.
+ * @property ending the ending of a log, with its dot and in its original case; empty if there is none.
+ * @property isGzip whether `.gz` follows.
  */
 internal class FileName private constructor(val stem: String, val ending: String, val isGzip: Boolean) {
-    /** The same name with [mark] before its ending. */
+    /** Returns the same name with [mark] before its ending. */
     fun marked(mark: String): String = "$stem.$mark$ending${if (isGzip) GZIP else ""}"
 
-    /** The same name, or where that is not free, one with the first number before its ending that is. */
+    /** Returns the same name, or, if that is taken, one with the first free number before its ending. */
     fun free(isFree: (String) -> Boolean): String = freeName(stem, ending + if (isGzip) GZIP else "", isFree)
 
-    /** The same name with another ending. */
+    /** Returns the same name with another ending. */
     fun with(ending: String, isGzip: Boolean = this.isGzip): String = "$stem$ending${if (isGzip) GZIP else ""}"
 
-    /** The name of a file of the same log in another format, whose ending is [ending]. */
+    /** Returns the name of a file of the same log in another format, whose ending is [ending]. */
     fun like(ending: String): FileName = FileName(stem, ending, isGzip)
 
-    /** The same name, without the end of its stem where it is longer than file systems take. */
+    /** Returns the same name, with its stem shortened if it is too long for file systems. */
     fun fitting(): FileName {
-        // What is not a log has another ending, such as that of a page.
+        // A file that is not a log has another ending, such as that of a page.
         val other = "." + stem.substringAfterLast('.', "")
         if (other.length == 1 || other.length > MAX_ENDING || stem.encodeToByteArray().size <= MAX_BYTES) {
             return FileName(startOfBytes(stem, MAX_BYTES), ending, isGzip)
@@ -38,12 +38,12 @@ internal class FileName private constructor(val stem: String, val ending: String
     override fun toString(): String = with(ending)
 
     companion object {
-        /** File systems allow 255 in all, of which endings and numbers need some. */
+        /** File systems allow 255 in total, of which endings and numbers need some. */
         private const val MAX_BYTES = 220
         private const val MAX_ENDING = 6
         private const val GZIP = ".gz"
 
-        /** The name of [path]. */
+        /** Returns the name of [path]. */
         fun of(path: Path): FileName = LogName.of(path.fileName.toString()).run { FileName(stem, ending, isGzip) }
     }
 }

@@ -13,30 +13,30 @@ import java.nio.file.Path
 /**
  * A file to read.
  *
- * @property file where it is.
- * @property folder the folder in which it was found, or null when it was named itself. Nobody is sure that what was found is
- *   a log.
- * @property seen the file as it was found; null when it was named itself.
+ * @property file its path.
+ * @property folder the folder in which it was found, or null if it was named itself. A file that was found may not be a log.
+ * @property seen the file as it was found; null if it was named itself.
  */
 internal class LogInput(val file: Path, val folder: Path?, val seen: LogFile? = null) {
-    /** Whether nobody named it. */
+    /** Whether it was found in a folder, rather than named. */
     val isFound: Boolean get() = folder != null
 
-    /** Where it is, seen from the folder in which it was found; its name, when it was named itself. */
+    /** Its path relative to the folder in which it was found; its name, if it was named itself. */
     val relativePath: Path get() = folder?.relativize(file) ?: file.fileName
 }
 
 /**
- * Finds the logs below files and folders. What a folder holds counts by its name, which is cheap; what is named always.
+ * Finds the logs below files and folders. Files in a folder are selected by name, which is cheap; named files are
+ * always included.
  *
- * @param checkpoint is called for each file that is looked at.
+ * @param checkpoint called for each file.
  */
 internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     /**
-     * What was found.
+     * The result of a search.
      *
-     * @property inputs each log once, as the first of its files, in the order of the arguments, and inside a folder in that of their names.
-     * @property failures the folders that could not be looked into.
+     * @property inputs each log once, as the first of its files, in the order of the arguments, and within a folder in that of their names.
+     * @property failures the folders that could not be read.
      */
     class SearchResult(val inputs: List<LogInput>, val failures: List<UnreadableFileException>)
 
@@ -44,7 +44,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
     private val failures = ArrayList<UnreadableFileException>()
     private val realFolders = HashMap<Path?, Path>()
 
-    /** Looks below [paths]. To be called once. */
+    /** Searches below [paths]. Call it once. */
     fun find(paths: List<Path>): SearchResult {
         for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
         return SearchResult(wholeLogs(inputs.distinctBy { identityOf(it.file) }) { it.file }, failures)
@@ -63,7 +63,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
         }
     }
 
-    // To follow all folders of each file takes long where there are a thousand.
+    // Resolving all folders of each file would take long for a thousand files.
     private fun identityOf(file: Path): Path = try {
         val folder = file.parent
         if (Files.isSymbolicLink(file)) {

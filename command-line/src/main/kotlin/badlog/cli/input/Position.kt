@@ -6,12 +6,12 @@ import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
 
-/** Where on an x axis, as it was typed. */
+/** A typed position on an x axis. */
 internal class Position private constructor(private val text: String, private val number: Double, private val isClock: Boolean) {
     /**
-     * Where that is on [axis].
+     * Returns its value on [axis].
      *
-     * @throws Failure when it is a time, and the axis is none.
+     * @throws Failure if it is a time, and the axis is not.
      */
     fun on(axis: XAxis): Double {
         if (!isClock) return number

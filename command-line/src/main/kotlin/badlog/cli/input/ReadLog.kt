@@ -11,13 +11,13 @@ import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**
- * Reads [file] with its samples, and with the topic [xTopic] as x axis when it is not null.
+ * Reads [file] with its samples, and with the topic [xTopic] as x axis unless it is null.
  *
- * @param sinks where the numbers of topics go that the recording is not to have.
- * @throws NotALog when there is nothing to show.
- * @throws badlog.report.TopicException when there is no such topic.
- * @throws Failure when the beginning of a WPILOG is lost.
- * @throws badlog.file.UnreadableFileException when it cannot be read.
+ * @param sinks where numbers go that the recording is not to keep.
+ * @throws NotALog if there is nothing to show.
+ * @throws badlog.report.TopicException if there is no such topic.
+ * @throws Failure if the beginning of a WPILOG is lost.
+ * @throws badlog.file.UnreadableFileException if it cannot be read.
  */
 internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
     val recording = readRecording(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced)
@@ -30,13 +30,13 @@ internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sin
     return if (xTopic == null) recording else recording.withX(xTopic, file)
 }
 
-/** Any bytes with line ends among them are a damaged table; those of a WPILOG make none that anyone would know. */
+/** Any bytes with line ends count as a damaged table; nobody would recognize a WPILOG in that form. */
 private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
         FileName.of(file).ending.lowercase() == ".wpilog"
 
-/** The bytes of a file are not a log at all. The message is one sentence for a person. */
+/** Thrown if the bytes of a file are not a log at all. The message is one sentence for the user. */
 internal class NotALog(override val message: String) : Exception(message)
 
-/** Why something cannot be done with a log. The message is one sentence for a person: what, where, and what to do. */
+/** Thrown if something cannot be done with a log. The message is one sentence for the user: what, where, and what to do. */
 internal class Failure(override val message: String) : Exception(message)

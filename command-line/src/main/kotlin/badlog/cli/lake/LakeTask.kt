@@ -17,7 +17,7 @@ import badlog.cli.text.jsonOf
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** Makes the lake [out] of every log below [paths]. */
+/** Makes the lake [out] from every log below [paths]. */
 internal class LakeTask(private val paths: List<Path>, private val out: Path, private val parts: PartLoader, private val isJson: Boolean) :
     Task {
     override fun run(console: Console): ExitCode = parts.call("lake", SeasonService::class.java, console) { service ->
@@ -59,7 +59,7 @@ internal class LakeTask(private val paths: List<Path>, private val out: Path, pr
     }
 }
 
-/** Makes the lake [lake] have [logs], which were found below [paths]. */
+/** Updates the lake [lake] to [logs], which were found below [paths]. */
 internal fun refreshed(service: SeasonService, lake: Path, paths: List<Path>, logs: LogFiles, console: Console): LakeReport {
     val rules = rulesBeside(paths, console::warn)
     return console.progress("lake").use { bar ->

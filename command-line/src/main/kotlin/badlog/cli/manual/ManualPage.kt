@@ -7,10 +7,10 @@ import com.github.ajalt.clikt.core.PrintHelpMessage
 import com.github.ajalt.clikt.output.HelpFormatter.ParameterHelp
 
 /**
- * The page of the manual named [name], such as `badlog-cut`, in the form that `man` reads: what the help of [command] says, and [seeAlso], the
- * names of other pages.
+ * Returns the manual page [name], such as `badlog-cut`, in the format of `man`: the help of [command], and [seeAlso], the names of other
+ * pages.
  *
- * @param context in which the command's help is asked for.
+ * @param context the context of the command's help.
  */
 internal fun manualPage(name: String, command: CoreCliktCommand, context: Context, seeAlso: List<String>): String = buildString {
     val help = command.help(context).split(PARAGRAPH)
@@ -42,7 +42,7 @@ private fun <T> StringBuilder.entries(title: String, entries: List<T>, parts: (T
     for ((head, text) in entries.map(parts)) appendLine(".TP").appendLine(head).appendLine(roff(text.oneLine()))
 }
 
-/** `badlog cut [<options>] <log>...`, as the help has it. */
+/** Returns `badlog cut [<options>] <log>...`, as in the help. */
 private fun usageOf(command: CoreCliktCommand, context: Context): String =
     command.getFormattedHelp(PrintHelpMessage(context)).orEmpty().substringBefore("\n\n").oneLine().removePrefix("Usage: ")
 
@@ -58,7 +58,7 @@ private fun italic(text: String) = "\\fI${roff(text)}\\fR"
 
 private fun String.oneLine() = trim().replace(SPACES, " ")
 
-/** [text] with what `man` would take for a command, a hyphen or a character of another encoding written out. */
+/** Returns [text] with everything escaped that `man` would take for a command, a hyphen or a character of another encoding. */
 private fun roff(text: String): String = buildString {
     if (text.startsWith('.') || text.startsWith('\'')) append("\\&")
     for (char in text) {

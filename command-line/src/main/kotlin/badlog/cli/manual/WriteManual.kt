@@ -10,7 +10,7 @@ import com.github.ajalt.clikt.core.parse
 import java.io.File
 import java.io.InputStream
 
-/** Writes what a download brings beside the program into the folder that the only argument names: man pages, and completions for shells. */
+/** Writes man pages and shell completions, which are part of a download, to the folder given as the only argument. */
 fun main(arguments: Array<String>) {
     val folder = File(arguments.single())
     for ((path, text) in manual() + completions()) {
@@ -20,7 +20,7 @@ fun main(arguments: Array<String>) {
     }
 }
 
-/** The pages of the manual by their paths, such as `man/man1/badlog-cut.1`: one of each command, and that of `badlog` itself. */
+/** Returns the manual pages by their paths, such as `man/man1/badlog-cut.1`: one of each command, and that of `badlog` itself. */
 internal fun manual(): Map<String, String> {
     val names = listOf(null) + badlogCommand().registeredSubcommandNames()
     val pages = names.map { pageOf(it) }
@@ -32,7 +32,7 @@ internal fun manual(): Map<String, String> {
     }
 }
 
-/** The scripts with which shells complete commands, by their paths. */
+/** Returns the completion scripts of shells, by their paths. */
 internal fun completions(): Map<String, String> = listOf("bash", "zsh", "fish").associate { shell ->
     val command = badlogCommand()
     helpOf(emptyList(), command)
@@ -41,7 +41,7 @@ internal fun completions(): Map<String, String> = listOf("bash", "zsh", "fish").
 
 private fun pageOf(command: String?) = listOfNotNull(BadlogCommand.NAME, command).joinToString("-")
 
-/** What asking [command] for the help of the sub-command [names] gives: the context in which help is written. */
+/** Returns the context of the help of the subcommand [names] in [command]. */
 private fun helpOf(names: List<String>, command: BadlogCommand = badlogCommand()): PrintHelpMessage = try {
     command.parse(names + "--help")
     error("badlog ${names.joinToString(" ")} has no option --help.")
@@ -49,6 +49,6 @@ private fun helpOf(names: List<String>, command: BadlogCommand = badlogCommand()
     e
 }
 
-/** The program's command line; nothing of what it would run is looked for. */
+/** Returns the program's command line, without looking for anything that it could run. */
 internal fun badlogCommand(): BadlogCommand =
     BadlogCommand(emptyList(), Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream())

@@ -32,7 +32,7 @@ internal class McpCommand(private val parts: PartLoader, private val input: Inpu
     override fun makeTask(): Task = McpTask(folder, parts, input)
 }
 
-/** Answers the questions that come from [input] about the logs below [folder]. */
+/** Answers requests from [input] about the logs below [folder]. */
 internal class McpTask(private val folder: Path, private val parts: PartLoader, private val input: InputStream) : Task {
     override fun run(console: Console): ExitCode {
         if (!Files.isDirectory(folder)) {

@@ -1,10 +1,10 @@
 package badlog.cli.merge
 
 /**
- * The rows of several logs in one sequence: in the order of x where they have one, but never against the order of their own
- * log, whose clock may have been set. A row that several logs have, cell by cell, stands there once.
+ * The rows of several logs in one sequence: in the order of x if they have one, but never against the order of their own
+ * log, whose clock may have been set. A row that several logs have, cell by cell, is included once.
  *
- * @param logs the logs; without x they stay in this order.
+ * @param logs the logs; without x, they stay in this order.
  */
 internal class AppendedRows(logs: List<LogPart>) {
     /** The logs, in the order in which they begin. */
@@ -17,7 +17,7 @@ internal class AppendedRows(logs: List<LogPart>) {
     var size = 0
         private set
 
-    /** How many rows were left out because another log has them, too. */
+    /** The number of rows skipped because another log also has them. */
     var repeated = 0
         private set
 
@@ -29,13 +29,13 @@ internal class AppendedRows(logs: List<LogPart>) {
         }
     }
 
-    /** Which of [parts] row [index] comes from. */
+    /** Returns the index in [parts] of the log of row [index]. */
     fun partOf(index: Int): Int = rowParts[index]
 
-    /** Which row of its part row [index] is. */
+    /** Returns the row in its log of row [index]. */
     fun rowOf(index: Int): Int = rows[index]
 
-    /** The x of row [index]; may be NaN. */
+    /** Returns the x of row [index]; may be NaN. */
     fun x(index: Int): Double = parts[rowParts[index]].x[rows[index]]
 
     private fun interleave() {
@@ -64,7 +64,7 @@ internal class AppendedRows(logs: List<LogPart>) {
         for (part in parts.indices) {
             if (next[part] == parts[part].recording.rowCount) continue
             val x = parts[part].x[next[part]]
-            // A row without x stays behind the one before it.
+            // A row without x stays after the previous one.
             if (x.isNaN()) return part
             if (best < 0 || x < bestX) {
                 best = part

@@ -2,7 +2,7 @@ package badlog.cli.merge
 
 import badlog.recording.Topic
 
-/** Whether cell [index] of [one] says the same as cell [otherIndex] of [other]. */
+/** Returns whether cell [index] of [one] has the same content as cell [otherIndex] of [other]. */
 internal fun isSameCell(one: Topic, index: Int, other: Topic, otherIndex: Int): Boolean =
     numberAt(one, index) == numberAt(other, otherIndex) && textAt(one, index) == textAt(other, otherIndex)
 
@@ -13,12 +13,12 @@ private fun textAt(topic: Topic, index: Int): String? {
     return if (place < 0) null else topic.texts[place]
 }
 
-/** Decides whether a row of [one] and a row of [other] say the same in every cell; never where their topics differ. */
+/** Decides whether a row of [one] and a row of [other] are the same in every cell; never if their topics differ. */
 internal class RowIdentity(one: LogPart, other: LogPart) {
     private val areAlike = one.recording.topics.size == other.recording.topics.size
     private val pairs = one.recording.topics.map { it to other.topic(it.name) }
 
-    /** Whether row [row] of the one is row [otherRow] of the other. */
+    /** Returns whether row [row] of the one is the same as row [otherRow] of the other. */
     fun isSame(row: Int, otherRow: Int): Boolean =
         areAlike && pairs.all { (topic, twin) -> twin != null && isSameCell(topic, row, twin, otherRow) }
 }

@@ -15,9 +15,9 @@ import java.nio.file.Path
 import java.util.IdentityHashMap
 import kotlin.math.round
 
-/** By how many seconds the log [file] is to be moved. */
+/** The number of seconds by which to move the log [file]. */
 internal class Offset private constructor(val file: Path, val seconds: Double) {
-    /** Whether that is [path], which may stand in a folder. */
+    /** Returns whether that is [path], which may be in a folder. */
     fun isOf(path: Path): Boolean = path.toAbsolutePath().normalize() == file.toAbsolutePath().normalize() || path.fileName == file
 
     companion object {
@@ -33,17 +33,17 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
 /**
  * A log that was moved.
  *
- * @property edges how many beginnings and ends of [what] fit those of the first log; 0 where the move was given.
- * @property error how far they are from those at most, or else how far the clocks may be off, in s; 0 where the move was given.
+ * @property edges the number of starts and ends of [what] that match those of the first log; 0 if the move was given.
+ * @property error their largest distance from those, or else the possible error of the clocks, in s; 0 if the move was given.
  */
 internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled")
 
-/** A time in which no log has anything, after [one] and before [other], of so many [seconds]. */
+/** A time of [seconds] seconds without any log, after [one] and before [other]. */
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
 
 /** Logs on one clock, some of which were moved for that. */
 internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
-    /** Where logs are so far apart that they may have clocks of their own. */
+    /** Pauses so long that the logs may have different clocks. */
     val pauses: List<Pause> = buildList {
         var last: LogPart? = null
         for (part in parts.filter { it.firstX.isFinite() && (it.xTopic != null || !it.hasRows) }.sortedBy { it.firstX }) {
@@ -57,22 +57,23 @@ internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
     }
 
     private companion object {
-        /** A robot that starts its program anew is back within this. */
+        /** A robot that restarts its program is back within this time. */
         const val FAR_SECONDS = 60.0
     }
 }
 
 /**
- * How logs come on one clock.
+ * How logs are put on one clock.
  *
- * @param alignsEnabled whether those without an offset are moved so that the robot is enabled when it is in the first log.
+ * @param alignsEnabled whether logs without an offset are moved so that the robot is enabled at the same time as in the
+ * first log.
  */
 internal class ClockChoice(private val offsets: List<Offset>, private val alignsEnabled: Boolean) {
     /**
-     * [parts], moved.
+     * Returns [parts], moved.
      *
      * @param station the one of them that is a Driver Station log, to be put beside the first.
-     * @throws Failure when one cannot be.
+     * @throws Failure if one cannot be moved.
      */
     fun moved(parts: List<LogPart>, station: StationPart? = null): MovedLogs {
         val moves = ArrayList<Move>()
@@ -92,7 +93,10 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
 
     private fun isOfMotors(part: LogPart) = LogName.of(part.file.fileName.toString()).ending.equals(LogName.REVLOG, ignoreCase = true)
 
-    /** A log of REV's motor controllers, which has no topic of enabled, beside [robot]; null where no motor tells how it stands there. */
+    /**
+     * Returns the move of a log of REV's motor controllers, which does not show when the robot was enabled, beside [robot]; null if no
+     * motor shows it.
+     */
     private fun byMotors(part: LogPart, robot: LogPart): Move? {
         val signals = signalsBeside(robot.file)
         val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals) }
@@ -122,14 +126,14 @@ internal val LogPart.secondsPerX: Double
     get() = Units.secondsIn(axis.unit) ?: 1.0
 
 /**
- * The same log, later by so many [seconds].
+ * Returns the same log, delayed by [seconds].
  *
- * @throws Failure when its x is no time, or would begin before 0 in a log that has no such times.
+ * @throws Failure if its x is not a time, or would begin before 0 in a log that cannot have such times.
  */
 internal fun LogPart.later(seconds: Double): LogPart {
     val micros = round(seconds * MICROS)
     if (!hasRows) {
-        // Topics that share their times still do.
+        // Topics that share their times keep sharing them.
         val moved = IdentityHashMap<DoubleArray, DoubleArray>()
         fun later(times: DoubleArray) = moved.getOrPut(times) { DoubleArray(times.size) { round(times[it] * MICROS + micros) / MICROS } }
         val topics = recording.topics.map { it.copy(times = it.times?.let(::later)) }
@@ -146,7 +150,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
     return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
 }
 
-/** As a person adds them, without digits that binary fractions bring. */
+/** Decimal addition, without rounding errors of binary fractions. */
 private fun Double.plus(other: BigDecimal): Double = if (isFinite()) BigDecimal.valueOf(this).add(other).toDouble() else this
 
 private const val MICROS = 1e6

@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-/** Several sequences of rows side by side: a row for each x that one of them has; those that have it share the row. */
+/** Several sequences of rows side by side: a row for each x of any of them; those that have the same x share the row. */
 internal class JoinedRows(private val groups: List<AppendedRows>) {
     private val rows = List(groups.size) { IntArray(groups.sumOf { it.size }) }
 
@@ -22,16 +22,16 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
         }
     }
 
-    /** The row of [group] that stands in row [index], or [NONE]. */
+    /** Returns the row of [group] in row [index], or [NONE]. */
     fun rowOf(group: Int, index: Int): Int = rows[group][index]
 
-    /** The x of row [index]; may be NaN. */
+    /** Returns the x of row [index]; may be NaN. */
     fun x(index: Int): Double {
         val group = groups.indices.first { rows[it][index] != NONE }
         return groups[group].x(rows[group][index])
     }
 
-    /** NaN when a row without x is next, which shares its row with none. */
+    /** Returns NaN if a row without x is next, which does not share its row. */
     private fun minX(next: IntArray): Double {
         var least = Double.POSITIVE_INFINITY
         for (group in groups.indices) {

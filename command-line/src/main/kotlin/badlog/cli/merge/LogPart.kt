@@ -18,9 +18,9 @@ import java.nio.file.Path
 /**
  * A log that becomes part of another.
  *
- * @property recording what is in it, at the times that it has in the merge.
+ * @property recording its content, at its times in the merge.
  * @property offset how much later those are than in the file, in s.
- * @property isOfFile whether its samples stand in the file as records of a WPILOG.
+ * @property isOfFile whether its samples are records of a WPILOG in the file.
  */
 internal class LogPart(
     val file: Path,
@@ -32,13 +32,13 @@ internal class LogPart(
     val axis: XAxis = LogView.of(recording).xAxis
     private val topicOf = recording.topics.associateBy { it.name }
 
-    /** Whether its samples stand in rows, not at times of their own. */
+    /** Whether its samples are in rows, rather than at times of their own. */
     val hasRows: Boolean get() = recording.format.hasRows
 
-    /** The folder of topics whose names are taken. */
+    /** The folder for topics whose names are taken. */
     val folder: String get() = FileName.of(file).stem
 
-    /** The topic of its x axis, or null where x is but the row's index, or the time of each sample. */
+    /** The topic of its x axis, or null if x is only the row's index, or the time of each sample. */
     val xTopic: Topic? get() = axis.topic
 
     /** The x of each row; may hold gaps. */
@@ -55,10 +55,10 @@ internal class LogPart(
 }
 
 /**
- * The same log without rows: each topic has times of its own, in s, which take the place of the topic of x. Rows that come after
- * one of a later x, as of a clock that was set, are sorted; a row without x goes with the row before it.
+ * Returns the same log without rows: each topic has times of its own, in s, which replace the topic of x. Rows after one with a
+ * later x, as from a clock that was set, are sorted; a row without x belongs with the previous row.
  *
- * @throws Failure when its x is not a time.
+ * @throws Failure if its x is not a time.
  */
 internal fun LogPart.withOwnTimes(): LogPart {
     if (!hasRows) return if (isOfFile) this else LogPart(file, recording, isOfFile = false)
@@ -77,7 +77,7 @@ private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {
     val isEvent = topic.kind == TopicKind.EVENT || EVENT_LOG in topic.attributes
     val described = if (isEvent && EVENT_LOG !in topic.attributes) topic.with(topic.attributes + EVENT_LOG) else topic
     val whole = described.part(rows, times)
-    // What is logged at times of its own has nothing between them, not a gap.
+    // A topic with times of its own has nothing between its samples, rather than gaps.
     if (!isEvent && !topic.isSparse) return whole
     val hasText = BooleanArray(rows.size).also { has -> whole.texts.rows.forEach { has[it] = true } }
     val kept = rows.indices.filter { hasText[it] || (whole.samples.isNotEmpty() && !whole.samples[it].isNaN()) }.toIntArray()

@@ -9,16 +9,16 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 
 /**
- * Makes one recording of [parts], two or more, which all have rows.
+ * Makes one recording of [parts], two or more, which must all have rows.
  *
- * @throws Failure when nothing shows how their rows belong together.
+ * @throws Failure if nothing shows how their rows belong together.
  */
 internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private val groups: List<AppendedRows> = mode.groupsOf(parts).map(::AppendedRows)
     private val joined: JoinedRows
     private val first = parts.first()
 
-    // The topic of x of all, or null where it is the row's index.
+    // The x topic of all, or null if x is the row's index.
     private val xTopic: Topic?
 
     private val names = MergedNames()
@@ -30,7 +30,7 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
         xTopic = groups.first().parts.first().xTopic
     }
 
-    /** What came of it. To be called once. */
+    /** Returns the result. Call it once. */
     fun merged(): Merged {
         val topics = groups.flatMapIndexed { index, group -> topicsOf(index, group) }
         val format = if (first.recording.format == RecordingFormat.CSV && groups.all { group -> group.parts.all(::isCsv) }) {
@@ -59,7 +59,9 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
         }
     }
 
-    /** The topics of [group], in the order of its first log, then what others add; of x topics only that of the first. */
+    /**
+     * Returns the topics of [group], in the order of its first log, then what others add; only the x topic of the first log is included.
+     */
     private fun namesOf(group: AppendedRows): Set<String> {
         val names = group.parts.first().recording.topics.mapTo(LinkedHashSet()) { it.name }
         for (part in group.parts.drop(1)) part.recording.topics.filter { it !== part.xTopic }.mapTo(names) { it.name }
@@ -109,7 +111,7 @@ internal enum class MergeMode {
     JOIN,
     ;
 
-    /** Which of [parts] follow each other; those of different lists stand side by side. */
+    /** Returns which of [parts] follow each other; those in different lists are side by side. */
     fun groupsOf(parts: List<LogPart>): List<List<LogPart>> = when (this) {
         APPEND -> listOf(parts)
         JOIN -> parts.map(::listOf)

@@ -12,7 +12,7 @@ import badlog.cli.text.wrapped
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** What to say about [merge] of the logs [moved], which was written to [target] without [leftOut]. */
+/** Returns the outcome of [merge] of the logs [moved], which was written to [target] without [leftOut]. */
 internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut: Omissions): Outcome {
     val recording = merge.recording
     val parts = merge.groups.flatMap { it.parts }

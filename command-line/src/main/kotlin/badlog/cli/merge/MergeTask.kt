@@ -21,10 +21,10 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Makes one log, [out], of several.
+ * Merges several logs into one, [out].
  *
- * @param station below which folder the Driver Station log of the first is, to be put beside it; empty for the folder of that, null
- *   for none.
+ * @param station the folder to search for the Driver Station log of the first log, which is put beside it; empty for the log's own
+ *   folder, null for none.
  */
 internal class MergeTask(
     private val paths: List<Path>,
@@ -39,7 +39,7 @@ internal class MergeTask(
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("merge", console, isJson)
         try {
-            // Before any work, so that nobody waits for a refusal.
+            // Checked before any work, so that nobody waits in vain.
             val target = plan.checked(out)
             val found = console.searching().use { LogSearch(it::next).find(paths) }
             for (failure in found.failures) outcomes.failed(failure.file, failure.message)
@@ -61,7 +61,7 @@ internal class MergeTask(
         return StationPart.of(robot, if (folder.toString().isEmpty()) beside else folder)
     }
 
-    /** Topics keep times of their own where one log has them, or the result can. */
+    /** Topics keep times of their own if one log has them, or the result can. */
     private fun merge(moved: MovedLogs, target: Path, progress: Progress): Outcome {
         val parts = moved.parts
         val wanted = LogFormat.ofName(target)

@@ -3,21 +3,21 @@ package badlog.cli.merge
 import badlog.recording.Recording
 
 /**
- * One recording, made of several.
+ * One recording made from several.
  *
- * @property recording what holds all of them.
- * @property groups the logs that stand side by side; those of one group one after the other.
- * @property renamed what is called otherwise than in its log.
+ * @property recording the recording with all of them.
+ * @property groups the groups of logs that are side by side; those in one group follow each other.
+ * @property renamed what has a different name than in its log.
  */
 internal class Merged(val recording: Recording, val groups: List<Group>, val renamed: List<Renaming>) {
     /**
      * Logs that follow each other.
      *
      * @property parts the logs, in the order in which they begin.
-     * @property repeated how many rows, or samples, were left out because another log has them, too.
+     * @property repeated the number of rows, or samples, skipped because another log also has them.
      */
     class Group(val parts: List<LogPart>, val repeated: Int) {
-        /** Where two that follow each other both have rows, or samples. */
+        /** Where two consecutive logs both have rows, or samples. */
         val overlaps: List<Overlap>
             get() = parts.zipWithNext { one, other ->
                 if (other.firstX <= one.lastX) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null
@@ -25,5 +25,5 @@ internal class Merged(val recording: Recording, val groups: List<Group>, val ren
     }
 }
 
-/** A stretch of x, [from] until [to], in which both [one] and [other] have rows. */
+/** A range of x, [from] until [to], in which both [one] and [other] have rows. */
 internal class Overlap(val one: LogPart, val other: LogPart, val from: Double, val to: Double)

@@ -4,14 +4,14 @@ import badlog.recording.Value
 import badlog.rules.PART_VALUE
 import badlog.text.freeName
 
-/** Gives each topic, or each value, of a merge a name of its own. */
+/** Gives each topic, or each value, of a merge a unique name. */
 internal class MergedNames {
     private val taken = HashSet<String>()
 
-    /** What is called otherwise than in its log. */
+    /** What has a different name than in its log. */
     val renamed = ArrayList<Renaming>()
 
-    /** [name], or where that is taken, for the [reason] if there is one, [name] in a folder that is called like the file of [part]. */
+    /** Returns [name], or, if that is taken, or for [reason] if there is one, [name] in a folder with the file name of [part]. */
     fun take(name: String, part: LogPart, reason: String = ""): String {
         if (taken.add(name)) return name
         val inFolder = "${part.folder}/$name"
@@ -20,12 +20,12 @@ internal class MergedNames {
         return free
     }
 
-    /** The values of all [parts], those that say the same once. */
+    /** Returns the values of all [parts], equal ones once. */
     fun values(parts: List<LogPart>): List<Value> {
         val values = ArrayList<Value>()
         for (part in parts) {
             for (value in part.recording.values) {
-                // Parts that are put together may be whole again.
+                // Merged parts may be a whole log again.
                 if (value.name != PART_VALUE && value !in values) values += value.copy(name = take(value.name, part))
             }
         }
@@ -33,5 +33,5 @@ internal class MergedNames {
     }
 }
 
-/** What is called [from] in [part] is called [to] in the merge, for the [reason] where that is not only that the name was taken. */
+/** Something called [from] in [part] and [to] in the merge, because of [reason], unless the name was just taken. */
 internal class Renaming(val part: LogPart, val from: String, val to: String, val reason: String = "")

@@ -16,14 +16,14 @@ import badlog.wpilog.record.RecordPiece
 import java.nio.file.Path
 
 /**
- * Makes one WPILOG of the records of several logs, as they stand there.
+ * Makes one WPILOG of the unchanged records of several logs.
  *
  * @param parts the logs, without rows.
  */
 internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
     private class Source(val part: LogPart, val records: RecordLog)
 
-    /** What several logs of a group may have: what [first] calls [entry], with the records of all of them. */
+    /** An entry that several logs of a group may have: [entry] in [first], with the records of all of them. */
     private class Lane(val name: String, val first: Source, val entry: RecordEntry) {
         val pieces = ArrayList<RecordPiece>()
 
@@ -37,11 +37,11 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
     private val schemas = HashMap<Pair<String, String>, Lane>()
     private val groups: List<List<LogPart>> = mode.groupsOf(parts).map { group -> group.sortedBy { it.firstX } }
 
-    /** What the logs that have rows say and no record can. */
+    /** What the logs with rows contain and records cannot express. */
     var leftOut = Omissions()
         private set
 
-    /** Writes all to [target]; returns what came of it. To be called once. */
+    /** Writes everything to [target], and returns the result. Call it once. */
     fun write(target: Path, progress: Progress): Merged {
         val sources = groups.map { group -> group.map(::sourceOf) }
         val lanes = valueLanes(sources.flatten()) + sources.flatMap(::lanesOf)
@@ -53,7 +53,7 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
         )
         newLog(target) { stream -> merge.write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
         val written = readRecording(target, LOG_FORMATS, keepSamples = false)
-        // Only logs that follow each other repeat something.
+        // Only consecutive logs can repeat records.
         val repeated = groups.map { group -> lanes.indices.filter { lanes[it].first.part in group }.sumOf { merge.repeated[it] } }
         return Merged(written, groups.zip(repeated) { group, count -> Merged.Group(group, count) }, names.renamed + valueNames.renamed)
     }
@@ -65,25 +65,25 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
         return Source(part, records)
     }
 
-    /** Values that say the same are there once. */
+    /** Returns the lanes of values; equal ones are included once. */
     private fun valueLanes(sources: List<Source>): List<Lane> {
         val known = HashSet<Pair<String, List<Byte>>>()
         return sources.flatMap { source ->
-            // Parts that are put together may be whole again.
+            // Merged parts may be a whole log again.
             val values = source.records.entries.filter { it.isValue && it.size > 0 && it.name != PART_VALUE }
             values.filter { known.add(it.name to it.payload(it.size - 1).asList()) }
                 .map { entry -> Lane(valueNames.take(entry.name, source.part), source, entry).apply { add(source, entry) } }
         }
     }
 
-    /** What logs of a [group] call by one name becomes one entry, where it is of one type. */
+    /** Returns the lanes of a [group]: entries with the same name become one, if they have the same type. */
     private fun lanesOf(group: List<Source>): List<Lane> {
         val made = ArrayList<Lane>()
         val known = HashMap<Pair<String, String>, Lane>()
         for (source in group) {
             for (entry in source.records.entries) {
                 if (entry.isValue) continue
-                // What describes a type is meant for all logs, and found by its name.
+                // Type descriptions apply to all logs, and are found by name.
                 val alike = if (SCHEMA_FOLDER in entry.name) schemas else known
                 alike.getOrPut(entry.name to entry.type) {
                     val other = made.find { it.name == entry.name && it.entry.type != entry.type }

@@ -16,22 +16,22 @@ import java.time.LocalDateTime
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
-/** A Driver Station log that becomes part of a merge, beside the robot's log on whose clock it stands as [fit] says. */
+/** A Driver Station log that becomes part of a merge, beside the robot's log, with [fit] for their clocks. */
 internal class StationPart(val part: LogPart, val fit: ClockFit) {
-    /** It at the times of [robot]; what was before those begin is left out. */
+    /** Returns it at the times of [robot]; anything before those begin is omitted. */
     fun beside(robot: LogPart): LogPart {
         val all = if (part.firstX + fit.seconds < 0) part.from(-fit.seconds + ONE_MICRO) else part
         return all.later(fit.seconds).withStartOf(robot)
     }
 
     companion object {
-        /** So that rounding brings nothing before 0. */
+        /** So that rounding puts nothing before 0. */
         private const val ONE_MICRO = 1e-6
 
         /**
-         * The Driver Station log of the match that [robot] is the log of, below [folder].
+         * Returns the Driver Station log of the same match as [robot], below [folder].
          *
-         * @throws Failure when none can be told to be it.
+         * @throws Failure if none can be identified.
          */
         fun of(robot: LogPart, folder: Path): StationPart {
             val logs = StationLogs(folder)
@@ -46,11 +46,11 @@ internal class StationPart(val part: LogPart, val fit: ClockFit) {
     }
 }
 
-/** The same log from [seconds] on. */
+/** Returns the same log from [seconds] on. */
 private fun LogPart.from(seconds: Double): LogPart =
     LogPart(file, samplePart(LogView.of(recording), listOf(Span(seconds, maxOf(seconds, lastX)))).recording)
 
-/** This log, which was moved beside [robot], with the time of day at which x is 0 now; without it where [robot] has its own. */
+/** Returns this log, which was moved beside [robot], with the time of day at which its new x is 0; without it if [robot] has its own. */
 private fun LogPart.withStartOf(robot: LogPart): LogPart {
     val start = loggedStart(recording)
     val values = recording.values.mapNotNull { value ->

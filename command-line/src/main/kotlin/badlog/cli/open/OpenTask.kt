@@ -19,7 +19,7 @@ import kotlin.io.path.div
 /**
  * Opens [path] in the window of [computer], or the page of its newest log in the browser.
  *
- * @param isPage whether to open the page in any case.
+ * @param isPage whether to always open the page.
  */
 internal class OpenTask(private val path: Path, private val isPage: Boolean, private val computer: Computer, private val isJson: Boolean) :
     Task {
@@ -47,7 +47,7 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
         val plan = OutputPlan(OutputPlan.Output(page, isFolder = false), listOf(log), isForced = true)
         val search = Search(null, isWithoutRules = false, emptyList(), emptyList())
         val code = ExportTask(listOf(log), plan, emptyList(), null, search, isJson = false).run(console.withoutResults())
-        // The page itself reports what is lost of the log.
+        // The page itself reports lost data.
         if (code == ExitCode.NOTHING ||
             code == ExitCode.USAGE
         ) {
@@ -60,7 +60,7 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
         outcomes.opened(log, "page", "Opened the page of $log in the browser.", code == ExitCode.SALVAGED)
     }
 
-    /** The log that was written last; null when there is none, which is reported. */
+    /** Returns the log that was written last; null if there is none, which is reported. */
     private fun newest(outcomes: Outcomes): Path? {
         val found = LogSearch().find(listOf(path))
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)

@@ -9,9 +9,9 @@ import badlog.wpilog.WpilogWriter
 import java.nio.file.Path
 
 /**
- * A format that logs can be written in. A new one is a case here, with what it needs to write.
+ * A format in which logs can be written. To add one, add a case here with its writer.
  *
- * @property ending how the names of such files end.
+ * @property ending the ending of such files' names.
  */
 internal enum class LogFormat(val ending: String, private val recordingFormat: RecordingFormat) {
     /** A line of JSON, then CSV. */
@@ -24,18 +24,19 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     WPILOG(".wpilog", RecordingFormat.WPILOG),
     ;
 
-    /** What `--to` calls it. */
+    /** Its name for `--to`. */
     val option: String get() = name.lowercase()
 
     /** Whether a log of this format has rows. */
     val hasRows: Boolean get() = this != WPILOG
 
     /**
-     * Writes the rows [runs], which ascend, of [recording]; all samples of one that has no rows, which needs a format without.
+     * Writes the rows [runs], which ascend, of [recording]; for a recording without rows, all samples, which needs a format
+     * without rows.
      *
-     * @param changesOnly whether a sample is left out that is the same as the one before it; only in a format without rows.
-     * @param progress hears how much is written, and how much there is.
-     * @return what this format has no place for.
+     * @param changesOnly whether to skip a sample that equals the previous one; only in a format without rows.
+     * @param progress called with the amount written so far, and the total.
+     * @return what this format cannot express.
      */
     fun write(
         recording: Recording,
@@ -50,9 +51,9 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     }
 
     /**
-     * Makes sure that [recording] can be written so, to [target].
+     * Checks that [recording] can be written to [target] in this format.
      *
-     * @throws Failure when it has no rows, which this format needs.
+     * @throws Failure if it has no rows, which this format needs.
      */
     fun require(recording: Recording, target: Path) {
         if (!hasRows || recording.format.hasRows) return
@@ -62,22 +63,22 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     }
 
     companion object {
-        /** The format that a file's name asks for, or null when it has none. */
+        /** Returns the format for a file's name, or null if it has none. */
         fun ofName(path: Path): LogFormat? = FileName.of(path).let { name ->
             entries.find { it.ending == name.ending.lowercase() } ?: BAG.takeIf { name.ending.lowercase() == ".badbag" }
         }
 
-        /** The format that is nearest to what [recording] was read from. */
+        /** Returns the format most similar to the one [recording] was read from. */
         fun of(recording: Recording): LogFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
 
-        /** What a log that is made of [recording] is called: as its [file], where it is of the format that this is written in. */
+        /** Returns the name of a log made from [recording]: that of its [file], if that has the format in which it is written. */
         fun nameFor(file: Path, recording: Recording): FileName = FileName.of(file).let { name ->
             if (entries.any { it.recordingFormat == recording.format }) name else name.like(of(recording).ending)
         }
     }
 }
 
-/** Writes the rows [runs] of [recording], or all samples of one without rows, as a WPILOG; returns what that cannot carry. */
+/** Writes the rows [runs] of [recording], or all samples of one without rows, as a WPILOG; returns what that cannot express. */
 internal fun writeSamples(
     recording: Recording,
     runs: List<IntRange>,

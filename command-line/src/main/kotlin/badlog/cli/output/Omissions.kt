@@ -6,16 +6,16 @@ import badlog.cli.text.wrapped
 import badlog.wpilog.Omission
 
 /**
- * What a written file has no place for, or holds otherwise than what it was made of.
+ * What a written file cannot express, or contains differently than its source.
  *
- * @param things what is not there, each as a short text such as `38 units`.
- * @param omissions what a WPILOG cannot carry.
+ * @param things what is missing, each as a short text such as `38 units`.
+ * @param omissions what a WPILOG cannot express.
  */
 internal class Omissions(private val things: List<String> = emptyList(), private val omissions: List<Omission> = emptyList()) {
-    /** What follows the count of what was written. */
+    /** The text after the count of what was written. */
     val tail: String get() = if (things.isEmpty()) "" else "; without ${things.joinToString()}"
 
-    /** What stands below it: a line or more for each way in which something differs, however many topics that concerns. */
+    /** The lines below it: one or more for each kind of difference, however many topics that concerns. */
     val lines: List<String>
         get() = omissions.groupBy { it.what }.map { (what, alike) ->
             wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
@@ -44,7 +44,7 @@ internal class Omissions(private val things: List<String> = emptyList(), private
     companion object {
         private const val INDENT = 4
 
-        /** [count] of [noun] as one of the things, or null when there are none. */
+        /** Returns [count] of [noun] as one of the things, or null for 0. */
         fun thing(count: Int, noun: String): String? = if (count == 0) null else counted(count.toLong(), noun)
     }
 }

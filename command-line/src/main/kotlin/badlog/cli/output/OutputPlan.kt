@@ -13,13 +13,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Decides where results go, and never onto what is read.
+ * Decides where results go, never overwriting an input.
  *
- * A single log that was named goes to [out] itself, unless that is a folder or ends in a slash. All others go into the folder
- * [out], in the sub-folders in which they were found. Without [out], each stands beside its log.
+ * A single named log goes to [out] itself, unless that is a folder or ends in a slash. All others go to the folder [out], in
+ * the subfolders in which they were found. Without [out], each result is beside its log.
  *
- * @param paths what was named on the command line.
- * @param isForced whether an older file may be replaced.
+ * @param paths the paths given on the command line.
+ * @param isForced whether existing files may be replaced.
  */
 internal class OutputPlan(private val out: Output?, private val paths: List<Path>, private val isForced: Boolean) {
     /**
@@ -36,12 +36,12 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 
     private val taken = HashSet<String>()
 
-    // Looked for before anything is written, so that no result of this run is among them.
+    // Determined before anything is written, so that it does not include results of this run.
     private val read: Set<Path> by lazy {
         LogSearch().find(paths).inputs.filter { Files.exists(it.file) }.mapTo(HashSet()) { it.file.toRealPath() }
     }
 
-    /** The one file that [out] names, or null when it is a folder or nothing. */
+    /** The single file that [out] names, or null if it is a folder or missing. */
     val file: Path? by lazy { out?.path?.takeUnless { out.isFolder || Files.isDirectory(it) || !isSingle() } }
 
     /** Whether [out] is given. */
@@ -50,11 +50,11 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
     private fun isSingle() = paths.size == 1 && !Files.isDirectory(paths[0])
 
     /**
-     * Where the result of [input] goes.
+     * Returns where the result of [input] goes.
      *
      * @param besideName its name beside its log.
      * @param folderName its name in the folder for all.
-     * @throws Failure when that would replace something.
+     * @throws Failure if that would replace something.
      */
     fun place(input: LogInput, besideName: String, folderName: String): Path {
         file?.let { return checked(it) }
@@ -66,7 +66,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
         return checked(free(wanted))
     }
 
-    /** [target], which is not read, and does not exist unless it may be replaced. */
+    /** Returns [target] after checking that it is not an input, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
         val read = read
         if (Files.isDirectory(target)) throw Failure("$target is a folder; name another file, or one inside it.")
@@ -78,7 +78,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
         return target
     }
 
-    /** Of two logs that would have one result, the second gets a number. */
+    /** Returns a free path: if two logs would have the same result, the second gets a number. */
     private fun free(wanted: Path): Path {
         val folder = wanted.toAbsolutePath().normalize().parent
         val name = FileName.of(wanted).fitting().free { taken.add(folder.resolve(it).toString().lowercase()) }
@@ -86,13 +86,13 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
     }
 }
 
-/** The options of everything that writes one file for each log. */
+/** The options of all commands that write one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { OutputPlan.Output.of(it) }
         .help("Write to this file, or for several logs to this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
-    /** The plan for the logs below [paths]. */
+    /** Returns the plan for the logs below [paths]. */
     fun plan(paths: List<Path>) = OutputPlan(out, paths, isForced)
 
     /** What `--out` names, or null. */

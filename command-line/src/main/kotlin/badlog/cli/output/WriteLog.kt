@@ -13,13 +13,12 @@ import java.nio.file.Path
 import java.util.zip.GZIPOutputStream
 
 /**
- * Writes the rows [runs] of [recording], or its samples, to [target], which is there whole or as it was before; gzipped when
- * its name ends so.
+ * Writes the rows [runs] of [recording], or its samples, to [target], atomically; gzipped if its name ends in `.gz`.
  *
- * @param changesOnly whether samples are left out that are the same as those before them.
- * @return what [format] has no place for.
- * @throws badlog.file.UnwritableFileException when it cannot be written.
- * @throws badlog.cli.input.Failure when the format needs rows, and there are none.
+ * @param changesOnly whether to skip samples that equal the previous ones.
+ * @return what [format] cannot express.
+ * @throws badlog.file.UnwritableFileException if it cannot be written.
+ * @throws badlog.cli.input.Failure if the format needs rows, and there are none.
  */
 internal fun writeLog(
     recording: Recording,
@@ -36,9 +35,9 @@ internal fun writeLog(
 }
 
 /**
- * Makes [target] of what [write] writes: there whole or as it was before, gzipped when its name ends so.
+ * Creates [target] with what [write] writes, atomically; gzipped if its name ends in `.gz`.
  *
- * @throws badlog.file.UnwritableFileException when it cannot be written.
+ * @throws badlog.file.UnwritableFileException if it cannot be written.
  */
 internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T = writeAtomically(target) { out ->
     val gzip = if (FileName.of(target).isGzip) GZIPOutputStream(out, 1 shl 16) else null
@@ -48,11 +47,11 @@ internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T = writeAtom
 }
 
 /**
- * Makes [target] a copy of [log], inflated and perhaps compressed again, without its last [lostBytes], to the byte.
+ * Makes [target] an exact copy of [log], inflated and possibly compressed again, without its last [lostBytes].
  *
- * @param progress hears how many bytes are copied, and how many there are.
- * @throws badlog.file.UnwritableFileException when it cannot be written.
- * @throws badlog.file.UnreadableFileException when the log cannot be read.
+ * @param progress called with the number of bytes copied so far, and the total.
+ * @throws badlog.file.UnwritableFileException if it cannot be written.
+ * @throws badlog.file.UnreadableFileException if the log cannot be read.
  */
 internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: Progress) {
     var size = -lostBytes
@@ -68,7 +67,7 @@ internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: P
     }
 }
 
-/** Gives the bytes of [log] to [sink], inflated if need be. */
+/** Passes the bytes of [log] to [sink], inflated if necessary. */
 internal fun inflate(log: Path, sink: (ByteArray, Int) -> Unit) = unpacked(log) { unpacked -> inflateGzip(unpacked.path, sink) }
 
 private fun inflateGzip(log: Path, sink: (ByteArray, Int) -> Unit) = reading(log) {

@@ -5,7 +5,7 @@ import badlog.bag.RecordingWriter
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 
-/** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that has no place for. */
+/** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that cannot express. */
 internal fun writeRows(
     recording: Recording,
     format: RecordingFormat,
@@ -22,7 +22,7 @@ internal fun writeRows(
     }
     var done = 0L
     for (run in runs) {
-        // Each time the writer begins with the header, which stands there once.
+        // Each time, the writer begins with the header, which is needed only once.
         var skipped = 0
         val base = done
         writer.write(run.first, run.last + 1, { rows, _ -> progress(base + rows, total) }) { bytes, size ->

@@ -12,17 +12,17 @@ import kotlin.io.path.extension
 import kotlin.io.path.listDirectoryEntries
 
 /**
- * Finds the commands whose libraries would weigh on those who never call them. They are services, such as [McpService], in jars of
- * a folder of their own, and get a class loader of their own when one of them is called.
+ * Finds commands whose libraries are too large for people who never use them. They are services, such as [McpService], in jars in
+ * a separate folder, and are loaded by a separate class loader when one of them is called.
  *
- * @param program where the program's classes come from. What provides a service there, as when Gradle runs it, is taken first.
- * @param folder where the jars are otherwise.
+ * @param program the loader of the program's classes. A service found there, as when Gradle runs it, takes precedence.
+ * @param folder the folder of the jars otherwise.
  */
 internal class PartLoader(private val program: ClassLoader, private val folder: Path) {
     /**
-     * Calls [command] by giving its service to [work].
+     * Calls [command] by passing its service to [work].
      *
-     * @return what came of it; [ExitCode.NOTHING] where the service is missing, which is reported to [console] with how to get it.
+     * @return the result; [ExitCode.NOTHING] if the service is missing, which is reported to [console] with how to get it.
      */
     fun <S : Any> call(command: String, service: Class<S>, console: Console, work: (S) -> ExitCode): ExitCode {
         val (loader, found) = find(service) ?: run {
@@ -34,7 +34,7 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
         }
         val thread = Thread.currentThread()
         val before = thread.contextClassLoader
-        // Libraries look for their own parts by it.
+        // Libraries use it to find their own parts.
         thread.contextClassLoader = loader
         try {
             return work(found)
@@ -61,7 +61,7 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
         /** The folder beside the program's jars. */
         const val FOLDER = "season"
 
-        /** Where the program that runs has its parts. */
+        /** Returns the loader for the parts of the running program. */
         fun ofProgram(): PartLoader {
             val jar = Path.of(PartLoader::class.java.protectionDomain.codeSource.location.toURI())
             return PartLoader(PartLoader::class.java.classLoader, jar.resolveSibling(FOLDER))
@@ -70,8 +70,8 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
 }
 
 /**
- * Loads classes from [jars] before it asks [program] for them, so that a part may have other versions of libraries than the program;
- * only Java, Kotlin and badlog itself are the program's, since both talk with each other by them.
+ * Loads classes from [jars] before [program], so that a part may have other versions of libraries than the program. Only Java,
+ * Kotlin and badlog itself come from the program, because both communicate through them.
  */
 private class PartClassLoader(jars: List<Path>, private val program: ClassLoader) :
     URLClassLoader("part", jars.map { it.toUri().toURL() }.toTypedArray(), program) {

@@ -5,15 +5,15 @@ import badlog.rules.RuleSet
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 
-/** What `badlog lake` and `badlog sql` call: folders of logs as tables. Each function throws [SeasonException] where it cannot do what it says. */
+/** What `badlog lake` and `badlog sql` call: folders of logs as tables. Each function throws [SeasonException] if it fails. */
 public interface SeasonService {
-    /** Whether [folder] is a lake. */
+    /** Returns whether [folder] is a lake. */
     public fun isLake(folder: Path): Boolean
 
     /**
-     * Makes the lake [lake] have [logs], each with what it is called there. Of those that it has below [roots] it forgets the others.
+     * Updates the lake [lake] to [logs], each with its name there. Other logs below [roots] are removed from it.
      *
-     * @param progress hears how many of the changed logs are done. What it throws stops the work and is passed on.
+     * @param progress called with the number of changed logs that are done. An exception from it stops the work and is passed on.
      */
     public fun refresh(
         lake: Path,
@@ -27,24 +27,24 @@ public interface SeasonService {
     public fun open(lake: Path, output: Path?): SqlSession
 }
 
-/** Why something cannot be done with a lake. The message is for a person. */
+/** Thrown if something cannot be done with a lake. The message is for the user. */
 public class SeasonException(override val message: String) : Exception(message)
 
 /**
- * What became of a lake.
+ * The result for a lake.
  *
- * @property logs what became of each log, in their order.
- * @property removed how many logs it forgot, whose files are gone.
+ * @property logs the result for each log, in order.
+ * @property removed the number of removed logs, whose files are gone.
  */
 public class LakeReport(public val logs: List<LakeState>, public val removed: Int)
 
 /**
- * What became of a log in a lake.
+ * The result for a log in a lake.
  *
- * @property message why it is not there, as a sentence; null when it is.
- * @property isNoLog whether it is something else than a log.
- * @property isSalvaged whether it was written and something of it is lost.
- * @property isWritten whether it was written; else the lake had it already.
+ * @property message why it was not added, as a sentence; null if it was.
+ * @property isNoLog whether it is something other than a log.
+ * @property isSalvaged whether it was written and some of its data is lost.
+ * @property isWritten whether it was written; otherwise it was already in the lake.
  */
 public class LakeState(
     public val message: String?,
@@ -55,27 +55,27 @@ public class LakeState(
 
 /** A lake that answers queries, see [SeasonService.open]. */
 public interface SqlSession : AutoCloseable {
-    /** Answers [sql]: gives its columns to [columns], then each row to [row], until that says false. */
+    /** Answers [sql]: passes its columns to [columns], then each row to [row], until that returns false. */
     public fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean)
 
-    /** Writes the answer to [sql] to the file that was named; returns how many rows it has. */
+    /** Writes the answer to [sql] to the specified file. Returns the number of rows. */
     public fun write(sql: String): Long
 
-    /** What queries may name. */
+    /** Returns the tables that queries can use. */
     public fun tables(): List<SqlTable>
 }
 
 /**
  * A column of an answer.
  *
- * @property type what SQL calls its type.
+ * @property type its SQL type.
  * @property isNumber whether it has numbers.
  */
 public class SqlColumn(public val name: String, public val type: String, public val isNumber: Boolean)
 
 /**
- * A table that queries may name.
+ * A table that queries can use.
  *
- * @property meaning what a row of it is.
+ * @property meaning the meaning of a row.
  */
 public class SqlTable(public val name: String, public val meaning: String, public val columns: List<SqlColumn>)

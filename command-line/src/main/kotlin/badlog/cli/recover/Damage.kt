@@ -15,7 +15,7 @@ import badlog.recording.Severity
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** What a damaged log has lost, and what was mended in it. */
+/** What a damaged log has lost, and what was repaired in it. */
 internal class Damage(private val recording: Recording) {
     private val problems: List<Problem> =
         recording.problems.filter { it.severity == Severity.ERROR || it.kind in MENDED }
@@ -25,16 +25,16 @@ internal class Damage(private val recording: Recording) {
 
     private val total: Loss = problems.map { it.loss }.fold(Loss.NONE, Loss::plus)
 
-    /** Whether more is lost than stands in the file, nobody knows how much. */
+    /** Whether data is lost that never reached the file, in an unknown amount. */
     private val isOpenEnded: Boolean = problems.any { it.kind in OPEN_ENDED }
 
-    /** How many bytes are lost at the end, 0 when none are; null when what is lost stands elsewhere, or everywhere. */
+    /** The number of bytes lost at the end, 0 if none; null if data is lost elsewhere. */
     val bytesAtEnd: Long? = if (problems.all { it.kind in AT_END }) total.bytes else null
 
     // Other logs have records instead of rows of cells.
     private val hasRows: Boolean = recording.format.hasRows
 
-    /** What to say about [file], whose clean log is [target], which has no place for [leftOut], or which needs none. */
+    /** Returns the outcome for [file], whose clean log is [target] without [leftOut]; null for [target] if it needs none. */
     fun outcome(file: Path, target: Path?, leftOut: Omissions): Outcome {
         val json = RecoverJson(
             target?.toString(),
@@ -68,7 +68,7 @@ internal class Damage(private val recording: Recording) {
     }
 
     private companion object {
-        /** Nothing is lost by these, but a clean log has none of them. */
+        /** These lose nothing, but a clean log has none of them. */
         val MENDED = setOf(
             ProblemKind.LINES_JOINED,
             ProblemKind.QUOTES_REPAIRED,

@@ -77,9 +77,9 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
 }
 
 /**
- * Reads [written] again, which was made of [recording], and makes sure that it is whole and holds as much.
+ * Reads [written] again, which was made from [recording], and checks that it is complete and has the same content.
  *
- * @throws Failure when it is not.
+ * @throws Failure if it is not.
  */
 internal fun requireSame(recording: Recording, written: Path) {
     val again = readRecording(written, LOG_FORMATS, keepSamples = false)
@@ -92,7 +92,7 @@ internal fun requireSame(recording: Recording, written: Path) {
     }
 }
 
-/** What its cells hold, however they are written. */
+/** Returns the content of its cells, regardless of how they are written. */
 private fun contentOf(topic: Topic): List<Any> {
     val counts = topic.counts
     return listOf(topic.name, counts.numbers + counts.truthValues, counts.texts)

@@ -78,9 +78,9 @@ internal class ReplayCommand :
 }
 
 /**
- * Serves [file] with [virtualTopics] to dashboards until its end, or, where it [isLooping], until the program is ended.
+ * Serves [file] with [virtualTopics] to dashboards until its end, or, if [isLooping], until the program is ended.
  *
- * @param xTopic the topic to take as x axis, or null.
+ * @param xTopic the topic to use as x axis, or null.
  */
 internal class ReplayTask(
     private val file: Path,
@@ -120,7 +120,7 @@ internal class ReplayTask(
         return outcomes.end()
     }
 
-    /** Of a WPILOG, what its records hold, which its topics do not: structs, arrays, raw bytes. */
+    /** Returns, for a WPILOG, the content of its records that its topics do not have: structs, arrays, raw bytes. */
     private fun loggedTopics(recording: Recording): List<LoggedTopic> {
         if (recording.format != RecordingFormat.WPILOG) return emptyList()
         return recordsOf(file).entries.filter { !it.isValue }.map { entry ->
@@ -158,7 +158,7 @@ internal class ReplayTask(
         var refusal: String? = null
         while (isLooping || !server.isAtEnd) {
             Thread.sleep(LOOK_MILLIS)
-            // Once, and not for each message that follows.
+            // Once, not for each further message.
             if (note == null) note = server.note?.also(console::warn)
             if (refusal == null) refusal = server.refusal?.also(console::warn)
             val clients = server.clientNames
@@ -166,7 +166,7 @@ internal class ReplayTask(
             for (name in known - clients.toSet()) console.warn("$name disconnected.")
             known = clients
         }
-        // The last values are on their way.
+        // The last values are still being sent.
         Thread.sleep(LOOK_MILLIS)
         server.note?.takeIf { it != note }?.let(console::warn)
     }

@@ -10,15 +10,15 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
- * The pages of the logs, made as soon as each log was looked at, and their index.
+ * The pages of the logs, made as soon as each log was examined, and their index.
  *
- * @throws ExportException when the index cannot stand where it is to stand.
+ * @throws ExportException if the index cannot be written to its place.
  */
 internal class ReportPages(private val folder: ReportFolder) {
     private val pages = HashMap<LogReport, Path>()
     private val failures = HashMap<LogReport, String>()
 
-    /** Where the index is, once it is written. */
+    /** The path of the index, once it is written. */
     var index: Path? = null
         private set
 
@@ -38,10 +38,10 @@ internal class ReportPages(private val folder: ReportFolder) {
     /** Why [log] has no page, or null. */
     fun failureOf(log: LogReport): String? = failures[log]
 
-    /** What a program reads about the page of [log]. */
+    /** Returns the properties of the page of [log] for programs. */
     fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
-    /** Writes the index of [result], where at least one log could be read. */
+    /** Writes the index of [result], if at least one log could be read. */
     fun finish(result: ReportResult, outcomes: Outcomes) {
         folder.problemsBeside.forEach(outcomes::leaveOut)
         if (result.logs.all { it.unreadable != null }) return

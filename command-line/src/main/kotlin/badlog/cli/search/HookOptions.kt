@@ -11,7 +11,7 @@ import com.github.ajalt.clikt.parameters.options.validate
 import com.github.ajalt.clikt.parameters.types.double
 import kotlin.time.Duration.Companion.seconds
 
-/** Options of everything that runs programs of the user's for each log. */
+/** The options of all commands that run hooks. */
 internal class HookOptions : OptionGroup() {
     private val hooks by option("--hook", metavar = "COMMAND").convert { text ->
         try {

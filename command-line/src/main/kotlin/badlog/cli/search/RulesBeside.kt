@@ -8,7 +8,9 @@ import badlog.rules.signal.SignalVocabulary
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The rules that lie beside the logs at [paths], where all of them have the same; else the built-in ones. Mistakes in them are reported. */
+/**
+ * Returns the rules beside the logs at [paths], if they are the same for all; otherwise the built-in ones. Mistakes in them are reported.
+ */
 internal fun rulesBeside(paths: List<Path>, warn: (String) -> Unit): RuleSet {
     val beside = paths.map { FolderRules.of(if (Files.isDirectory(it)) it.resolve(RulesFile.NAME) else it) }
     val rules = beside.distinctBy { it.file to it.rules.signals }.singleOrNull() ?: return RuleSet.BUILT_IN
@@ -16,5 +18,5 @@ internal fun rulesBeside(paths: List<Path>, warn: (String) -> Unit): RuleSet {
     return rules.rules
 }
 
-/** What topics are called in [log], as a file beside it says, too. */
+/** Returns the names of topics in [log], including those from a file beside it. */
 internal fun signalsBeside(log: Path): SignalVocabulary = FolderRules.of(log).rules.signals

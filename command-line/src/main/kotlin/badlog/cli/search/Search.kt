@@ -14,7 +14,7 @@ import java.nio.file.Path
 /**
  * What to look for in logs.
  *
- * @property virtualTopics definitions of topics that logs have beside their own.
+ * @property virtualTopics definitions of topics added to the logs' own.
  */
 internal class Search(
     private val rules: Path?,
@@ -25,9 +25,9 @@ internal class Search(
     private val hasOwnRules get() = rules != null && rules != Path.of(DEFAULT_RULES)
 
     /**
-     * The rules that were named; null where nothing is said of rules.
+     * Returns the rules that were specified; null if none were.
      *
-     * @throws SearchException when there are no such rules.
+     * @throws SearchException if there are no such rules.
      */
     fun namedRules(): RulesFile? = when {
         isWithoutRules -> RulesFile.NONE
@@ -36,14 +36,14 @@ internal class Search(
         else -> read(rules)
     }
 
-    /** All programs to run. Those that [named] names are among them, since the person who named that file knows them. */
+    /** Returns all hooks to run, including those in [named], since the user specified that file. */
     fun hooksWith(named: RulesFile?): List<HookRunner> =
         hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
-    /** Those of [skipped] that the user has to know: a log need not have all that badlog's own rules look for. */
+    /** Returns those of [skipped] that the user must know: a log need not have everything that the built-in rules look for. */
     fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
-    /** Of the rules that were refused by each of many logs, [skipped], those that all of them refused. */
+    /** Returns the rules that were skipped for all logs; [skipped] has those of each log. */
     fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
         reportedOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 
@@ -68,5 +68,5 @@ internal class Search(
     }
 }
 
-/** Nothing can be looked for as it was asked. The message is for a person. */
+/** Thrown if a search cannot be run as requested. The message is for the user. */
 internal class SearchException(override val message: String) : Exception(message)

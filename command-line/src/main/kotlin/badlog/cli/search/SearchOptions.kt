@@ -7,13 +7,13 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 
-/** Options of everything that looks for something in logs by rules. */
+/** The options of all commands that run rules. */
 internal class SearchOptions : OptionGroup() {
     private val rules by option("--rules", metavar = "FILE").path()
         .help("Rules in TOML, or “${Search.DEFAULT_RULES}” for the built-in ones.")
     private val isWithoutRules by option("--no-rules").flag().help("No rules at all.")
 
-    /** What they ask for, beside what [hooks] find, where logs also have the topics of [virtualTopics]. */
+    /** Returns the requested search, with [hooks] and the virtual topics [virtualTopics]. */
     fun search(hooks: HookOptions, virtualTopics: List<String>): Search {
         if (isWithoutRules && rules != null) throw UsageError("--rules and --no-rules exclude each other")
         return Search(rules, isWithoutRules, hooks.runners, virtualTopics)

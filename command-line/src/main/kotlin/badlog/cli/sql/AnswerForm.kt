@@ -12,7 +12,7 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /** How answers are printed. */
 internal enum class AnswerForm {
-    /** A table; of long answers its beginning. */
+    /** A table; for long answers, its beginning. */
     TEXT {
         override fun print(session: SqlSession, sql: String, console: Console) {
             var columns = emptyList<SqlColumn>()
@@ -71,7 +71,7 @@ internal enum class AnswerForm {
         private const val MAX_ROWS = 1000
         private const val MAX_WIDTH = 60
 
-        /** [value] as a person reads it: nothing for null. */
+        /** Returns [value] for people: empty for null. */
         fun textOf(value: JsonElement): String = when (value) {
             is JsonNull -> ""
             is JsonPrimitive -> value.content.removeSuffix(".0")

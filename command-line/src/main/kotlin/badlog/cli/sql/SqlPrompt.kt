@@ -7,7 +7,7 @@ import java.io.InputStream
 
 /** Reads queries, each ended by a semicolon or the end of the input, and prints their answers. A mistake ends only its own query. */
 internal class SqlPrompt(private val session: SqlSession, private val form: AnswerForm, private val console: Console) {
-    /** Answers what stands in [input], until its end, or a line `exit` or `quit`. */
+    /** Answers the queries in [input], until its end, or a line `exit` or `quit`. */
     fun run(input: InputStream) {
         val query = StringBuilder()
         for (line in input.bufferedReader().lineSequence()) {

@@ -18,10 +18,10 @@ import java.nio.file.Path
 import java.util.zip.CRC32
 
 /**
- * Answers [query] about the logs below [folder], or the queries of [input] where it is null.
+ * Answers [query] about the logs below [folder], or the queries in [input] if it is null.
  *
- * @param parquet the file that gets the answer instead; null for none.
- * @param explainsTables whether the tables are listed instead.
+ * @param parquet the file that receives the answer instead; null for none.
+ * @param explainsTables whether to list the tables instead.
  */
 internal class SqlTask(
     private val folder: Path,
@@ -42,7 +42,7 @@ internal class SqlTask(
         }
     }
 
-    /** The lake of [folder], made or refreshed where it is not one itself; and whether all logs are in it. */
+    /** The lake of [folder], made or updated if it is not one itself, and whether all logs are in it. */
     private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
         val logs = LogFiles(listOf(folder), console)
@@ -66,7 +66,7 @@ internal class SqlTask(
         return lake to if (missing.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
     }
 
-    /** What came of it where that is not what came of the lake. */
+    /** Returns the exit code if it differs from that of the lake. */
     private fun answer(session: SqlSession, console: Console): ExitCode? = when {
         explainsTables -> null.also { explain(session, console) }
 

@@ -22,7 +22,7 @@ internal class StationLogs(private val folder: Path) {
     val size: Int get() = logs.size
 
     /**
-     * The one of the match that [robot] is the log of, which stands in [file]; null when none can be told to be it.
+     * Returns the one of the same match as [robot], whose file is [file]; null if none can be identified.
      *
      * @param acceptsOnly see [StationSearch.over].
      */

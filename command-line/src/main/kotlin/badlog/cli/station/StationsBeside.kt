@@ -16,9 +16,9 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Puts the Driver Station's log beside each log of a robot, for rules. Safe for several threads.
+ * Adds the Driver Station's log to each log of a robot, for rules. Thread-safe.
  *
- * @param folder below which those are; empty for the folder of each log.
+ * @param folder the folder to search for them; empty for the folder of each log.
  */
 internal class StationsBeside(private val folder: Path, private val signals: SignalVocabulary) {
     private val logsIn = ConcurrentHashMap<Path, StationLogs>()
@@ -26,7 +26,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
 
     private class Found(val name: String, val fit: ClockFit)
 
-    /** What rules are to be run over for the robot's log [view] of [file]: that, and what only the Driver Station's tells. */
+    /** Returns the view for rules for the robot's log [view] of [file]: that log, plus what only the Driver Station's has. */
     fun over(file: LogFile, view: LogView): LogView {
         if (view.recording.format == RecordingFormat.DRIVER_STATION) return view
         val below = if (folder.toString().isEmpty()) file.path.toAbsolutePath().parent else folder
@@ -36,7 +36,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         return RobotBesideStation(view, station.station.recording, station.fit, signals).forRules
     }
 
-    /** Which log was put beside [file], as a sentence; null for none. */
+    /** Returns a sentence that says which log was added to [file]; null for none. */
     fun sentenceOf(file: LogFile): String? = found[file.path]?.run {
         val how = if (fit.edges >
             1
@@ -48,7 +48,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         "${file.path}: rules also used the Driver Station log $name; $how."
     }
 
-    /** The same for programs. */
+    /** Returns the same for programs. */
     fun jsonOf(file: LogFile): Map<String, JsonElement> = found[file.path]?.run {
         jsonOf(StationJson(StationFitJson(name, fit.seconds, fit.edges, fit.error)))
     }.orEmpty()

@@ -75,7 +75,10 @@ internal class TableCommand :
     }
 }
 
-/** Makes the table that [tableWith] the signals of the logs' folder is, of every log below [paths], with columns for the topics of [only]. */
+/**
+ * Makes the table that [tableWith] returns for the signals of the logs' folder, with a row for every log below [paths], and columns for the
+ * topics of [only].
+ */
 internal class TableTask(
     private val paths: List<Path>,
     private val only: TopicChoice,
@@ -93,7 +96,7 @@ internal class TableTask(
             table.over(logs.files) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
         }
         table.mistakeIn(rows)?.let {
-            // What the question lacks may be what was not defined.
+            // A topic missing in the question may be one that could not be calculated.
             notesOf(rows).forEach(console::warn)
             console.warn(it.pointed)
             return ExitCode.USAGE

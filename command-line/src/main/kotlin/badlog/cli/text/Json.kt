@@ -17,10 +17,10 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.encodeToJsonElement
 import kotlinx.serialization.json.jsonObject
 
-/** [value], whose class says what programs get, as JSON. */
+/** Returns [value], whose class defines what programs receive, as JSON. */
 internal inline fun <reified T> jsonOf(value: T): JsonObject = Json.encodeToJsonElement(value).jsonObject
 
-/** A number that is written without a fraction where it has none, and as null where JSON has no number for it. */
+/** A number that is written without a fraction if it has none, and as null if it is not finite. */
 internal typealias JsonNumber =
     @Serializable(with = JsonNumberSerializer::class)
     Double
@@ -69,9 +69,9 @@ internal class LossJson(private val rows: Int, private val cells: Int, private v
     constructor(loss: Loss) : this(loss.rows, loss.cells, loss.bytes)
 }
 
-/** A stretch of the x axis. */
+/** A part of the x axis. */
 @Serializable
 internal class StretchJson(private val from: JsonNumber, private val to: JsonNumber)
 
-/** [problem] as JSON. */
+/** Returns [problem] as JSON. */
 internal fun json(problem: Problem): JsonElement = jsonOf(ProblemJson(problem))

@@ -5,7 +5,7 @@ import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.abs
 
-/** [number] as a person reads it: at most [digits] digits that count, no zeros that do not; nothing when it is NaN. */
+/** Returns [number] for people: at most [digits] significant digits, without trailing zeros; empty for NaN. */
 internal fun shortNumber(number: Double, digits: Int = DIGITS): String = when {
     number.isNaN() -> ""
 
@@ -19,14 +19,14 @@ internal fun shortNumber(number: Double, digits: Int = DIGITS): String = when {
     }
 }
 
-/** [count] in groups of three digits, parted by commas. */
+/** Returns [count] in groups of three digits, separated by commas. */
 internal fun grouped(count: Long): String = count.toString().reversed().chunked(3).joinToString(",").reversed()
 
-/** [count] things, called [noun] when it is one. */
+/** Returns [count] with its noun, which is [noun] for one. */
 internal fun counted(count: Long, noun: String, nouns: String = noun + "s"): String =
     "${grouped(count)} ${if (count == 1L) noun else nouns}"
 
-/** [bytes] as file managers show them. */
+/** Returns [bytes] as file managers show them. */
 internal fun sizeText(bytes: Long): String = when {
     bytes < 1_000 -> counted(bytes, "byte")
     bytes < 1_000_000 -> "${shortNumber(bytes / 100 / 10.0)} kB"
@@ -38,12 +38,12 @@ private const val DIGITS = 6
 private const val PLAIN_FROM = 1e-4
 private const val PLAIN_TO = 1e9
 
-/** Positions and lengths on an x axis, as a person reads them. */
+/** Positions and lengths on an x axis, for people. */
 internal object XTime {
-    /** [position] in [unit], as a person reads it. */
+    /** Returns [position] in [unit], for people. */
     fun text(position: Double, unit: String): String = shortNumber(position) + if (Units.isNone(unit)) "" else " $unit"
 
-    /** [seconds] as minutes and seconds, `1:32.5`, or from an hour on as `1:20:05`. */
+    /** Returns [seconds] as minutes and seconds, `1:32.5`, or from an hour on as `1:20:05`. */
     fun clock(seconds: Double): String {
         val tenths = Math.round(seconds * 10)
         val whole = tenths / 10

@@ -4,11 +4,11 @@ import badlog.expression.ExpressionError
 import badlog.recording.Problem
 import badlog.recording.Severity
 
-/** A line or more for each of [problems], the worst first, after [indent]. */
+/** Returns a line or more for each of [problems], the worst first, indented by [indent]. */
 internal fun problemLines(problems: List<Problem>, indent: String = ""): List<String> =
     problems.sortedByDescending { it.severity }.map { lineOf(it, indent) }
 
-/** A line or more for each loss among [problems], after two blanks: what one has to know who made something of the log. */
+/** Returns a line or more for each loss among [problems], indented by two spaces, for people who converted the log. */
 internal fun lossLines(problems: List<Problem>): List<String> =
     problemLines(problems.filter { it.severity == Severity.ERROR }, indent = "  ")
 
@@ -21,5 +21,5 @@ private fun lineOf(problem: Problem, indent: String): String {
 
 private const val SEVERITY = 9
 
-/** A line or more for each of [errors], after two blanks: the virtual topics that a log does not get, and why. */
+/** Returns a line or more for each of [errors], indented by two spaces: the virtual topics that could not be calculated, and why. */
 internal fun undefinedLines(errors: List<ExpressionError>): List<String> = errors.flatMap { it.pointed().lines() }.map { "  $it" }

@@ -4,12 +4,12 @@ import badlog.terminal.displayWidth
 import badlog.terminal.printable
 import badlog.terminal.startOf
 
-/** How wide a terminal is, at the least. */
+/** The minimum width of a terminal. */
 internal const val LINE_WIDTH = 80
 
 /**
- * [first], then [text] in lines of [width] that are broken between words, or inside one that is longer than a line; the second
- * and later lines stand [indent] to the right.
+ * Returns [first], then [text] in lines of [width] that are broken between words, or inside a word longer than a line; further
+ * lines are indented by [indent].
  */
 internal fun wrapped(first: String, text: String, indent: Int = displayWidth(first), width: Int = LINE_WIDTH): String {
     val lines = WrappedLines(first, indent, width)

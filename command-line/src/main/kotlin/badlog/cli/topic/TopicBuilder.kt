@@ -8,7 +8,7 @@ import badlog.recording.TopicKind
 /**
  * Builds a topic that is called [name] and is otherwise described as [like], sample by sample.
  *
- * @param most how many samples there will be at most.
+ * @param most the maximum number of samples.
  */
 internal class TopicBuilder(private val name: String, private val like: Topic, most: Int) {
     private val samples = DoubleArray(most)
@@ -24,7 +24,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     private var gaps = 0
     private var isInGap = false
 
-    /** Adds a cell without anything. */
+    /** Adds an empty cell. */
     fun addEmpty() {
         empty++
         add(Double.NaN)
@@ -52,7 +52,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
         add(number)
     }
 
-    /** The topic, whose samples stand at [times], one for each, or in rows. */
+    /** Returns the topic, whose samples are at [times], one for each, or in rows. */
     fun build(times: DoubleArray? = null): Topic {
         val column = TextColumn(textRows.copyOf(texts), textIds.copyOf(texts), dictionary.keys.toList())
         val counts = CellCounts(numbers, notFinite, truthValues, texts, empty, gaps)
@@ -75,7 +75,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     }
 }
 
-/** Gives the cells of [topic], or of none; fastest in the order of its rows or samples. */
+/** Provides the cells of [topic], or of none; fastest in the order of its rows or samples. */
 internal class CellSource(private val topic: Topic?) {
     private var nextText = 0
 

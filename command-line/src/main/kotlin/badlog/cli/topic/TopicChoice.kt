@@ -11,24 +11,25 @@ import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Path
 
 /**
- * Which topics are wanted.
+ * A selection of topics.
  *
- * @property patterns one of these fits the name of each of them; without any, all topics are wanted.
+ * @property patterns topics whose names match one of these are selected; if there are none, all topics are.
  */
 internal class TopicChoice(val patterns: List<NamePattern>) {
-    /** The patterns as a person reads them. */
+    /** The patterns for people. */
     val text: String get() = patterns.joinToString(" or ") { "“${it.text}”" }
 
-    /** Whether no topic is left out. */
+    /** Whether all topics are selected. */
     val isAll: Boolean get() = patterns.isEmpty()
 
-    /** Whether the topic called [name] is wanted. */
+    /** Returns whether the topic called [name] is selected. */
     operator fun contains(name: String): Boolean = isAll || patterns.any { it.matches(name) }
 
     /**
-     * What [view], which was read from [file], has of them, with its x axis and with the topics [needed] besides.
+     * Returns [view], which was read from [file], with only the selected topics, its x axis, and the topics
+     * [needed].
      *
-     * @throws Failure when it has none of them.
+     * @throws Failure if it has none of them.
      */
     fun of(view: LogView, file: Path, needed: List<String> = emptyList()): Recording {
         val recording = view.recording
@@ -42,11 +43,11 @@ internal class TopicChoice(val patterns: List<NamePattern>) {
     }
 }
 
-/** `--only`, for everything that lists or writes topics. */
+/** `--only`, for all commands that list or write topics. */
 internal class OnlyOption : OptionGroup() {
     private val patterns by option("--only", metavar = "PATTERN").multiple()
         .help("Only topics with such a name: 'PDP/*'; may be repeated.")
 
-    /** What it asks for. */
+    /** The requested selection. */
     val choice: TopicChoice get() = TopicChoice(patterns.map(::NamePattern))
 }

@@ -3,7 +3,7 @@ package badlog.cli.topic
 import badlog.recording.Recording
 import badlog.recording.Topic
 
-/** The samples [indices] of this topic, in this order, at [times], or in rows where that is null. */
+/** Returns the samples [indices] of this topic, in this order, at [times], or in rows if that is null. */
 internal fun Topic.part(indices: IntArray, times: DoubleArray? = null): Topic {
     val source = CellSource(this)
     val builder = TopicBuilder(name, this, indices.size)
@@ -11,7 +11,7 @@ internal fun Topic.part(indices: IntArray, times: DoubleArray? = null): Topic {
     return builder.build(times)
 }
 
-/** The rows [runs] of this recording, as a recording. */
+/** Returns the rows [runs] of this recording, as a recording. */
 internal fun Recording.part(runs: List<IntRange>): Recording {
     if (runs == listOf(0 until rowCount)) return this
     val rows = runs.flatMap { it }.toIntArray()

@@ -20,14 +20,14 @@ import java.nio.file.Path
  * @property millis how long each took.
  */
 internal class FrameTimes(val name: String, val millis: List<Double>) {
-    /** The value below which [percent] of the frames lie. */
+    /** Returns the value below which [percent] of the frames lie. */
     fun percentile(percent: Int): Double = millis.sorted()[(millis.size - 1) * percent / 100]
 }
 
 /** A log of so many samples, at 50 Hz. */
 internal const val SAMPLES = 1_000_000
 
-/** A topic of [SAMPLES] samples. */
+/** Returns a topic of [SAMPLES] samples. */
 internal fun topic(name: String, unit: String, attributes: List<String> = emptyList(), value: (Int) -> Double) =
     Topic(name, unit, attributes, DoubleArray(SAMPLES) { value(it) }, TextColumn.EMPTY, CellCounts(SAMPLES, 0, 0, 0, 0, 0))
 

@@ -6,7 +6,7 @@ import java.nio.file.Path
 import kotlin.math.sin
 import kotlin.random.Random
 
-/** How long frames take while a person zooms, pans, and moves the cursor over ten graphs of a million samples each. */
+/** Returns how long frames take while a person zooms, pans, and moves the cursor over ten graphs of a million samples each. */
 internal fun measureFrames(pictures: Path): List<FrameTimes> =
     framesOf(tenSignals(), ::defaultBoard, pictures.resolve("ten-graphs.png")) { window, isReady ->
         val viewer = window.viewer

@@ -11,7 +11,7 @@ import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.random.Random
 
-/** How long frames take while a person zooms into the path of a robot of a million poses, beside its plan, and moves the cursor. */
+/** Returns how long frames take while a person zooms into the path of a robot of a million poses, beside its plan, and moves the cursor. */
 internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
     val lines = listOf("Drive/Pose X", "Drive/Pose Y", "Drive/Target Pose X", "Drive/Target Pose Y")
     val board = Board(listOf(BoardGraph(1, "Path", lines, isXy = true, height = GraphHeight.LARGE.pixels)))

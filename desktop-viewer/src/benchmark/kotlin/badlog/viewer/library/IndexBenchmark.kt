@@ -37,7 +37,7 @@ fun main(args: Array<String>) {
     measureLooks(folder)
 }
 
-/** What starts this program the way it was started, without its arguments. */
+/** Returns what starts this program the way it was started, without its arguments. */
 private fun sameProcess(): List<String> {
     val java = ManagementFactory.getRuntimeMXBean()
     return listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString()) + java.inputArguments +
@@ -77,7 +77,7 @@ private suspend fun measureFindings(indexing: Indexing) {
     println("  most memory of the process so far: ${peakMegabytes()} MB")
 }
 
-/** What the system has counted, as Linux tells it; elsewhere it is not known. */
+/** Returns what the system has counted, as Linux tells it; elsewhere it is not known. */
 private fun peakMegabytes(): Int? = try {
     Files.readAllLines(Path.of("/proc/self/status")).first { it.startsWith("VmHWM") }.filter { it.isDigit() }.toInt() / 1024
 } catch (_: IOException) {

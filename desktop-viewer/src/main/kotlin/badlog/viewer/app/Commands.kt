@@ -28,7 +28,7 @@ import badlog.viewer.topic.TopicListing
 import badlog.viewer.video.LogVideo
 import badlog.viewer.view.AxisView
 
-/** What the keyboard does as on an exported page. */
+/** Returns the keys that do the same as on an exported page. */
 internal fun actionCommands(
     current: CurrentRecording,
     view: AxisView,
@@ -52,16 +52,16 @@ internal fun actionCommands(
     }
 }
 
-/** Goes to the finding that is [steps] further on; beside it stands what to look at next, unless a person reads another panel. */
+/** Goes [steps] findings forward. The panel shows what to look at next, unless a person is reading another panel. */
 private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels) {
     findings.step(steps)
-    // In front of the graphs of a narrow window nothing is opened.
+    // In a narrow window, nothing is opened in front of the graphs.
     panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 }
 
 private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
 
-/** What [action] does with the graphs, or with the one that keys are for. */
+/** Performs [action] on the graphs, or on the one that keys apply to. */
 private fun arrange(action: Action, board: GraphBoard) {
     if (action == Action.UNDO) return board.undo()
     if (action == Action.REDO) return board.redo()
@@ -78,7 +78,7 @@ private fun arrange(action: Action, board: GraphBoard) {
     }
 }
 
-/** What [action] does with the cursor and the visible range. */
+/** Performs [action] on the cursor and the visible range. */
 private fun move(action: Action, current: CurrentRecording, view: AxisView) = when (action) {
     Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
     Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
@@ -96,7 +96,7 @@ private fun move(action: Action, current: CurrentRecording, view: AxisView) = wh
     else -> Unit
 }
 
-/** What the keyboard does with the window's parts. */
+/** Returns the keys for the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(
     Command("Window", "Statistics across logs, and back", listOf(KeyPress(Key.S, "S"))) {
         panels.change { toggled(MainView.STATISTICS) }
@@ -117,7 +117,7 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
     }
 }
 
-/** What the keyboard does with notes. */
+/** Returns the keys for notes. */
 internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView): List<Command> = listOf(
     Command("Notes", "Write a note at the cursor", listOf(KeyPress(Key.M, "M"))) {
         if (notes.state.log != null) {
@@ -130,7 +130,7 @@ internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView)
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
 private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)
 
-/** What the keyboard does with the folder of logs. */
+/** Returns the keys for the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(
     Command("Logs", "Open a folder of logs", listOf(KeyPress(Key.O, "O", ctrl = true))) { opener.askForFolder() },
     Command("Logs", "Open a log", listOf(KeyPress(Key.O, "O", ctrl = true, shift = true))) { opener.askForLog() },
@@ -140,26 +140,26 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "All logs as a table, and back", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
 )
 
-/** What the keyboard does with the list of topics. */
+/** Returns the keys for the list of topics. */
 internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Command> = listOf(
     Command("Topics", "Search the topics; then ↓ and Enter draw one", listOf(KeyPress(Key.F, "F", ctrl = true))) {
         askForTopics(topics, panels)
     },
 )
 
-/** Puts the keyboard into the search field of the topics. */
+/** Moves the keyboard focus to the search field of the topics. */
 internal fun askForTopics(topics: TopicListing, panels: WindowPanels) {
     panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
     topics.change { copy(searchesAsked = searchesAsked + 1) }
 }
 
-/** Puts the keyboard into the search field of the logs. */
+/** Moves the keyboard focus to the search field of the logs. */
 private fun askForSearch(library: Library, panels: WindowPanels) {
     panels.change { if (main == MainView.LOGS) this else copy(library = true, front = FrontPart.LOGS) }
     library.change { copy(searchesAsked = searchesAsked + 1) }
 }
 
-/** What the keyboard does with playback. */
+/** Returns the keys for playback. */
 internal fun playbackCommands(player: Player): List<Command> = listOf(
     Command("Playback", "Play or pause", listOf(KeyPress(Key.Spacebar, "Space"))) { player.toggle() },
     Command("Playback", "Loop the selection, or the visible range", listOf(KeyPress(Key.L, "L"))) {
@@ -173,12 +173,12 @@ internal fun playbackCommands(player: Player): List<Command> = listOf(
     },
 )
 
-/** What the keyboard exports. */
+/** Returns the keys for exporting. */
 internal fun exportCommands(pages: PageSaver, figures: FigureSaver, board: GraphBoard): List<Command> = listOf(
     Command("Export", "Export the page of this log", listOf(EXPORT_PAGE)) { pages.savePage() },
     Command("Export", "Copy the picture of the graphs", listOf(COPY_GRAPHS)) { figures.copyShown(board.state.graphs) },
 )
 
-/** What the keyboard does with layouts. */
+/** Returns the keys for layouts. */
 internal fun layoutCommands(files: LayoutFiles): List<Command> =
     listOf(Command("Layout", "Save the layout as a file", listOf(SAVE_LAYOUT)) { files.save() })

@@ -13,7 +13,7 @@ import java.net.URISyntaxException
 import java.nio.file.FileSystemNotFoundException
 import java.nio.file.Path
 
-/** Takes files and folders that are dragged onto it from elsewhere, and gives them to [onDrop]. */
+/** Accepts files and folders dragged onto it from other programs, and passes them to [onDrop]. */
 @OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
 internal fun Modifier.acceptsFiles(onDrop: (List<Path>) -> Unit): Modifier = dragAndDropTarget(
     shouldStartDragAndDrop = { it.dragData() is DragData.FilesList },
@@ -26,7 +26,7 @@ internal fun Modifier.acceptsFiles(onDrop: (List<Path>) -> Unit): Modifier = dra
     },
 )
 
-/** The file that [uri] names, or null when it is none of this machine. */
+/** Returns the file that [uri] names, or null if it is not on this machine. */
 internal fun pathOf(uri: String): Path? = try {
     Path.of(URI(uri))
 } catch (_: URISyntaxException) {

@@ -3,7 +3,7 @@ package badlog.viewer.app
 import badlog.plot.gesture.GRAPH_GESTURES
 import badlog.plot.gesture.HelpLine
 
-/** What the pointer does: over graphs most of it as on an exported page. */
+/** What the pointer does: over graphs, mostly the same as on an exported page. */
 internal val GESTURES = GRAPH_GESTURES + listOf(
     HelpLine("On the graphs", "Click in a legend", "Hides the line, or shows it again."),
     HelpLine("On the graphs", "Drag a title", "Moves the graph; dropped on another graph, adds its lines to that one."),

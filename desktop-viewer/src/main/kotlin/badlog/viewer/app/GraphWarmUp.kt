@@ -17,15 +17,15 @@ import kotlin.math.roundToInt
 import kotlin.math.sin
 
 /**
- * Draws a few small graphs that nobody sees. The first graphs of a program take half a second longer than the next, because their
- * code has to be loaded: this is better done while a person looks for a log. To be called on the window's thread, which goes
- * on with other things in between.
+ * Draws a few small invisible graphs. The first graphs of a program take half a second longer than later ones, because their code
+ * has to be loaded: this is better done while a person looks for a log. Call it on the window's thread, which can do other work
+ * in between.
  */
 internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     val recording = withContext(Dispatchers.Default) {
         val parser = BagParser()
         parser.accept(BAG_HEADER.encodeToByteArray())
-        // So many rows that Java takes the trouble to translate the parser for this processor.
+        // Enough rows to make Java compile the parser.
         val rows = BAG_ROWS.encodeToByteArray()
         parser.accept(rows)
         val batches = RowBatchParser(checkNotNull(parser.readsDecimalComma))
@@ -61,7 +61,7 @@ private const val FRAME_MILLIS = 10L
 
 private const val REPEATS = 30
 
-/** A little of everything: numbers, states, events, and a robot that is enabled. */
+/** A bit of everything: numbers, states, events, and an enabled robot. */
 private val BAG_HEADER = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["hide"]},{"name":"A/Number","unit":"V","attrs":["differentiate"]},""")
     append(
@@ -76,8 +76,8 @@ private val BAG_HEADER = buildString {
 
 private val SCALES = intArrayOf(9_000, 900, 3_000_000, 120_000)
 
-// As robots write them: whole and broken, negative and small numbers, words, events in quotes, empty cells. Code that has met only
-// one kind would be translated for that kind, and once more at the first real log.
+// As robots write them: whole numbers and fractions, negative and small ones, words, quoted events, empty cells. Code that has
+// seen only one kind would be compiled for that kind, and again at the first real log.
 private val BAG_ROWS = buildString {
     repeat(1000) { row ->
         val event = if (row % 90 == 7) "\"said, at $row\"" else ""

@@ -26,7 +26,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.sheet
 
-/** What the keyboard and the pointer do; lies above the window, which goes on behind it. */
+/** The help for keyboard and pointer; shown above the window, which stays active behind it. */
 @Composable
 internal fun HelpSheet(help: List<HelpLine>, modifier: Modifier = Modifier, onClose: () -> Unit) {
     Column(modifier.sheet("Keys and gestures sheet", widest = 960.dp)) {
@@ -52,7 +52,7 @@ internal fun HelpSheet(help: List<HelpLine>, modifier: Modifier = Modifier, onCl
     }
 }
 
-/** [groups] in two columns of about the same height, in their order. */
+/** Returns [groups] in two columns of about the same height, in order. */
 private fun inTwo(groups: Map<String, List<HelpLine>>): List<List<Map.Entry<String, List<HelpLine>>>> {
     val all = groups.values.sumOf { it.size + 1 }
     var before = 0

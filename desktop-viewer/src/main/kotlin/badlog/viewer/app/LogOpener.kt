@@ -8,7 +8,7 @@ import badlog.viewer.task.Notices
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Opens logs and folders, as a person names, picks or drops them. */
+/** Opens logs and folders that a person names, selects or drops. */
 internal class LogOpener(
     private val library: Library,
     private val loader: RecordingLoader,
@@ -21,13 +21,13 @@ internal class LogOpener(
         if (entry.trouble == null) loader.open(entry.file) else notices.complain("${entry.fileName}: ${entry.trouble}")
     }
 
-    /** Shows the log [steps] further down the list than the one that is selected. */
+    /** Shows the log [steps] below the selected one in the list. */
     fun step(steps: Int) {
         val next = library.state.stepped(steps) ?: return
         if (next.file != library.state.selected) open(next)
     }
 
-    /** Opens the first folder of [paths], or else the first log, with its folder where there is none yet. */
+    /** Opens the first folder of [paths], or else the first log, with its folder if none is open yet. */
     fun openNamed(paths: List<Path>) {
         val folder = paths.firstOrNull { Files.isDirectory(it) }
         if (folder != null) return library.open(folder)
@@ -41,7 +41,7 @@ internal class LogOpener(
         files.folder(title, library.state.folder)?.let { library.open(it) }
     }
 
-    /** Asks for a log and opens it, and its folder where there is none yet. */
+    /** Asks for a log and opens it, and its folder if none is open yet. */
     fun askForLog() {
         files.toRead("Open a log", library.state.folder)?.let { openNamed(listOf(it)) }
     }

@@ -16,10 +16,10 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Shows the newest log before anybody asks: when nothing is open, and instead of one that it has shown itself as long as nobody
- * has done anything with that. To be used on the window's thread only.
+ * Shows the newest log automatically: if nothing is open, and in place of a log that it opened itself, unless somebody has used
+ * that. Use it only on the window's thread.
  *
- * @param isInUse whether somebody looks closer at what is shown.
+ * @param isInUse whether somebody is using the open log.
  */
 internal class NewestLog(
     private val library: Library,
@@ -34,13 +34,13 @@ internal class NewestLog(
 
     private var keptUntil = Long.MIN_VALUE
 
-    /** Takes [file], which was shown last time, for one that was shown here: only a log written after [millis] since 1970 takes its place. */
+    /** Treats [file], the last open log, as one opened here: only a log written after [millis] since 1970 replaces it. */
     fun keep(file: Path, millis: Long) {
         shown = file
         keptUntil = millis
     }
 
-    /** Shows it whenever there is another one, until cancelled. */
+    /** Shows it whenever there is a newer one, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         since = TimeSource.Monotonic.markNow()
         val patience = flow {
@@ -77,7 +77,7 @@ internal class NewestLog(
     }
 
     private companion object {
-        /** So long it may take to know all dates; then the file written last is taken for the newest log. */
+        /** How long to wait for all dates; after that, the file last written counts as the newest log. */
         val PATIENCE = 1.seconds
     }
 }

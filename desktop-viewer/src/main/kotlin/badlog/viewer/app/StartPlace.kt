@@ -11,17 +11,17 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * What the window opens on.
+ * What the window opens at its start.
  *
  * @property folder the folder whose logs it lists, or null.
  * @property file the log it shows, or null for the newest of [folder].
- * @property complaint why it is not what was asked for, as a sentence, or null.
+ * @property complaint why it is not what was requested, as a sentence, or null.
  */
 internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?) {
     companion object {
         /**
-         * What [argument] names, a folder or a file; without it the folder of last time, and the first time [samples]. What is
-         * not there any more is passed over.
+         * Returns what [argument] names, a folder or a file; without it, the last folder, or [samples] at the first start.
+         * Anything that no longer exists is skipped.
          */
         fun of(argument: String?, settings: Settings, samples: Path?): StartPlace {
             val remembered = settings.recentFolders.mapNotNull(::pathNamed) + listOfNotNull(samples)
@@ -38,14 +38,14 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
     }
 }
 
-/** What [name] names; null where the system has no such names, as with a question mark on Windows. */
+/** Returns the path called [name]; null if the system does not allow such names, as with a question mark on Windows. */
 private fun pathNamed(name: String): Path? = try {
     Path.of(name)
 } catch (_: InvalidPathException) {
     null
 }
 
-/** Opens what [start] names, when the window begins; of a folder the log that was open there last, until a newer one comes. */
+/** Opens [start] when the window appears; for a folder, the log that was last open there, until a newer one is found. */
 internal fun openFirst(
     start: StartPlace,
     library: Library,
@@ -61,7 +61,7 @@ internal fun openFirst(
     (start.file ?: last?.file)?.let { loader.open(it) }
 }
 
-/** On a Mac, a file that is double-clicked comes as a message to the program that runs already. */
+/** On a Mac, a double-clicked file is sent as a message to the running program. */
 internal fun opensClickedFiles(loader: RecordingLoader) {
     if (!Desktop.isDesktopSupported()) return
     val desktop = Desktop.getDesktop()

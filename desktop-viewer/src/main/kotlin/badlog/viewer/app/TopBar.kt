@@ -26,7 +26,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What stands along the window's top: which parts are open, what is shown, and what can be done with it by the [menus]. */
+/** The bar at the top of the window: which parts are open, what is shown, and the [menus]. */
 @Composable
 internal fun TopBar(
     panels: WindowPanels,
@@ -76,7 +76,7 @@ private fun PanelButtons(panels: WindowPanels) {
     }
 }
 
-/** What stands along the foot of a narrow window: which of its parts is seen. */
+/** The bar at the bottom of a narrow window: which of its parts is visible. */
 @Composable
 internal fun FrontTabs(panels: WindowPanels) {
     Row(

@@ -65,12 +65,12 @@ import kotlinx.coroutines.launch
 import java.nio.file.Path
 
 /**
- * Builds the parts of a window and joins them: each is given the parts it needs, and nobody is given all. To be used on the window's
- * thread only; work is launched in [scope], off that thread.
+ * Creates the parts of a window and connects them: each receives the parts it needs, and none receives all. Use it only on the
+ * window's thread; work is launched in [scope], off that thread.
  *
  * @param scope lives as long as the window, on its thread.
- * @param kept the settings of last time.
- * @param robots where the robot that a person typed may answer.
+ * @param kept the stored settings.
+ * @param robots returns where the robot that a person typed may answer.
  */
 internal class Viewer(
     val scope: CoroutineScope,
@@ -155,7 +155,7 @@ internal class Viewer(
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val keyboard = Keyboard()
 
-    /** All that the keyboard does, in the order of the help sheet. */
+    /** All keyboard commands, in the order of the help. */
     val commands: List<Command> =
         libraryCommands(
             library,
@@ -172,7 +172,7 @@ internal class Viewer(
         unpackFfmpegInto(folders.cache.resolve("ffmpeg"))
     }
 
-    /** Starts what goes on by itself as long as the window is there. */
+    /** Starts the background work of the window. */
     fun start() {
         scope.launch { layouts.autosave() }
         scope.launch { formulas.recalculate() }
@@ -184,10 +184,10 @@ internal class Viewer(
         scope.launch { newest.run() }
     }
 
-    /** Shows [opened], which was just read, in one step for all who look. */
+    /** Shows [opened], which was just read, in one step for all observers. */
     fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
-        // Formulas and the axis may have come while the file was read, or formulas lie beside it. They are calculated on the window's thread
-        // then, which is rare and better than graphs that change as soon as they are seen.
+        // Formulas and the axis may have changed while the file was read, or there may be formulas in a file beside it. They are then
+        // calculated on the window's thread, which is rare and better than graphs that change as soon as they appear.
         val definitions = layouts.formulasFor(opened)
         val over = stations.with(opened.overTime(axis.state == true))
         val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
@@ -203,7 +203,7 @@ internal class Viewer(
         recording.field.problem?.let(notices::complain)
     }
 
-    /** Puts the keyboard into the search of the topics, which are added to graph [id] from then on. */
+    /** Moves the keyboard focus to the search for topics, which are then added to graph [id]. */
     private fun askForTopics(id: Int) {
         topics.change { adding(id) }
         askForTopics(topics, panels)
@@ -241,7 +241,7 @@ internal class Viewer(
     }
 
     private fun openFindings(entry: LogEntry) {
-        // What is open keeps its graphs.
+        // An open log keeps its graphs.
         if (entry.file != current.recording?.file) openInGraphs(entry)
         if (!entry.isReadable) return
         panels.change { copy(main = MainView.GRAPHS, inspector = InspectorTab.FINDINGS) }

@@ -37,7 +37,7 @@ import badlog.viewer.theme.ViewerTheme
 import badlog.viewer.topic.TopicPane
 import badlog.viewer.welcome.Welcome
 
-/** All of the window's content, of the parts that [viewer] has built. */
+/** All of the window's content, made of the parts of [viewer]. */
 @Composable
 internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
     ViewerTheme(settings.state.theme) {
@@ -68,7 +68,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
     }
 }
 
-/** What may stand between the window's top and foot. */
+/** The panes between the top and bottom bars of the window. */
 private class Panes(
     val logs: @Composable (Modifier) -> Unit,
     val topics: @Composable (Modifier) -> Unit,
@@ -94,7 +94,7 @@ private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, sett
 
         panels.main != MainView.GRAPHS -> panes.main(all)
 
-        // One part at a time, where there is no room for more.
+        // One part at a time if there is no room for more.
         else -> when (panels.front) {
             FrontPart.LOGS -> panes.logs(all)
             FrontPart.TOPICS -> panes.topics(all)
@@ -112,7 +112,7 @@ private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: 
     val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
 
     fun drag(by: PaneWidths) = settings.change {
-        // What is dragged is as wide as it is seen, which in a small window is narrower than it was wanted.
+        // A dragged pane starts at its visible width, which in a small window is less than the wanted one.
         copy(panes = this.panes.draggedFrom(this.panes.within(width.value, hasLogs, hasTopics, hasDetails), by))
     }
 

@@ -28,9 +28,9 @@ import org.jetbrains.skia.Image
 /**
  * The window, from its opening on [start] to its closing, which ends the application.
  *
- * @param folders where the user's own files are.
- * @param robots where the robot that a person typed may answer.
- * @param content what more is to happen in the window.
+ * @param folders the folders of the user's own files.
+ * @param robots returns where the robot that a person typed may answer.
+ * @param content additional content of the window.
  */
 @Composable
 internal fun ApplicationScope.ViewerWindow(
@@ -92,7 +92,7 @@ private fun ApplicationScope.OpenWindow(
     }
 }
 
-/** Writes at once what else would be written in a moment. */
+/** Writes immediately what would otherwise be written a moment later. */
 private fun saveAll(layouts: LayoutStore, settings: SettingsStore, place: WindowState) {
     layouts.saveNow()
     settings.change { copy(window = placeOf(place, window)) }

@@ -12,8 +12,8 @@ import java.awt.Rectangle
 import java.awt.Toolkit
 
 /**
- * The window where it was last, or in the middle when that is not to be seen on any of [screens], given in dp; no larger than its
- * screen, and large enough to be taken hold of.
+ * Returns the window's last place, or the center if that is not visible on any of [screens], given in dp; no larger than its
+ * screen, and large enough to be grabbed.
  */
 internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = screens()): WindowState {
     val seenOn = place?.let { screens.firstOrNull { it.intersects(place.x + 8.0, place.y + 8.0, 64.0, 24.0) } }
@@ -29,7 +29,7 @@ internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = scree
 
 private fun Int.within(least: Int, most: Int?) = coerceAtMost(most ?: this).coerceAtLeast(least)
 
-/** Where the window is now. A window that fills the screen keeps the size of [before], to return to. */
+/** Returns the current place of the window. A maximized window keeps the size of [before], to return to. */
 internal fun placeOf(state: WindowState, before: WindowPlace?): WindowPlace {
     val isMaximized = state.placement != WindowPlacement.Floating
     if (isMaximized && before != null) return before.copy(isMaximized = true)
@@ -48,7 +48,7 @@ private fun screens(): List<Rectangle> = if (GraphicsEnvironment.isHeadless()) {
     GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { usablePart(it.defaultConfiguration) }
 }
 
-/** What of a screen the system's own bars leave. */
+/** Returns the part of a screen that the system's own bars leave free. */
 private fun usablePart(screen: GraphicsConfiguration): Rectangle {
     val bars = Toolkit.getDefaultToolkit().getScreenInsets(screen)
     val all = screen.bounds

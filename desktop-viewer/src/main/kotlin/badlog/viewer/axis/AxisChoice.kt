@@ -7,8 +7,8 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
 
 /**
- * Whether logs that name no x axis are drawn over their column of the time, see [badlog.viewer.recording.OpenRecording.overTime]; null while
- * no person has said. To be used on the window's thread only.
+ * The choice whether logs that name no x axis are drawn over their time column, see [badlog.viewer.recording.OpenRecording.overTime]; null
+ * until a person chooses. Use it only on the window's thread.
  */
 internal class AxisChoice(
     private val current: CurrentRecording,
@@ -16,17 +16,17 @@ internal class AxisChoice(
     private val board: GraphBoard,
     private val view: AxisView,
 ) : Part<Boolean?>(null) {
-    /** The name of the column that the open log could be drawn over; null where that was asked before, or there is none. */
+    /** The name of the column that the open log could be drawn over; null if that was already chosen, or there is none. */
     val offered: String? get() = if (state == null) current.recording?.timeColumn?.name else null
 
-    /** Draws all logs [overTime] from now on, or over their rows, and shows all of x. */
+    /** Draws all logs [overTime], or over their rows, from now on, and shows all of x. */
     fun choose(overTime: Boolean) {
         change { overTime }
         for (other in compared.state.loaded.values) compared.change { withLoaded(other.overTime(overTime)) }
         val before = current.recording ?: return
         val recording = before.overTime(overTime)
         if (recording === before) return
-        // The time has a graph only where it is not the axis.
+        // The time has a graph only if it is not the axis.
         val isDefault = board.kept.showsSame(before.standardGraphs)
         current.replace(recording)
         compared.share(recording)

@@ -13,7 +13,7 @@ import badlog.recording.PathName
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** Asks once over what logs are drawn that name no x axis; nothing where that is known. */
+/** Asks once over which axis to draw logs that name none; empty if that is known. */
 @Composable
 internal fun AxisOffer(choice: AxisChoice) {
     val column = PathName.baseNameOf(choice.offered ?: return)

@@ -7,14 +7,17 @@ import badlog.plot.board.Board
 import badlog.plot.board.BoardGraph
 import badlog.plot.board.BoardHistory
 
-/** The graphs that the window shows, from top to bottom, and what they were before. To be used on the window's thread only. */
+/** The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread. */
 internal class GraphBoard {
     private var history by mutableStateOf(BoardHistory())
 
-    /** Each graph that showed a finding, as it came, less those that a person keeps: undoing brings back those of findings before, too. */
+    /**
+     * Each graph added to show a finding, in its original form, except those that a person keeps: undoing also brings back those of
+     * previous findings.
+     */
     private var added: Set<BoardGraph> by mutableStateOf(emptySet())
 
-    /** The graphs. Whoever draws them is drawn again when they change. */
+    /** The graphs. Composables that draw them are recomposed when they change. */
     val state: Board get() = history.now
 
     /** Whether there is something to undo. */
@@ -23,45 +26,45 @@ internal class GraphBoard {
     /** Whether something undone can be done again. */
     val canRedo: Boolean get() = history.canRedo
 
-    /** The graphs that were put on top to show a finding, as far as a person left them as they were. */
+    /** The graphs that were put on top to show a finding, unless a person has changed them. */
     val evidence: Board get() = Board(state.graphs.filter { it in added })
 
-    /** The graph that is to be scrolled to; null when a person sees it. */
+    /** The graph to scroll to; null if it is visible. */
     var wanted: Int? by mutableStateOf(null)
         private set
 
-    /** The graphs of which a person sees at least the half, by their ids; null while none is shown at all. */
+    /** The ids of the graphs of which at least half is visible; null while none is shown at all. */
     var inSight: Set<Int>? = null
 
-    /** The graph that the pointer was over last, by its id; keys are for that. */
+    /** The id of the graph that the pointer was last over; keys apply to that. */
     var pointed: Int? = null
 
-    /** The graphs without those that were put on top to show a finding: what a person arranged. */
+    /** The graphs that a person arranged, without those that were put on top to show a finding. */
     val kept: Board get() = Board(state.graphs - added)
 
-    /** The graph that keys are for: the one pointed at last, or else the first in sight; null without any. */
+    /** The graph that keys apply to: the one last pointed at, or else the first visible one; null if there are none. */
     val current: BoardGraph?
         get() = state.graphs.find { it.id == pointed } ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
             ?: state.graphs.firstOrNull()
 
-    /** Shows what [transition] makes of the graphs; what was shown before comes back by [undo]. */
+    /** Changes the graphs by [transition]; [undo] restores the previous ones. */
     fun change(transition: Board.() -> Board) {
         val before = state.graphs.associateBy { it.id }
         history = history.changed(state.transition())
         val seen = inSight ?: return
-        // Nobody looks for what was added out of sight; of many, the first is the place to begin. Where all is new, that is the top.
+        // Nobody looks for graphs added outside the visible part, so scroll to the first of them. If all are new, that is the top.
         val added = state.graphs.filter { graph -> before[graph.id].let { it == null || it.lines.size < graph.lines.size } }
         if (added.size < state.graphs.size) added.firstOrNull()?.takeIf { it.id !in seen }?.let { goTo(it.id) }
     }
 
-    /** Shows [board] instead, as of another log: there is nothing to undo. */
+    /** Shows [board] instead, as for another log, without a history. */
     fun replace(board: Board) {
         added = emptySet()
         history = BoardHistory(board)
     }
 
     /**
-     * Shows [board] instead while a person has changed nothing: what it has besides the graphs of before is there to show a finding.
+     * Shows [board] instead unless a person has changed something: graphs in it that are new are there to show a finding.
      */
     fun beginWith(board: Board) {
         if (canUndo) return
@@ -70,19 +73,19 @@ internal class GraphBoard {
         added = board.graphs.filterNot { it.lines in before }.toSet()
     }
 
-    /** Shows what was shown before the last change. */
+    /** Undoes the last change. */
     fun undo() {
         history = history.undone()
     }
 
-    /** Shows again what [undo] led away from. */
+    /** Redoes what [undo] undid. */
     fun redo() {
         history = history.redone()
     }
 
     /**
-     * Shows the graphs of [board] above all others, in the place of those of the finding before. One of those that a person has changed
-     * since stays.
+     * Shows the graphs of [board] above all others, replacing those of the previous finding, except graphs that a person has changed
+     * since.
      */
     fun showEvidence(board: Board) {
         if (!evidence.showsSame(board)) {
@@ -95,15 +98,15 @@ internal class GraphBoard {
         evidence.graphs.firstOrNull()?.let { wanted = it.id }
     }
 
-    /** Whether graph [id] is there only to show a finding. */
+    /** Returns whether graph [id] is there only to show a finding. */
     fun isEvidence(id: Int): Boolean = evidence.graphs.any { it.id == id }
 
-    /** Keeps graph [id], which shows a finding, or all of them for null: they are a person's own from now on. */
+    /** Keeps graph [id], which shows a finding, or all of them for null: they then count as arranged by a person. */
     fun keep(id: Int? = null) {
         added = added - state.graphs.filter { id == null || it.id == id }.toSet()
     }
 
-    /** Goes to graph [id]; null when it is in sight. */
+    /** Goes to graph [id]; null if it is visible. */
     fun goTo(id: Int?) {
         wanted = id
     }

@@ -49,7 +49,7 @@ import java.math.BigDecimal
 import java.math.RoundingMode
 import androidx.compose.ui.Alignment as Place
 
-/** What is compared with the open recording, and how it is aligned; nothing while nothing is. */
+/** The logs compared with the open one, and their alignment; empty if there are none. */
 @Composable
 internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings) {
     val open = current.recording ?: return
@@ -91,7 +91,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
     }
 }
 
-/** One of the recordings that are compared: its color and name, and where it stands against the open one. */
+/** One of the compared recordings: its color, name and offset. */
 @Composable
 internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, drawn: DrawnRecording, color: Color) {
     val palette = LocalPalette.current
@@ -128,10 +128,10 @@ private fun Nudge(label: String, sign: String, step: Double, onClick: () -> Unit
     ToolButton("Move $label by $sign$step", text = "$sign${step.toString().removePrefix("0").removeSuffix(".0")}", onClick = onClick)
 }
 
-/** By how much a click moves a recording, in units of x. */
+/** The steps by which a click moves a recording, in units of x. */
 private val STEPS = listOf(0.02, 0.1, 1.0)
 
-/** Says where the recording called [label] stands, and takes a number typed there; Enter or leaving the field moves it. */
+/** Shows the offset of the recording called [label], and accepts a typed number; Enter or leaving the field moves it. */
 @Composable
 internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
     val palette = LocalPalette.current
@@ -162,10 +162,10 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
     )
 }
 
-/** The number that a person has typed, with a comma or a point; null for none. */
+/** Returns the number that a person has typed, with a comma or a point; null for none. */
 internal fun offsetOf(text: String?): Double? = text?.trim()?.replace(',', '.')?.toDoubleOrNull()?.takeIf { it.isFinite() }
 
-/** [offset] without the dust of binary fractions that steps leave. */
+/** Returns [offset] without the rounding errors of steps. */
 internal fun rounded(offset: Double): Double =
     if (offset.isFinite()) BigDecimal(offset).setScale(DECIMALS, RoundingMode.HALF_EVEN).toDouble() else offset
 

@@ -11,7 +11,7 @@ import kotlinx.coroutines.Job
 import java.nio.file.Path
 
 /**
- * The recordings that are laid over the current one: reads them, and lets go of those that no longer are.
+ * The recordings compared with the current one: reads them, and releases those that no longer are.
  *
  * @param reader reads each.
  */
@@ -23,8 +23,8 @@ internal class ComparedRecordings(
     private val jobs = HashMap<Path, Job>()
 
     /**
-     * The recordings that every graph draws: the open one, then those checked that were read, in the order of their checks. One that
-     * is both is there once. The place in this list is the place of a recording's color, see [colorOf].
+     * The recordings that every graph draws: the open one, then the checked ones that were read, in the order in which they were
+     * checked. A recording that is both is included once. The index in this list is that of a recording's color, see [colorOf].
      */
     val drawn: List<DrawnRecording> by derivedStateOf {
         val open = current.recording ?: return@derivedStateOf emptyList()
@@ -35,20 +35,20 @@ internal class ComparedRecordings(
             others.mapIndexed { i, other -> DrawnRecording(other, state.offsetOf(other, open), names[i + 1]) }
     }
 
-    /** Checks [file], or no longer. */
+    /** Checks or unchecks [file]. */
     fun toggle(file: Path) {
         val known = file.toAbsolutePath().normalize()
         if (known in state.checked) remove(known) else add(known)
     }
 
-    /** Checks [file] and reads it; one that is open already is not read again. One that cannot be read is reported and unchecked. */
+    /** Checks [file] and reads it; one that is already open is not read again. A file that cannot be read is reported and unchecked. */
     fun add(file: Path) {
         change { with(file) }
         val open = current.recording
         if (open?.file == file) change { withLoaded(open) } else load(file)
     }
 
-    /** Unchecks [file], and lets go of what was read of it. */
+    /** Unchecks [file], and releases its recording. */
     fun remove(file: Path) {
         change { without(file) }
         jobs.remove(file)?.cancel()
@@ -60,7 +60,7 @@ internal class ComparedRecordings(
         change { cleared() }
     }
 
-    /** Keeps [open] as the one copy of its file, where that is checked. */
+    /** Keeps [open] as the only copy of its file, if that is checked. */
     fun share(open: OpenRecording) {
         if (state.loaded[open.file] !== open) change { withLoaded(open) }
     }
@@ -70,7 +70,7 @@ internal class ComparedRecordings(
         val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
         jobs[file] = job
         job.invokeOnCompletion {
-            // A later check of the same file has a job of its own.
+            // Checking the same file again later starts a new job.
             if (jobs[file] !== job) return@invokeOnCompletion
             jobs.remove(file)
             if (file !in state.loaded) change { without(file) }

@@ -16,7 +16,7 @@ import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.view.AxisView
 
-/** The menu of all that can be exported: pages, figures, parts, pictures. */
+/** The menu of everything that can be exported: pages, figures, parts, pictures. */
 @Composable
 internal fun ExportMenu(
     current: CurrentRecording,

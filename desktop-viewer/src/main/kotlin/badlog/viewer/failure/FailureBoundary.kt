@@ -14,7 +14,7 @@ import kotlinx.coroutines.flow.collectLatest
 import javax.swing.JOptionPane
 import kotlin.time.Duration.Companion.seconds
 
-/** The windows of [content] report to [failures] what fails in them, rather than close. */
+/** Makes the windows of [content] report failures to [failures] rather than close. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit) {
@@ -22,7 +22,7 @@ internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
 }
 
-/** Proves to [failures] that the window still shows what it should. */
+/** Shows [failures] that the window is still updated. */
 @Composable
 internal fun FailuresSeen(failures: Failures) {
     val count = failures.count
@@ -30,8 +30,8 @@ internal fun FailuresSeen(failures: Failures) {
 }
 
 /**
- * A failure while a window is composed leaves a picture of it that hears nothing any more. Says so where [failures] are not seen
- * though the window [isInSight], and then calls [end]. Suspends until cancelled.
+ * A failure during composition leaves a frozen picture of a window. Reports this if [failures] are not shown although the window
+ * [isInSight], and then calls [end]. Suspends until cancelled.
  */
 internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, end: () -> Unit) {
     snapshotFlow { failures.count }.collectLatest { count ->

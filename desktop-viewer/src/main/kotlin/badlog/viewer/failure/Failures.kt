@@ -18,21 +18,21 @@ import java.time.temporal.ChronoUnit
 import javax.swing.SwingUtilities
 
 /**
- * Hears of what nobody else has caught, defects of ours. They are kept in [log] and said in a sentence, and the window goes on: a
- * person must not lose what is open because of one click that did not work.
+ * Receives uncaught exceptions, which are defects of badlog. They are written to [log] and reported in a sentence, and the window
+ * stays open: nobody should lose open work because of one failed click.
  */
 internal class Failures(private val log: FailureLog, private val notices: Notices) {
-    /** How many there were. */
+    /** The number of failures. */
     var count by mutableIntStateOf(0)
         private set
 
-    /** Of how many the window has shown that it knows: fewer when it can show nothing any more. */
+    /** The number of failures that the window has shown: lower if it can no longer show anything. */
     var seen = 0
 
     /** Where they are kept. */
     val file: Path get() = log.file
 
-    /** Hears of [failure]; on any thread. */
+    /** Receives [failure], on any thread. */
     fun hear(failure: Throwable) {
         val where = if (log.add(failure)) "; send us $file" else ""
         SwingUtilities.invokeLater {
@@ -41,19 +41,19 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
         }
     }
 
-    /** [scope], but what fails in it ends nothing else, and is heard here. */
+    /** Returns [scope] with failures reported here, so that one does not cancel anything else. */
     fun guarded(scope: CoroutineScope): CoroutineScope =
         scope + SupervisorJob(scope.coroutineContext.job) + CoroutineExceptionHandler { _, failure -> hear(failure) }
 }
 
-/** What went wrong in the program itself, for whoever mends it: kept in [file], each failure once a run. For any thread. */
+/** The failures of the program itself, for its developers: written to [file], each once per run. Thread-safe. */
 internal class FailureLog(cache: Path) {
     /** Where it is kept. */
     val file: Path = cache.resolve("failures.log")
 
     private val known = HashSet<String>()
 
-    /** Adds [failure]. Returns whether it can be read there; not on a full disk, or after very many others. */
+    /** Adds [failure]. Returns whether it was written; false on a full disk, or after very many others. */
     @Synchronized
     fun add(failure: Throwable): Boolean {
         val trace = failure.stackTraceToString()
@@ -75,7 +75,7 @@ internal class FailureLog(cache: Path) {
     }
 
     private companion object {
-        /** One that fails in each frame must not fill the disk. */
+        /** A failure in each frame must not fill the disk. */
         const val MAX_KNOWN = 50
         const val MAX_BYTES = 1L shl 20
     }

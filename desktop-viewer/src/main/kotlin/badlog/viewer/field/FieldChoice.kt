@@ -10,9 +10,10 @@ import badlog.viewer.task.Notices
 import java.nio.file.Path
 
 /**
- * On which field paths are drawn: the one beside the logs, or one that a person has selected for the folder of logs, which is remembered.
+ * The field on which paths are drawn: the one beside the logs, or one that a person has selected for the folder of logs, which is
+ * remembered.
  *
- * @param folder gives the folder of logs.
+ * @param folder returns the folder of logs.
  */
 internal class FieldChoice(
     private val current: CurrentRecording,
@@ -25,7 +26,7 @@ internal class FieldChoice(
     /** Whether a person has selected one for the current recording. */
     val isSelected: Boolean get() = current.recording?.let { selectedFor(it.file) } != null
 
-    /** The field of [log]. Reads it, on any thread. */
+    /** Returns the field of [log]. Reads it, on any thread. */
     fun of(log: Path): FieldFile = selectedFor(log)?.let(FieldFile::read) ?: FieldFile.of(log, folder())
 
     /** Asks for the file of a field, and draws paths on that from now on. */

@@ -9,15 +9,15 @@ import java.nio.file.Path
 import javax.swing.JFileChooser
 import javax.swing.UIManager
 
-/** Asks the person for a place in the file system. Each answer is null when the person has thought better of it. */
+/** Asks the person for a file or folder. Each answer is null if the person cancels. */
 internal interface FileChoice {
-    /** A file to write, called [name] if the person likes, in [folder] to begin with; overwriting was agreed to. */
+    /** Returns a file to write, suggesting [name] in [folder]; overwriting is confirmed. */
     fun toWrite(title: String, folder: Path?, name: String): Path?
 
-    /** A file to read whose name ends in [ending], empty for any, in [folder] to begin with. */
+    /** Returns a file to read whose name ends in [ending], empty for any, starting in [folder]. */
     fun toRead(title: String, folder: Path?, ending: String = ""): Path?
 
-    /** A folder, [folder] to begin with. */
+    /** Returns a folder, starting in [folder]. */
     fun folder(title: String, folder: Path?): Path?
 }
 
@@ -32,7 +32,7 @@ internal object SystemFileChoice : FileChoice {
     override fun folder(title: String, folder: Path?): Path? =
         if (isSystem("Mac")) folderOfMac(title, folder) else folderOfSwing(title, folder)
 
-    /** AWT's dialog chooses folders on macOS alone. */
+    /** AWT's dialog can select folders only on macOS. */
     private fun folderOfMac(title: String, folder: Path?): Path? {
         System.setProperty(MAC_FOLDERS, "true")
         try {
@@ -43,7 +43,7 @@ internal object SystemFileChoice : FileChoice {
     }
 
     private fun folderOfSwing(title: String, folder: Path?): Path? {
-        // On Windows alone the system's look brings the dialog that people know from elsewhere.
+        // Only on Windows, the system's look provides the dialog that people know from other programs.
         if (isSystem("Windows")) UIManager.setLookAndFeel(UIManager.getSystemLookAndFeelClassName())
         val chooser = JFileChooser(folder?.toFile())
         chooser.dialogTitle = title
@@ -69,8 +69,8 @@ internal object SystemFileChoice : FileChoice {
 }
 
 /**
- * Asks for a file to write whose name ends in [ending], [name] if the person likes; null when nothing is to be written. What is
- * there already is replaced only when the person has named it in full, and so has agreed to that in the dialog.
+ * Asks for a file to write whose name ends in [ending], suggesting [name]; null if nothing is to be written. An existing file
+ * is replaced only if the person has typed its full name, and so confirmed that in the dialog.
  */
 internal fun askToWrite(files: FileChoice, notices: Notices, title: String, folder: Path?, name: String, ending: String): Path? {
     val chosen = files.toWrite(title, folder, name + ending) ?: return null
@@ -81,5 +81,5 @@ internal fun askToWrite(files: FileChoice, notices: Notices, title: String, fold
     return null
 }
 
-/** Says that there is no log yet of which something could be taken. */
+/** Says that no log is open from which to save something. */
 internal fun sayNoLog(notices: Notices) = notices.complain("Open a log first.")

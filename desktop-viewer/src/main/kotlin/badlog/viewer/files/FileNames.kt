@@ -3,14 +3,14 @@ package badlog.viewer.files
 import badlog.file.LogName
 import java.nio.file.Path
 
-/** [text] as a part of a file's name on any system: without what they forbid, and not too long. */
+/** Returns [text] as part of a file name on any system: without forbidden characters, and not too long. */
 internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
     .joinToString("")
     .trim(' ', '.')
     .take(MAX_LENGTH)
     .ifEmpty { "badlog" }
 
-/** The name of [file] without the endings of its format. */
+/** Returns the name of [file] without the endings of its format. */
 internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
 
 private const val FORBIDDEN = "\\/:*?\"<>|"

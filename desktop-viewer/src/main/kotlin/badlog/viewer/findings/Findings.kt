@@ -12,13 +12,13 @@ import badlog.rules.worstFirst
 import java.nio.file.Path
 
 /**
- * What the window knows of the open recording's findings.
+ * What the window knows about the open recording's findings.
  *
- * @property list them; null while the rules have not been run.
+ * @property list the findings; null until the rules have run.
  * @property selected the one that a person went to last, or null.
  * @property pointed the one under the pointer, or null.
- * @property pointedPlace where on x the pointer is on it; NaN where it points at its line in a list.
- * @property timesAsked how often a person wanted the rules to be run again.
+ * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
+ * @property timesAsked how often a person requested to run the rules again.
  */
 internal data class Findings(
     val list: FindingList? = null,
@@ -33,10 +33,10 @@ internal data class Findings(
     /** The one whose time is shaded in the graphs, or null. */
     val shown: Finding? get() = pointed ?: selected
 
-    /** Knows [list]; what was selected before stays so where it was found again. */
+    /** Returns the findings with [list]; the selected one stays selected if it was found again. */
     fun knowing(list: FindingList): Findings = copy(list = list, selected = selected?.let(list::like), pointed = pointed?.let(list::like))
 
-    /** Knows nothing yet. */
+    /** Returns the findings without a list. */
     fun unknown(): Findings = Findings(timesAsked = timesAsked)
 }
 
@@ -46,8 +46,8 @@ internal data class Findings(
  * @property all the findings, the worst first, and of one severity in the order of time.
  * @property skipped the rules that were skipped for it.
  * @property rulesFile where the rules come from; null for the built-in ones.
- * @property incidents what of it belongs together, and what came first; the worst first.
- * @property trouble why a file of rules is not used, or why nothing was found out, as a sentence; null when all is well.
+ * @property incidents which of them belong together, and what came first; the worst first.
+ * @property trouble why a file of rules is not used, or the rules could not run, as a sentence; null if all is well.
  */
 internal class FindingList(
     found: List<Finding> = emptyList(),
@@ -61,20 +61,20 @@ internal class FindingList(
     /** The names of the topics that one of them is about. */
     val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
 
-    /** They by their places on x. */
+    /** The findings by their places on x. */
     val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })
 
-    /** Where the place of [finding] begins that is nearest to [x]. */
+    /** Returns the start of the place of [finding] nearest to [x]. */
     fun placeNear(finding: Finding, x: Double): Double = timeline.places.filter { it.finding === finding }
         .minByOrNull { maxOf(it.span.from - x, x - it.span.to, 0.0) }?.span?.from ?: finding.time
 
     /** The severity of the worst; null when there is none. */
     val worst: Severity? = all.maxOfOrNull { it.severity }
 
-    /** The one that says the same as [finding], of which there may be another one since the log has grown; null without any. */
+    /** Returns the finding that corresponds to [finding], which may be a new object because the log has grown; null for none. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
 
-    /** What a search for [text] finds of it. */
+    /** Returns what a search for [text] finds in it. */
     fun foundBy(text: String): SearchedFindings {
         val query = Query(text)
         if (query.isEmpty) return SearchedFindings(incidents, all)

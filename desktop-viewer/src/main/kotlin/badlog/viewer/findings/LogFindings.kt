@@ -28,12 +28,12 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * What rules find in the current recording. They run in the background, once its graphs are there, and again when it has grown;
- * another recording cancels what runs. To be used on the window's thread only.
+ * What rules find in the current recording. They run in the background, after its graphs are drawn, and again when it has
+ * grown; another recording cancels them. Use it only on the window's thread.
  *
- * @param folder gives the folder of logs, whose rules count.
- * @param awaitDrawn returns when a person sees what they opened.
- * @param find finds out what there is in a recording.
+ * @param folder returns the folder of logs, whose rules count.
+ * @param awaitDrawn returns when the opened recording is visible.
+ * @param find runs the rules over a recording.
  */
 internal class LogFindings(
     private val current: CurrentRecording,
@@ -43,7 +43,7 @@ internal class LogFindings(
     private val awaitDrawn: suspend () -> Unit,
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
 ) : Part<Findings>(Findings()) {
-    /** The log whose worst finding is shown as soon as it is known; null for none. */
+    /** The log whose worst finding will be shown once it is known; null for none. */
     private var worstWanted: Path? = null
 
     /** Runs the rules over whatever is opened, until cancelled. */
@@ -51,7 +51,7 @@ internal class LogFindings(
         var before: Path? = null
         snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
             change { unknown() }
-            // A person has opened another log meanwhile.
+            // A person has opened another log in the meantime.
             if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
             before = wanted.file
             if (wanted.file == null) return@collectLatest
@@ -67,8 +67,8 @@ internal class LogFindings(
     }
 
     /**
-     * Goes to what stands first of [log], which is open or being opened, as soon as the rules have been run over it: what began its worst
-     * incident, or else its worst finding.
+     * Goes to the first result for [log], which is open or being opened, as soon as the rules have run: the start of its worst incident,
+     * or else its worst finding.
      */
     fun showWorst(log: Path) {
         worstWanted = log
@@ -81,7 +81,7 @@ internal class LogFindings(
         (list.incidents.firstOrNull()?.sentences?.first()?.finding ?: list.all.firstOrNull())?.let { goTo(it) }
     }
 
-    /** Adds the graphs of what stands first, as far as nobody has arranged others. */
+    /** Adds the graphs of the first result, unless somebody has arranged others. */
     private fun beginWithFirst(list: FindingList) {
         val open = current.recording ?: return
         if (!board.state.showsSame(open.standardGraphs)) return
@@ -91,12 +91,12 @@ internal class LogFindings(
     /** Runs the rules once more. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** The pointer is on [finding], or on none; on its mark at [place]. */
+    /** Records that the pointer is on [finding], or on none; on its mark at [place]. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
     /**
-     * Shows what is around [place], where [finding] was found, with the cursor there and its time shaded; and above all other graphs those
-     * of what shows it, and of what shows the incident that it is a part of. One of the whole log leaves the view as it is.
+     * Shows the surroundings of [place], where [finding] was found, with the cursor there and its time shaded; and, above all other
+     * graphs, its evidence and that of its incident. A finding about the whole log does not change the visible range.
      */
     fun goTo(finding: Finding, place: Double = finding.time) {
         change { copy(selected = finding) }
@@ -105,18 +105,18 @@ internal class LogFindings(
         board.showEvidence(evidenceBoard(open.view, incidentOf(finding).evidenceOf(finding), open.vocabulary))
     }
 
-    /** What to look at next for [finding]; may be empty. */
+    /** Returns what to look at next for [finding]; may be empty. */
     fun nextOf(finding: Finding): String = incidentOf(finding).nextOf(finding)
 
     private fun incidentOf(finding: Finding) = state.list?.incidents?.find { finding in it }
 
-    /** Goes to the place of the selected finding that is [steps] further on. */
+    /** Goes [steps] places forward within the selected finding. */
     fun stepWithin(steps: Int) {
         val finding = state.selected ?: return
         state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
     }
 
-    /** Goes to the place of a finding that is [steps] further on than the one of before, or else than the cursor. */
+    /** Goes [steps] places of findings forward from the last one, or else from the cursor. */
     fun step(steps: Int) {
         val next = state.list?.timeline?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
         goTo(next.finding, next.span.from)
@@ -127,13 +127,13 @@ internal class LogFindings(
     private companion object {
         val PATIENCE = 3.seconds
 
-        /** Running them over a log that grows must leave the machine to what writes it. */
+        /** While a log grows, the machine should mostly be free for the program that writes it. */
         fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
     }
 }
 
 /**
- * Runs the rules for [file], which was read as [view], over it. Takes its time; interrupting the thread gives up.
+ * Runs the rules for [file], which was read as [view]. It may take long; interrupting the thread cancels it.
  *
  * @param library the folder of logs, see [FolderRules.of].
  */

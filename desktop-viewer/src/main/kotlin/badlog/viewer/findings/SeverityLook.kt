@@ -4,17 +4,17 @@ import androidx.compose.ui.graphics.Color
 import badlog.recording.Severity
 import badlog.viewer.theme.Palette
 
-/** What the window calls a finding that is so bad. */
+/** The name of a severity in the window. */
 internal val Severity.word: String get() = name.lowercase()
 
-/** The color of a finding's mark. */
+/** Returns the color of a finding's mark. */
 internal fun Palette.findingColor(severity: Severity): Color = when (severity) {
     Severity.ERROR -> error
     Severity.WARNING -> warning
     Severity.NOTE -> muted
 }
 
-/** The color behind a finding's word. */
+/** Returns the color behind a finding's word. */
 internal fun Palette.findingSoft(severity: Severity): Color = when (severity) {
     Severity.ERROR -> errorSoft
     Severity.WARNING -> warningSoft

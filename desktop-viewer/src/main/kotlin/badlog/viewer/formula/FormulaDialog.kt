@@ -55,7 +55,7 @@ import badlog.viewer.theme.Palette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.sheet
 
-/** Lets a person write the formula of [sheet] over the open recording; lies above the window. */
+/** The dialog for the formula of [sheet] for the open recording; shown above the window. */
 @Composable
 internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: OpenRecording, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -98,7 +98,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     }
 }
 
-/** Keeps what is written, where it is a formula, and closes the sheet. */
+/** Saves the text if it is a formula, and closes the dialog. */
 private fun keepFormula(formulas: FormulaStore, sheet: FormulaSheet, writer: FormulaWriter) {
     val topic = writer.topic ?: return
     val definition = writer.field.text.trim()
@@ -122,7 +122,7 @@ private fun hears(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, clos
 
 private const val HOW = "A name, a unit in brackets if it has one, =, and how it is calculated; / in the name makes folders."
 
-/** Where the definition of [writer] is typed; what is wrong in it is underlined. Has the keyboard from the beginning. */
+/** The field for the definition of [writer]; mistakes are underlined. It initially has the keyboard focus. */
 @Composable
 internal fun FormulaField(writer: FormulaWriter) {
     val palette = LocalPalette.current
@@ -154,7 +154,7 @@ internal fun FormulaField(writer: FormulaWriter) {
     )
 }
 
-/** [text] with the place of [error] underlined; where something is missing, with what stands before it. */
+/** Returns [text] with the place of [error] underlined; if something is missing, with the text before it underlined. */
 internal fun underlined(text: AnnotatedString, error: ExpressionError?, palette: Palette): AnnotatedString {
     // The error may be that of the text before the last key.
     if (error == null || error.text != text.text) return text
@@ -166,7 +166,7 @@ internal fun underlined(text: AnnotatedString, error: ExpressionError?, palette:
     }
 }
 
-/** The names that may be meant; the arrow keys and Tab select as a click does. */
+/** The suggested names; the arrow keys and Tab select like a click. */
 @Composable
 internal fun SuggestedNames(writer: FormulaWriter) {
     val palette = LocalPalette.current
@@ -190,7 +190,7 @@ internal fun SuggestedNames(writer: FormulaWriter) {
     }
 }
 
-/** What a formula may be made of, in a few lines. */
+/** A short summary of the syntax of formulas. */
 @Composable
 internal fun FormulaHelp() {
     val palette = LocalPalette.current

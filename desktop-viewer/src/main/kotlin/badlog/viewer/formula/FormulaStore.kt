@@ -19,7 +19,7 @@ import kotlinx.coroutines.withContext
 
 /**
  * The formulas of the window: definitions of topics that are calculated from others, in the order in which they may use each other.
- * To be used on the window's thread only.
+ * Use it only on the window's thread.
  */
 internal class FormulaStore(
     private val current: CurrentRecording,
@@ -27,18 +27,18 @@ internal class FormulaStore(
     private val board: GraphBoard,
     private val notices: Notices,
 ) {
-    /** Them. */
+    /** The formulas. */
     var definitions: List<String> by mutableStateOf(emptyList())
         private set
 
-    /** The one that a person is writing, or null. */
+    /** The dialog of the formula being written, or null. */
     var sheet: FormulaSheet? by mutableStateOf(null)
         private set
 
-    /** Those that a person took away: what lies beside the logs does not bring them back. */
+    /** The formulas that a person removed: files beside the logs do not bring them back. */
     private val removed = HashSet<String>()
 
-    /** Opens the sheet for a new one, with [names] of the open recording in it; nothing happens without a recording. */
+    /** Opens the dialog for a new one that contains [names] of the open recording; does nothing without a recording. */
     fun write(names: List<String> = emptyList()) {
         val open = current.recording ?: return
         val vocabulary = vocabularyFor(open, definition = null)
@@ -46,12 +46,12 @@ internal class FormulaStore(
         sheet = FormulaSheet(start = start)
     }
 
-    /** Opens the sheet for [definition]. */
+    /** Opens the dialog for [definition]. */
     fun edit(definition: String) {
         sheet = FormulaSheet(definition)
     }
 
-    /** Closes the sheet; what was written there is lost. */
+    /** Closes the dialog; its text is lost. */
     fun closeSheet() {
         sheet = null
     }
@@ -63,34 +63,34 @@ internal class FormulaStore(
         board.change { withGraph(listOf(name)) }
     }
 
-    /** Puts [definition], whose topic is called [name], in the place of [before]; what drew that draws this. */
+    /** Replaces [before] by [definition], whose topic is called [name], also in graphs. */
     fun replace(before: String, definition: String, name: String) {
         removed += before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
         nameIn(before)?.let { board.change { renamed(it, name) } }
     }
 
-    /** Takes [definition] away, also from the graphs. */
+    /** Removes [definition], also from the graphs. */
     fun remove(definition: String) {
         removed += definition
         definitions = definitions - definition
         nameIn(definition)?.let { board.change { withoutSignal(it) } }
     }
 
-    /** Them, and those of [others] whose topics they do not define, and which no person took away. */
+    /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed. */
     fun with(others: List<String>): List<String> {
         val names = definitions.mapTo(HashSet(), ::nameIn)
         return definitions + others.filter { it !in removed && nameIn(it) !in names }
     }
 
-    /** Has [definitions] from now on, in the open recording at once. */
+    /** Replaces all formulas by [definitions], immediately for the open recording. */
     fun replaceAll(definitions: List<String>) {
         this.definitions = definitions
         val open = current.recording ?: return
         if (open.definitions != definitions) show(open.withFormulas(definitions))
     }
 
-    /** Calculates them anew in the recordings that are shown, whenever a person has changed them, until cancelled. */
+    /** Recalculates them for the displayed recordings whenever a person has changed them, until cancelled. */
     suspend fun recalculate() = snapshotFlow { Shown(definitions, current.recording, compared.state.loaded.values.toList()) }
         .collectLatest { (definitions, open, others) ->
             try {
@@ -117,14 +117,14 @@ internal class FormulaStore(
 }
 
 /**
- * The sheet in which a person writes a formula.
+ * The dialog in which a person writes a formula.
  *
- * @property before the definition that is changed; null for a new one.
- * @property start the text it begins with.
+ * @property before the definition being changed; null for a new one.
+ * @property start the initial text.
  */
 internal data class FormulaSheet(val before: String? = null, val start: String = before.orEmpty())
 
-/** The names that the definition [definition] of [open] may use: the topics, and the formulas before it; all for null. */
+/** Returns the names that [definition] in [open] may use: the topics, and the formulas before it; all for null. */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
     return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }

@@ -15,16 +15,16 @@ import badlog.plot.formula.Suggestions
 import badlog.plot.formula.nameInExpression
 
 /**
- * A definition while it is typed.
+ * A definition while it is being typed.
  *
- * @param start the text to begin with.
+ * @param start the initial text.
  * @param vocabulary the names it may use.
  */
 @Stable
 internal class FormulaWriter(start: String, private val vocabulary: Vocabulary) {
     private var typed by mutableStateOf(TextFieldValue(start, TextRange(if (start.startsWith(" = ")) 0 else start.length)))
 
-    /** What stands in the field. A definition is one line. */
+    /** The content of the field. A definition is one line. */
     var field: TextFieldValue
         get() = typed
         set(value) {
@@ -33,28 +33,28 @@ internal class FormulaWriter(start: String, private val vocabulary: Vocabulary) 
             if (hasChanged) marked = NONE
         }
 
-    /** Which of the suggested names the keyboard stands on; [NONE] for none. */
+    /** The index of the suggested name selected with the keyboard; [NONE] for none. */
     var marked by mutableStateOf(NONE)
         private set
 
     private val parsed: ParsedVirtualTopic by derivedStateOf { VirtualTopic.parse(typed.text, vocabulary) }
 
-    /** The topic that it defines; null while it is none. */
+    /** The topic that it defines; null while it is not valid. */
     val topic: VirtualTopic? get() = parsed as? VirtualTopic
 
-    /** What is wrong; null when nothing is, or nothing was typed. */
+    /** What is wrong; null if nothing is, or nothing was typed. */
     val error: ExpressionError? get() = (parsed as? ExpressionError)?.takeIf { typed.text.isNotBlank() }
 
-    /** The names that may be meant at the text cursor. */
+    /** The suggested names at the text cursor. */
     val suggestions: Suggestions by derivedStateOf { Suggestions.of(typed.text, typed.selection.end, vocabulary) }
 
-    /** Marks the suggested name that is [steps] further down. */
+    /** Selects the suggested name [steps] further down. */
     fun mark(steps: Int) {
         val count = suggestions.names.size
         if (count > 0) marked = (marked + steps).coerceIn(0, count - 1)
     }
 
-    /** Puts the suggested name [index] where a part of it was typed. */
+    /** Replaces the typed part by the suggested name [index]. */
     fun take(index: Int) {
         val name = nameInExpression(suggestions.names.getOrNull(index) ?: return, vocabulary)
         val text = typed.text

@@ -27,7 +27,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 
-/** The formulas that make no topic of [open], and why; a click changes one. Nothing where all do. */
+/** The formulas that do not work for [open], and why; a click edits one. Empty if all do. */
 @Composable
 internal fun UnmadeFormulas(formulas: FormulaStore, open: OpenRecording) {
     val unmade = open.formulas.mapNotNull { formula -> reasonFor(formula, open)?.let { formula to it } }
@@ -38,7 +38,7 @@ internal fun UnmadeFormulas(formulas: FormulaStore, open: OpenRecording) {
     }
 }
 
-/** Why [formula] makes no topic of [open], as a sentence; null where it does. */
+/** Returns why [formula] does not work for [open], as a sentence; null if it does. */
 internal fun reasonFor(formula: Formula, open: OpenRecording): String? =
     formula.error?.message ?: "It has no samples here.".takeIf { formula.name?.let(open::signal) == null }
 
@@ -63,7 +63,7 @@ private fun UnmadeLine(formulas: FormulaStore, definition: String, reason: Strin
     }
 }
 
-/** What a right click on the formula [definition] offers. */
+/** Returns the context menu of the formula [definition]. */
 internal fun formulaMenu(formulas: FormulaStore, definition: String): List<ContextMenuItem> = listOf(
     ContextMenuItem("Change the formula…") { formulas.edit(definition) },
     ContextMenuItem("Remove the formula") { formulas.remove(definition) },

@@ -28,7 +28,7 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** What stands beside a plot: the numbers of its axes, with a color where only one line belongs to it, and its lanes' names. */
+/** The texts beside a plot: the numbers of its axes, in color if an axis has only one line, and its lanes' names. */
 @Composable
 internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -64,13 +64,13 @@ internal fun YAxes(scene: GraphScene, state: PlotState, modifier: Modifier) {
     )
 }
 
-/** What [line], one of [all], is called beside its lane: of several recordings each has a lane of the same name. */
+/** Returns the text beside the lane of [line], one of [all]: with several recordings, each has a lane with the same name. */
 internal fun laneName(line: DrawnLine, all: List<DrawnLine>): String {
     val label = line.label?.take(MAX_LETTERS) ?: return line.title.take(MAX_LETTERS)
     return if (all.all { it.signal.name == line.signal.name }) label else "${line.title.take(MAX_LETTERS)} · $label"
 }
 
-/** Two axes are told apart by the colors of their lines. */
+/** Two axes are distinguished by the colors of their lines. */
 private fun styleOf(picture: PlotPicture, axis: Int, style: TextStyle, palette: Palette): TextStyle {
     val lines = picture.lines.filter { it.axis == axis }
     return if (picture.axes.size > 1 && lines.size == 1) style.copy(color = palette.line(lines.single().line.color)) else style
@@ -85,19 +85,19 @@ private fun DrawScope.drawNumbers(
 ) {
     val last = axis.ticks.texts.lastIndex
     axis.ticks.texts.forEachIndexed { index, number ->
-        // The unit stands once, at the top, where it is short enough.
+        // The unit is shown once, at the top, if it is short enough.
         val unit = axis.axis.unit
         val hasUnit = index == last && unit.isNotEmpty() && number.length + unit.length < MAX_WITH_UNIT
         val text = letters.measure(if (hasUnit) "$number $unit" else number, style)
         val y = axis.pixelOf(axis.ticks.values[index], picture.plotHeight) - text.size.height / 2
-        // What would stand half outside moves in.
+        // A text that would be partly outside is moved inside.
         drawText(text, topLeft = Offset(left(text.size.width), y.coerceIn(0f, maxOf(0f, picture.plotHeight - text.size.height))))
     }
 }
 
 /** The lines behind a plot, at the ticks of the left axis and those of x. */
 internal fun DrawScope.drawGrid(picture: PlotPicture, visible: Span, palette: Palette) {
-    // Of the text's color, so that it shows on shaded ground as well.
+    // In the text's color, so that it is also visible on shaded parts.
     val color = palette.text.copy(alpha = GRID_OPACITY)
     picture.axes.firstOrNull()?.let { axis ->
         for (value in axis.ticks.values) {

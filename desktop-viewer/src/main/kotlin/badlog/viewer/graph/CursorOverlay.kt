@@ -27,7 +27,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.view.PlotGesture
 
-/** What moves with the pointer: the cursor with the samples it reads, the selection, a finding, and what is being dragged. */
+/** Everything that moves with the pointer: the cursor with the samples it reads, the selection, a finding, and what is being dragged. */
 @Composable
 internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     val palette = LocalPalette.current
@@ -44,7 +44,7 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     )
 }
 
-/** Draws [cursors] over the whole height: what is pinned in the accent's color, the second one dashed, the pointer's thin. */
+/** Draws [cursors] over the whole height: pinned ones in the accent color, the second one dashed, the pointer's thin. */
 internal fun DrawScope.drawCursors(cursors: Cursors, visible: Span, palette: Palette) {
     val pointer = palette.cursor.copy(alpha = if (cursors.isPinned) POINTER_OPACITY else CURSOR_OPACITY)
     cursors.hover?.let { drawCursorLine(it, visible, pointer, density) }
@@ -86,7 +86,7 @@ private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, 
     }
 }
 
-/** A dot on each line where the legend reads it: at the very sample, or where its value holds. */
+/** Draws a dot on each line where the legend reads it: at the sample, or where its value holds. */
 private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
     for (line in picture.lines) {
         val read = line.line.signal.line

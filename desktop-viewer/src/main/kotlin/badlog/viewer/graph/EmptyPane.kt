@@ -19,7 +19,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What stands here before a recording is open. */
+/** The pane before a recording is open. */
 @Composable
 internal fun NothingOpen(isOpening: Boolean, modifier: Modifier) {
     if (isOpening) {
@@ -29,13 +29,13 @@ internal fun NothingOpen(isOpening: Boolean, modifier: Modifier) {
     }
 }
 
-/** What stands here when a recording has nothing to draw. */
+/** The pane if a recording has nothing to draw. */
 @Composable
 internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
     Sentence("There is nothing to draw in this log", "${open.file.fileName} has no topic with a sample.", modifier)
 }
 
-/** What stands here when a person has taken every graph away. */
+/** The pane if a person has removed every graph. */
 @Composable
 internal fun NoGraphs(board: GraphBoard, open: OpenRecording, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or start with the default graphs.", modifier) {

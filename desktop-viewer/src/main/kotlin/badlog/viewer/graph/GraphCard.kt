@@ -32,7 +32,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** One graph, [height] dp high: what it shows, and its plot. */
+/** One graph, [height] dp high: its header and its plot. */
 @Composable
 internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
     val palette = LocalPalette.current
@@ -69,7 +69,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
         val isInUse = isHovered || isMenuOpen
         if (isInUse || spec.yRange != null || spec.sharesY || spec.id in scene.planes) {
             val menu = @Composable { GraphMenu(scene, spec, isMenuOpen) { isMenuOpen = it } }
-            // Over the plot a person reads the legend, which all buttons would cover.
+            // Over the plot, a person reads the legend, which all buttons would cover.
             GraphButtons(scene, spec, hasAll = isHeaderHovered || isMenuOpen, menu, Modifier.align(Alignment.TopEnd).hoverable(header))
         }
     }
@@ -79,7 +79,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
 private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, menu: @Composable () -> Unit, modifier: Modifier) {
     val palette = LocalPalette.current
     Row(modifier.padding(end = 12.dp).background(palette.surface.copy(alpha = 0.9f), RoundedCornerShape(5.dp))) {
-        // At the left: no button moves away from the pointer that comes to it.
+        // On the left, so that no button moves away from the approaching pointer.
         if (hasAll) {
             if (scene.board.isEvidence(spec.id)) {
                 ToolButton("Keep this graph on the board", Icons.Pin) { scene.board.keep(spec.id) }

@@ -62,7 +62,7 @@ internal fun GraphColumn(scene: GraphScene) {
     }
 }
 
-/** Scrolls to the graph that [board] wants, and tells it which ones are in sight. */
+/** Scrolls to the graph that [board] wants, and reports which ones are visible. */
 @Composable
 private fun ShowWantedGraph(board: GraphBoard, scroll: LazyListState) {
     LaunchedEffect(board.wanted) {
@@ -80,7 +80,7 @@ private fun ShowWantedGraph(board: GraphBoard, scroll: LazyListState) {
     }
 }
 
-/** Says, while signals are dragged, that there is more room below the last graph. */
+/** Shows, while signals are being dragged, that they can be dropped below the last graph. */
 @Composable
 private fun NewGraphPlace() {
     Text(
@@ -103,7 +103,7 @@ private fun Modifier.changesHeights(scene: GraphScene) = pointerInput(scene) {
             val event = awaitPointerEvent(PointerEventPass.Initial)
             val isCtrl = event.keyboardModifiers.isCtrlPressed || event.keyboardModifiers.isMetaPressed
             if (event.type != PointerEventType.Scroll || !isCtrl || !event.keyboardModifiers.isShiftPressed) continue
-            // Some systems turn the wheel sideways while Shift is held.
+            // Some systems report the wheel as horizontal while Shift is held.
             val notches = event.changes.sumOf { (it.scrollDelta.x + it.scrollDelta.y).toDouble() }
             event.changes.forEach { it.consume() }
             setGraphHeight(scene.settings, scene.settings.state.graphHeight - (notches * DP_PER_NOTCH).toInt())

@@ -30,23 +30,23 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.labelFrame
 
-/** Lets graph [id] be dragged by what it modifies. */
+/** Makes the element a handle for dragging graph [id]. */
 internal fun Modifier.takesGraph(drag: GraphDrag, id: Int): Modifier = pointerInput(drag, id) {
     awaitPointerEventScope {
         while (true) {
             val event = awaitPointerEvent()
-            // A line's name in the legend, which hides it, has used the press.
+            // A line's name in the legend, which hides it, may have consumed the press.
             val isFree = event.type == PointerEventType.Press && event.buttons.isPrimaryPressed && event.changes.none { it.isConsumed }
             if (isFree) drag.take(id)
         }
     }
 }
 
-/** Follows the pointer over all graphs while one is dragged, and shows in the colors of [palette] where letting go would put it. */
+/** Follows the pointer over all graphs while one is dragged, and shows in the colors of [palette] where it would be dropped. */
 internal fun Modifier.dragsGraphs(drag: GraphDrag, palette: Palette): Modifier = pointerInput(drag) {
     awaitPointerEventScope {
         while (true) {
-            // Before the graphs, of which the one that was pressed may have been scrolled away.
+            // Handled before the graphs, because the pressed one may have been scrolled away.
             val event = awaitPointerEvent(PointerEventPass.Initial)
             val change = event.changes.first()
             val isDragged = when (event.type) {
@@ -75,7 +75,7 @@ private fun DrawScope.drawTarget(target: DropTarget, palette: Palette) {
     }
 }
 
-/** What is dragged, beside the pointer; scrolls the graphs at the edges of their [height] in pixels. */
+/** The dragged graph's title beside the pointer; scrolls the graphs at the edges of their [height] in pixels. */
 @Composable
 internal fun DraggedGraph(scene: GraphScene, height: Int) {
     val drag = scene.drag

@@ -39,7 +39,7 @@ import badlog.viewer.menu.MenuBox
 import badlog.viewer.theme.LocalPalette
 import java.awt.Cursor
 
-/** What a graph is called, and what its lines are; no more than [maxLines] of text. What has no room there is in a menu. */
+/** The title and legend of a graph, in at most [maxLines] lines of text. What does not fit is in a menu. */
 @Composable
 internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
@@ -51,14 +51,14 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
         }
         return
     }
-    // The only signal of a graph is what the graph is called.
+    // A graph with a single signal has the signal's name.
     val isAlone = lines.distinctBy { it.signal.name }.size == 1 && lines.first().signal.name.endsWith(plain(spec.title))
     LegendFlow(
         count = maxOf(lines.size, 1),
         maxLines,
         room,
         title = { GraphTitle(spec.title) },
-        // A line may be gone that has not been laid out again yet.
+        // A line may already be gone before the next layout.
         entry = { i -> lines.getOrNull(i)?.let { LegendEntry(scene, spec, it, hasName = !isAlone) } ?: NoLines(lines) },
         more = { first -> MoreLines(scene, spec, lines.drop(first)) },
     )
@@ -69,7 +69,7 @@ private fun NoLines(lines: List<DrawnLine>) {
     if (lines.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
 }
 
-/** Stands for [lines], which the header of [spec] has no room for; a click lists them. */
+/** The button for [lines] that do not fit in the header of [spec]; a click lists them. */
 @Composable
 private fun MoreLines(scene: GraphScene, spec: BoardGraph, lines: List<DrawnLine>) {
     var isOpen by remember { mutableStateOf(false) }
@@ -109,10 +109,10 @@ private fun GraphTitle(title: String) {
     }
 }
 
-/** A title as the signal's name has it. */
+/** Returns a title as the signal's name has it. */
 private fun plain(title: String) = title.substringAfterLast('/').removePrefix("[ ").removeSuffix(" ]")
 
 private const val MAX_FOLDER_LETTERS = 60
 
-/** The menu of a graph stands beside its legend. */
+/** The room for a graph's menu beside its legend. */
 private val MENU_ROOM = 42.dp

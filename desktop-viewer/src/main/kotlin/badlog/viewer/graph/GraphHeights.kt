@@ -7,10 +7,11 @@ import badlog.viewer.graph.plot.MAX_LINES
 import badlog.viewer.graph.scene.GraphScene
 
 /**
- * How tall each of [graphs] is, in dp. Lanes have the height they need, and who has a height of its own has that. Other graphs of
- * y over x are large, those of numbers are [usual] tall, or share what is left of [room] when they [fit] into it with no less than the least height each.
+ * Returns the height of each of [graphs], in dp. Lanes have the height they need, and graphs with their own height keep it. Other graphs of
+ * y over x are large, and those of numbers have the height [usual], or share the rest of [room] if they [fit] in it with at least the
+ * minimum height each.
  *
- * @param lanes for each graph how many lanes it is made of, 0 when it has lines of numbers.
+ * @param lanes for each graph, its number of lanes; 0 if it has lines of numbers.
  */
 internal fun graphHeights(graphs: List<BoardGraph>, lanes: List<Int>, room: Int, usual: Int, fit: Boolean): List<Int> {
     val natural = lanes.mapIndexed { i, count ->

@@ -26,10 +26,10 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
 
-/** What can be done with a graph: how a menu says it, and whether that is so already. */
+/** An action for a graph: its label in a menu, and whether it is on. */
 internal class GraphAction(val label: String, val isOn: Boolean = false, val run: () -> Unit)
 
-/** What can be done with [spec], in groups; the last one adds it to another graph. */
+/** Returns the actions for [spec], in groups; the last group adds it to another graph. */
 internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
     val board = scene.board
     return listOf(
@@ -70,12 +70,12 @@ private fun additionsOf(scene: GraphScene, spec: BoardGraph) = scene.board.state
     GraphAction("Add to ${quoted(other)}") { scene.board.change { joined(other.id, spec.id) } }
 }
 
-/** The title of [graph] as a line of a menu has it. */
+/** Returns the title of [graph] for a menu. */
 internal fun quoted(graph: BoardGraph): String = "“${shortLabel(graph.title, TITLE_LETTERS)}”"
 
 private const val TITLE_LETTERS = 36
 
-/** Keeps what is seen of y in [spec] whatever x is visible, or no longer. */
+/** Fixes or unfixes the visible y range of [spec]. */
 private fun fixY(scene: GraphScene, spec: BoardGraph) {
     if (spec.yRange != null || spec.rightYRange != null) return scene.board.change { withYRange(spec.id, null) }
     val axes = scene.pictureOf(scene.plots.state(spec.id))?.axes.orEmpty()
@@ -83,7 +83,7 @@ private fun fixY(scene: GraphScene, spec: BoardGraph) {
     scene.board.change { withYRange(spec.id, shown(AxisSide.LEFT), shown(AxisSide.RIGHT)) }
 }
 
-/** A button that opens what can be done with [spec]; [onOpen] hears whether it is open. */
+/** A button that opens the menu of [spec]; [onOpen] is called with whether it is open. */
 @Composable
 internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onOpen: (Boolean) -> Unit) {
     var search by remember(isOpen) { mutableStateOf("") }
@@ -117,6 +117,6 @@ internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onO
     }
 }
 
-/** So many lines are found without a search. */
+/** Up to this many lines are easy to find without a search. */
 private const val FEW = 8
 private val SEARCH_WIDTH = 280.dp

@@ -73,7 +73,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
     }
 }
 
-/** Everything but what moves with the pointer; a layer of its own, so that it is not drawn again when only that moves. */
+/** Everything that does not move with the pointer; a separate layer, so that it is not redrawn when the pointer moves. */
 @Composable
 private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     val palette = LocalPalette.current
@@ -97,7 +97,7 @@ private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     )
 }
 
-/** The value on the left axis at [y] pixels from the top of a plot; NaN where there is no axis. */
+/** Returns the value on the left axis at [y] pixels from the top of a plot; NaN if there is no axis. */
 private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
     if (picture == null) return Double.NaN
     val plotHeight = picture.plotHeight / picture.request.height * height

@@ -26,7 +26,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
-/** What can be done with the view: where to look, playback, and how high graphs are. */
+/** The toolbar of the graphs: visible range, playback, and height. */
 @Composable
 internal fun GraphToolbar(scene: GraphScene) {
     FlowRow(
@@ -43,7 +43,7 @@ internal fun GraphToolbar(scene: GraphScene) {
 
 @Composable
 private fun ViewButtons(current: CurrentRecording, view: AxisView) {
-    // The view changes at the speed of the wheel, what the buttons show of it hardly ever.
+    // The view changes with every turn of the wheel, but the buttons hardly ever.
     val isZoomed by remember(view) { derivedStateOf { view.viewport.isZoomed } }
     val hasHistory by remember(view) { derivedStateOf { view.viewport.canGoBack } }
     Row(verticalAlignment = Alignment.CenterVertically) {
@@ -86,7 +86,7 @@ private fun HeightButtons(settings: SettingsStore) {
     }
 }
 
-/** Makes graphs [height] dp high, or as near as they may be; they no longer share the window's height. */
+/** Makes graphs [height] dp high, within their limits; they no longer share the window's height. */
 internal fun setGraphHeight(settings: SettingsStore, height: Int) {
     settings.change { copy(graphHeight = height.coerceIn(BoardGraph.HEIGHTS), fitsGraphs = false) }
 }

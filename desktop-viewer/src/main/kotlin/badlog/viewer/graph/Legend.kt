@@ -46,7 +46,7 @@ import badlog.viewer.theme.LineName
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Tip
 
-/** A line's color, name where it [hasName], and its value under the cursor. */
+/** A line's color, its name if [hasName], and its value under the cursor. */
 @Composable
 internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, hasName: Boolean) {
     val palette = LocalPalette.current
@@ -86,7 +86,7 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
     }
 }
 
-/** How long and how often [line] was in each of its states over what is visible, or between the cursors. */
+/** Returns how long and how often [line] was in each of its states in the visible range, or between the cursors. */
 private fun statesText(scene: GraphScene, line: DrawnLine): String {
     val span = scene.view.cursors.between ?: scene.view.viewport.visible
     return scene.plots.curves.runs(line.recording, line.signal)
@@ -95,7 +95,7 @@ private fun statesText(scene: GraphScene, line: DrawnLine): String {
         .joinToString("\n") { it.text(line.recording.view.xAxis) }
 }
 
-/** The value of [line] under the cursor. It is drawn, not laid out: the cursor moves at the speed of the mouse. */
+/** The value of [line] under the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */
 @Composable
 private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     val palette = LocalPalette.current
@@ -116,14 +116,14 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
                     Constraints(maxWidth = size.width.toInt()),
                 )
             }
-            // A number that is cut off says less than one that is rounded.
+            // A rounded number is more useful than one that is cut off.
             val layout = measured(isShort = false).let { if (it.hasVisualOverflow) measured(isShort = true) else it }
             drawText(layout, topLeft = Offset(0f, (size.height - layout.size.height) / 2))
         },
     )
 }
 
-/** What stands beside [line] while there is no cursor: its unit, and which axis it has where that is not the left one. */
+/** Returns the text beside [line] while there is no cursor: its unit, and its axis unless that is the left one. */
 private fun PlotPicture.legendOf(line: DrawnLine): String? = lines.find { it.line == line }?.let { axes[it.axis].axis.legend }
 
 private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
@@ -133,8 +133,8 @@ private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
 }
 
 /**
- * What [line] says at the [cursor], compared with a [second] one; empty without a cursor, and while [picture] does not have the line
- * yet.
+ * Returns the value of [line] at the [cursor], compared with a [second] one; empty without a cursor, and until [picture] has the
+ * line.
  */
 internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, isShort: Boolean = false, second: Double? = null): String {
     if (picture == null || cursor == null) return ""
@@ -145,5 +145,5 @@ internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, 
     return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit) { line.signal.numberText(it, isShort) }
 }
 
-/** More letters of a recording's name leave no room for others. */
+/** More characters of a recording's name would leave no room for others. */
 private const val LABEL_LETTERS = 28

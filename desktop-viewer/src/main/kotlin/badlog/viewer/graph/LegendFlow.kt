@@ -8,8 +8,8 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 
 /**
- * Places [title] and then [count] entries from left to right, in at most [maxLines] lines. Where some have no room, [more] stands behind
- * the others and gets the number of the first that is missing.
+ * Places [title] and then [count] entries from left to right, in at most [maxLines] lines. If some do not fit, [more] follows the
+ * others, and receives the index of the first missing one.
  */
 @Composable
 internal fun LegendFlow(
@@ -62,5 +62,5 @@ internal fun LegendFlow(
 
 private val GAP = 14.dp
 
-/** So much room is left for what stands for the others. */
+/** The room for the button that stands for the others. */
 private val MORE_WIDTH = 36.dp

@@ -48,7 +48,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** The whole recording as a strip, with a small curve, the events, the findings, and the part that is visible as a window to be moved. */
+/** The whole recording as a strip, with a small curve, the events, the findings, and the visible part as a movable window. */
 @Composable
 internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current
@@ -86,7 +86,7 @@ internal fun Overview(scene: GraphScene) {
     }
 }
 
-/** The graph in the overview: the battery's voltage, in which a match is easily known again, or else the first numbers that change. */
+/** Returns the graph in the overview: the battery voltage, in which a match is easily recognized, or else the first numbers that change. */
 internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
     val chosen = open.of("battery").firstOrNull()
@@ -137,7 +137,7 @@ private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
         CornerRadius(3 * density),
         Stroke(1.5f * density),
     )
-    // Grips, where there is room for them between the edges.
+    // Handles, if there is room for them between the edges.
     if (right - left < 4 * least) return
     for (edge in listOf(left, right)) {
         drawLine(palette.accent, Offset(edge, size.height * 0.3f), Offset(edge, size.height * 0.7f), strokeWidth = 4 * density)

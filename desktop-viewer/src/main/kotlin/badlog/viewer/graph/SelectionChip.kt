@@ -21,7 +21,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** How long the selection is, and what to do with it; floats below it, in a pane [width] wide. */
+/** The length of the selection, and actions for it; floats below it, in a pane [width] wide. */
 @Composable
 internal fun SelectionChip(scene: GraphScene, width: Dp) {
     val selection = scene.view.selection ?: return

@@ -15,7 +15,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
-/** Lets signals be dropped here, and shows while they could be; [onDrop] hears those names that the open recording has. */
+/** Accepts dropped signals, and shows that they can be dropped; [onDrop] receives those names that the open recording has. */
 internal fun Modifier.receivesSignals(scene: GraphScene, onDrop: (List<String>) -> Unit): Modifier = composed {
     val palette = LocalPalette.current
     val latest by rememberUpdatedState(onDrop)

@@ -9,10 +9,10 @@ import java.awt.datatransfer.Transferable
 import java.awt.datatransfer.UnsupportedFlavorException
 import java.io.IOException
 
-/** The signals [names] as what is dragged: their names as text, one on a line. */
+/** Returns the signals [names] for dragging: their names as text, one per line. */
 internal fun signalTransfer(names: List<String>): Transferable = StringSelection(names.joinToString("\n"))
 
-/** The names of signals that [transfer] has, as [signalTransfer] wrote them; empty for anything else, as files. */
+/** Returns the names of signals that [transfer] has, as [signalTransfer] wrote them; empty for anything else, such as files. */
 internal fun signalNames(transfer: Transferable): List<String> {
     if (!mayHoldSignals(transfer)) return emptyList()
     return try {
@@ -24,14 +24,14 @@ internal fun signalNames(transfer: Transferable): List<String> {
     }
 }
 
-/** Whether [transfer] may hold names of signals, as far as is known while it is still dragged. */
+/** Returns whether [transfer] may contain names of signals, as far as is known while it is being dragged. */
 internal fun mayHoldSignals(transfer: Transferable): Boolean =
     transfer.isDataFlavorSupported(DataFlavor.stringFlavor) && !transfer.isDataFlavorSupported(DataFlavor.javaFileListFlavor)
 
-/** The names of signals that are dropped by this event. */
+/** Returns the names of signals that are dropped by this event. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun DragAndDropEvent.signalNames(): List<String> = signalNames(awtTransferable)
 
-/** Whether names of signals may be what is dragged. */
+/** Returns whether names of signals may be what is dragged. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun DragAndDropEvent.mayHoldSignals(): Boolean = mayHoldSignals(awtTransferable)

@@ -38,7 +38,7 @@ import badlog.viewer.graph.scene.plotPointer
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 
-/** The common x axis below the graphs, with where the cursor stands; dragging it pans. */
+/** The common x axis below the graphs, with the cursor's place; dragging it pans. */
 @Composable
 internal fun XAxisBar(scene: GraphScene) {
     val palette = LocalPalette.current
@@ -91,10 +91,10 @@ private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeas
     }
 }
 
-/** What stands on the axis at [x], called [name]: with all clocks where it [isMain], or else the distance from another cursor at [from]. */
+/** A flag on the axis at [x], called [name]: with all clocks if [isMain], or else the distance from another cursor at [from]. */
 private class Flag(val x: Double, val name: String, val color: Color, val isMain: Boolean, val from: Double? = null)
 
-/** The flags of [cursors], the more important ones last: in the accent's color what is pinned. */
+/** Returns the flags of [cursors], the more important ones last: pinned ones in the accent color. */
 private fun flagsOf(cursors: Cursors, palette: Palette): List<Flag> {
     val (a, b, hover) = cursors
     return listOfNotNull(
@@ -104,7 +104,7 @@ private fun flagsOf(cursors: Cursors, palette: Palette): List<Flag> {
     )
 }
 
-/** Where a cursor stands, in words. */
+/** Draws the text of a cursor's place. */
 private fun DrawScope.drawFlag(x: Float, text: String, color: Color, letters: TextMeasurer, style: TextStyle) {
     val layout = letters.measure(text, style, softWrap = false, maxLines = 1)
     val margin = GAP * density / 2

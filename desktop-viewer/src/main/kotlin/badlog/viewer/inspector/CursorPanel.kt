@@ -52,7 +52,7 @@ import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 
-/** What the topics of the graphs, or those that a search finds, are at the cursor; what just changed first. */
+/** The values at the cursor of the graphs' topics, or of those that a search finds; recently changed ones first. */
 @Composable
 internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisView, open: OpenRecording, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
@@ -104,7 +104,7 @@ private data class CursorQuestion(val query: String, val graphs: Board, val foun
 internal data class CursorRow(val name: String, val text: String, val hasChanged: Boolean)
 
 /**
- * The topics whose name or unit [query] finds; while nothing is searched for, those of the graphs of [board].
+ * Returns the topics whose name or unit [query] finds; without a search, those of the graphs of [board].
  *
  * @param found the names of the topics that a finding is about.
  */
@@ -114,14 +114,14 @@ internal fun cursorSignals(open: OpenRecording, board: Board, query: String, fou
     return open.signals.filter { (it.hasFigures || it.states != null) && it.isFoundBy(wanted, found, "${it.name} ${unitText(it.unit)}") }
 }
 
-/** What [signals] are at [x], in the order of [values]. */
+/** Returns the values of [signals] at [x], in the order of [values]. */
 internal fun cursorRows(signals: List<Signal>, values: CursorValues, x: Double?): List<CursorRow> =
     values.at(x ?: Double.NaN).map { value ->
         val signal = signals[value.line]
         CursorRow(signal.name, if (x == null) "" else valueText(signal, x), value.hasChanged)
     }
 
-/** A topic, its value, and a pin that draws it, or leads to its graph where it [isDrawn]. */
+/** A topic, its value, and a pin that draws it, or goes to its graph if [isDrawn]. */
 @Composable
 private fun CursorLine(row: CursorRow, isDrawn: Boolean, onPin: () -> Unit) {
     val palette = LocalPalette.current

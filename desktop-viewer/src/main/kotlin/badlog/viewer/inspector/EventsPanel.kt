@@ -49,11 +49,11 @@ import badlog.viewer.view.AxisView
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
-/** All events of [open] in the order of x. A click goes there, of which [onGo] hears; the one nearest to the cursor is marked. */
+/** All events of [open] in the order of x. A click goes there and calls [onGo]; the event nearest to the cursor is highlighted. */
 @Composable
 internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val isReady by produceState(false, open) {
-        // Both are calculated when they are first asked for.
+        // Both are calculated on first use.
         withContext(Dispatchers.Default) {
             open.events
             open.enabled
@@ -104,7 +104,7 @@ private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline,
     }
 }
 
-/** Scrolls to the event [nearest] to the cursor when it is out of sight. */
+/** Scrolls to the event [nearest] to the cursor if it is not visible. */
 @Composable
 private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
     LaunchedEffect(state, nearest.value) {
@@ -117,7 +117,7 @@ private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
     }
 }
 
-/** Event [index] of [events]: when, and what. */
+/** Event [index] of [events]: its time and text. */
 @Composable
 internal fun EventLine(
     events: EventTimeline,
@@ -158,7 +158,7 @@ internal fun EventLine(
     }
 }
 
-/** Chooses the topics whose events are listed. */
+/** Selects the topics whose events are listed. */
 @Composable
 internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
     val chosen = events.state.topicsOf(logs)
@@ -177,7 +177,7 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
     }
 }
 
-/** Of more topics than these the search finds the events. */
+/** With more topics than this, use the search. */
 private const val MAX_TOPICS = 40
 private const val MAX_TITLE_LENGTH = 40
 
@@ -187,10 +187,10 @@ internal class EventTimes(recording: OpenRecording) {
     private val enabledFrom = recording.enabled.firstOrNull()?.span?.from
     private val seconds = Units.secondsIn(recording.view.xAxis.unit)
 
-    /** [x] as it was logged, all with as many decimals; `–` for none. */
+    /** Returns [x] as it was logged, all with as many decimals; `–` for none. */
     fun logged(x: Double): String = fixedText(x, decimals)
 
-    /** `1:32.0` for 92 s after the robot was first enabled, negative before; null where it is unknown. */
+    /** Returns `1:32.0` for 92 s after the robot was first enabled, negative before; null where it is unknown. */
     fun sinceEnabled(x: Double): String? {
         if (enabledFrom == null || seconds == null || !x.isFinite()) return null
         return minutesText((x - enabledFrom) * seconds)

@@ -25,8 +25,8 @@ import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
 /**
- * What stands below the selected [finding]: which of its places is shown and what was found there, the way to the others, what to look at
- * next, and what else of [open] may be drawn beside it.
+ * The details below the selected [finding]: which of its places is shown and what was found there, buttons for the others, what to look
+ * at next, and other topics of [open] to draw beside it.
  */
 @Composable
 internal fun FindingDetails(

@@ -60,9 +60,10 @@ import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
 /**
- * What rules found in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below it the rules that were skipped, folded.
+ * The findings in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below are the skipped
+ * rules, folded.
  *
- * @param onGo hears that a click went to a finding.
+ * @param onGo called when a click goes to a finding.
  */
 @Composable
 internal fun FindingsPanel(
@@ -91,10 +92,10 @@ internal fun FindingsPanel(
     }
     LaunchedEffect(selected, found) {
         if (selected !in found.findings) return@LaunchedEffect
-        // Only when it is laid out is it known how much room its details take.
+        // The height of its details is known only after layout.
         withFrameNanos { }
         val visible = state.layoutInfo.visibleItemsInfo
-        // Who goes to what an incident speaks of goes on reading there.
+        // Somebody who goes to a finding of an incident keeps reading the incident.
         val isRead = visible.any { line -> found.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
         if (!isRead) showWhole(state, found.findings.indexOf(selected) + found.incidents.size)
     }
@@ -139,7 +140,7 @@ internal fun FindingsPanel(
     }
 }
 
-/** Says what a search hides, where it hides something, and shows that again. */
+/** Says what a search hides, if anything, and offers to show it again. */
 @Composable
 private fun HiddenLine(text: String, onShow: () -> Unit) {
     if (text.isEmpty()) return
@@ -149,7 +150,7 @@ private fun HiddenLine(text: String, onShow: () -> Unit) {
     }
 }
 
-/** Scrolls [list] until all of item [index] is seen; of one that is higher than the list, its beginning. */
+/** Scrolls [list] until all of item [index] is visible; if it is higher than the list, its start. */
 private suspend fun showWhole(list: LazyListState, index: Int) {
     val seen = list.layoutInfo.visibleItemsInfo
     if (seen.none { it.index == index }) list.scrollToItem(maxOf(0, index - seen.size / 2))
@@ -162,7 +163,7 @@ private suspend fun showWhole(list: LazyListState, index: Int) {
     }
 }
 
-/** `1 error, 5 warnings, 2 notes`, only of what there is. */
+/** Returns `1 error, 5 warnings, 2 notes`, omitting zeros. */
 internal fun summaryOf(list: FindingList): String = Severity.entries.reversed()
     .map { severity -> severity to list.all.count { it.severity == severity } }
     .filter { it.second > 0 }
@@ -277,7 +278,7 @@ internal fun PointedText(text: String) {
     }
 }
 
-/** Where in the longest line of [text] the carets of its last one stand, from 0 to 1. */
+/** Returns where in the longest line of [text] the carets of its last one stand, from 0 to 1. */
 private fun placeOfCarets(text: String): Float =
     text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
 

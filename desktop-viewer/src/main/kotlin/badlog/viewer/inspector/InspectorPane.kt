@@ -139,7 +139,7 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.NOTES -> notes.state.notes.size
 }
 
-/** How many of the problems of [view] cost something; notes, which healthy logs have as well, do not. */
+/** Returns how many of the problems of [view] cost something; notes, which healthy logs have as well, do not. */
 internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
 
 /** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */

@@ -22,7 +22,7 @@ internal fun shownSpan(view: AxisView): NamedSpan = view.selection?.let { NamedS
     ?: view.cursors.between?.let { NamedSpan(Cursors.BETWEEN, it) }
     ?: NamedSpan("Visible range", view.viewport.visible)
 
-/** What of [open] [range] means; null where it is not known when the robot was enabled. */
+/** Returns what of [open] [range] means; null where it is not known when the robot was enabled. */
 internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView): NamedSpan? = when (range) {
     StatisticsRange.SHOWN -> shownSpan(view)
 
@@ -34,7 +34,7 @@ internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView)
     StatisticsRange.ALL -> NamedSpan("Whole log", open.span)
 }
 
-/** [spans] in the order of x; those that touch are one. */
+/** Returns [spans] in the order of x; those that touch are one. */
 private fun joined(spans: List<Span>): List<Span> = buildList {
     for (span in spans.sortedBy { it.from }) {
         val before = lastOrNull()

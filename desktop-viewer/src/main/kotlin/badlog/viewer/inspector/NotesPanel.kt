@@ -70,7 +70,7 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
     }
 }
 
-/** Where a note would stand now: at the cursor, or in the middle of what is visible. */
+/** Returns where a note would stand now: at the cursor, or in the middle of what is visible. */
 internal fun placeOfNote(view: AxisView): Double = view.cursor ?: view.viewport.visible.run { (from + to) / 2 }
 
 @Composable

@@ -33,7 +33,7 @@ internal class SignalStatistics(val signal: String, val unit: String, val record
 /** A name and what stands beside it, in a line of its own where it [isWide]; [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false)
 
-/** The statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
+/** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
@@ -73,7 +73,7 @@ private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: Series
 
 private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
 
-/** The statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
+/** Returns the statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
 internal fun RangeStatistics.toTsv(): String {
     val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
     val head = listOf("topic", "unit", "log", "from", "to") + columns

@@ -115,7 +115,7 @@ internal fun titleOfShown(view: AxisView): String = when {
 /** What statistics are of; as long as it stays equal, nothing is calculated again. */
 internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan)
 
-/** What is to be seen now of [part]; where that is null, of what is shown. */
+/** Returns what is to be seen now of [part]; where that is null, of what is shown. */
 internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
     val names = board.state.graphs.flatMap { it.lines }.distinct()
     return Asked(compared.drawn, names, part ?: shownSpan(view))

@@ -128,7 +128,7 @@ internal class Command(val group: String, val meaning: String, val keys: List<Ke
         get() = HelpLine(group, keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  "), meaning)
 }
 
-/** What to press for [stroke]. */
+/** Returns what to press for [stroke]. */
 private fun pressesOf(stroke: KeyStroke): List<KeyPress> {
     // Which of the keys with a plus needs Shift depends on the keyboard.
     val shifts = if (stroke.key == "+") listOf(false, true) else listOf(stroke.shift)

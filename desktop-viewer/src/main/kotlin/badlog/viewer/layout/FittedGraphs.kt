@@ -10,6 +10,6 @@ import badlog.viewer.recording.OpenRecording
 internal fun fitted(board: Board, recording: OpenRecording): FittedBoard =
     board.fittedTo(excused = recording.formulas.mapNotNullTo(HashSet()) { it.name }) { recording.signal(it) != null }
 
-/** [span] as the window knows it; null where it is none. */
+/** Returns [span] as the window knows it; null where it is none. */
 internal fun spanOf(span: LayoutSpan): Span? =
     if (span.from < span.to && span.from.isFinite() && span.to.isFinite()) Span(span.from, span.to) else null

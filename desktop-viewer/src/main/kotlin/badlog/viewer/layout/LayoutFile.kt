@@ -55,7 +55,7 @@ private val JSON = Json {
 
 /** The layouts of folders as they were left, in files of the user's own below [place]. */
 internal class FolderLayouts(private val place: Path) {
-    /** How the window was arranged over [folder]; null where it never was, or that is damaged. */
+    /** Returns how the window was arranged over [folder]; null where it never was, or that is damaged. */
     fun read(folder: Path): Layout? = try {
         readLayout(fileOf(folder))
     } catch (_: IOException) {
@@ -69,19 +69,19 @@ internal class FolderLayouts(private val place: Path) {
      */
     fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
 
-    /** When the layout of [folder] was last written, in milliseconds since 1970; 0 where it never was. */
+    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 where it never was. */
     fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
 
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
 
-/** [file] as a layout writes it: relative to [folder] where it is in it, with `/` between the parts on every system. */
+/** Returns [file] as a layout writes it: relative to [folder] where it is in it, with `/` between the parts on every system. */
 internal fun pathText(file: Path, folder: Path?): String {
     val base = folder?.toAbsolutePath()?.normalize()
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
 }
 
-/** The file that a layout wrote as [text], seen from [folder]; null where no file can be called that. */
+/** Returns the file that a layout wrote as [text], seen from [folder]; null where no file can be called that. */
 internal fun pathOf(text: String, folder: Path?): Path? = try {
     (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
 } catch (_: InvalidPathException) {

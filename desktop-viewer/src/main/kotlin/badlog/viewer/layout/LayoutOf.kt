@@ -12,10 +12,10 @@ import java.nio.file.Path
 
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-/** [panels] as a layout keeps them. */
+/** Returns [panels] as a layout keeps them. */
 internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
 
-/** [comparison] as a layout keeps it, with files as seen from [folder]. */
+/** Returns [comparison] as a layout keeps it, with files as seen from [folder]. */
 internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
     files = comparison.checked.map { pathText(it, folder) },
     alignment = comparison.alignment.layoutName,
@@ -26,7 +26,7 @@ internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
 internal fun alignmentOf(layout: LayoutComparison): Alignment =
     Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
 
-/** [panels] as the window knows them; what this program does not know stays as in [now]. */
+/** Returns [panels] as the window knows them; what this program does not know stays as in [now]. */
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,

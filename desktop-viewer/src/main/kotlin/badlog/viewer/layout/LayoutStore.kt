@@ -76,21 +76,24 @@ internal class LayoutStore(
     /** What of the layout is for others: the graphs and the formulas. */
     val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
 
-    /** The log that was open when the window was last over [folder]; null where it is gone. */
+    /** Returns the log that was open when the window was last over [folder]; null where it is gone. */
     fun lastOpenIn(folder: Path): LastOpen? {
         val name = layouts.read(folder)?.recording ?: return null
         val file = pathOf(name, folder)?.takeIf(Files::isRegularFile) ?: return null
         return LastOpen(file, layouts.writtenAt(folder))
     }
 
-    /** The graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
+    /** Returns the graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
     fun graphsOf(recording: OpenRecording): Board {
         val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
         return fitted.board
     }
 
-    /** The formulas to calculate in [recording]: also those of the layout beside it, where nobody has arranged the graphs of this folder. */
+    /**
+     * Returns the formulas to calculate in [recording]: also those of the layout beside it, where nobody has arranged the graphs of this
+     * folder.
+     */
     fun formulasFor(recording: OpenRecording): List<String> {
         val isArranged = saved?.graphs != null || !isInFolder(recording)
         return if (isArranged) formulas.definitions else formulas.with(recording.layout.layout?.formulas.orEmpty())
@@ -170,7 +173,7 @@ internal class LayoutStore(
         }
     }
 
-    /** Where to save what, when that is not yet saved. What another folder's recording shows is not this folder's. */
+    /** Returns where to save what, when that is not yet saved. What another folder's recording shows is not this folder's. */
     private fun change(): Pair<Path, Layout>? {
         val place = folder ?: return null
         val open = current.recording?.takeIf(::isInFolder)
@@ -186,8 +189,8 @@ internal class LayoutStore(
     }
 
     /**
-     * What to write of [mine], which this window shows over the folder of [place]: what it has not changed stays as another window has written
-     * it. What that has done to the formulas is done here, too.
+     * Returns what to write of [mine], which this window shows over the folder of [place]: what it has not changed stays as another window
+     * has written it. What that has done to the formulas is done here, too.
      */
     private fun written(place: Path, mine: Layout): Layout {
         val theirs = layouts.read(place) ?: return mine

@@ -1,8 +1,8 @@
 package badlog.viewer.layout
 
 /**
- * What two windows over one folder have made of it: what [mine] has not changed since [before] is as in [theirs], formula by formula; else it is
- * as in [mine]. The log that is open and what is seen of it belong together.
+ * Returns what two windows over one folder have made of it: what [mine] has not changed since [before] is as in [theirs], formula by
+ * formula; else it is as in [mine]. The log that is open and what is seen of it belong together.
  */
 internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
     val place = if (placeIn(mine) == placeIn(before)) theirs else mine

@@ -57,7 +57,7 @@ internal data class LibraryState(
         searchesAsked = searchesAsked,
     )
 
-    /** The same folder with [entries] known of it. */
+    /** Returns the same folder with [entries] known of it. */
     fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
 
     /** Lists only what has all words of [filter]. */
@@ -72,7 +72,7 @@ internal data class LibraryState(
     /** Leaves out logs in which no rule found an error, or not. */
     fun onlyErrors(isOn: Boolean): LibraryState = copy(listing = listing.copy(onlyErrors = isOn))
 
-    /** The log that is [steps] further down the list than the selected one; the first or last where the list ends. */
+    /** Returns the log that is [steps] further down the list than the selected one; the first or last where the list ends. */
     fun stepped(steps: Int): LogEntry? {
         if (visible.isEmpty()) return null
         val at = visible.indexOfFirst { it.file == selected }

@@ -126,7 +126,7 @@ private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = build
 internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color =
     if ((entry.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
 
-/** What lies behind a row. */
+/** Returns what lies behind a row. */
 internal fun rowColor(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
     isOpen || isSelected -> palette.accentSoft
     isHovered -> palette.raised

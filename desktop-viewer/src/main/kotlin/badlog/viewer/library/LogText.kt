@@ -16,10 +16,10 @@ internal const val BROWNOUT_NEAR = 7.0
 
 private val DATE = DateTimeFormatter.ofPattern("d MMM yyyy, HH:mm", ENGLISH)
 
-/** `16 Mar 2024, 10:41`. */
+/** Returns `16 Mar 2024, 10:41`. */
 internal fun dateText(date: LogDate): String = DATE.format(date.time)
 
-/** `2:47`; null when it is not known. */
+/** Returns `2:47`; null when it is not known. */
 internal fun durationText(entry: LogEntry): String? {
     val duration = entry.duration ?: return null
     val seconds = secondsOf(duration, entry.xUnit) ?: return "%.4g %s".format(ENGLISH, duration, entry.xUnit)
@@ -28,7 +28,7 @@ internal fun durationText(entry: LogEntry): String? {
     return minutesText(seconds, decimals = 0)
 }
 
-/** `1.8 MB`. */
+/** Returns `1.8 MB`. */
 internal fun sizeText(bytes: Long): String = when {
     bytes < 1000 -> "$bytes B"
     bytes < 999_500 -> "%.0f kB".format(ENGLISH, bytes / 1e3)
@@ -36,17 +36,17 @@ internal fun sizeText(bytes: Long): String = when {
     else -> "%.1f GB".format(ENGLISH, bytes / 1e9)
 }
 
-/** `6.73 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
+/** Returns `6.73 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
 internal fun batteryText(entry: LogEntry): String? =
     entry.batteryMinimum?.let { "%.2f V".format(ENGLISH, kotlin.math.floor(it * 100 + 1e-6) / 100) }
 
-/** How many problems that matter there are; null when there are none. */
+/** Returns how many problems that matter there are; null when there are none. */
 internal fun problemText(entry: LogEntry): String? = when {
     !entry.isReadable -> "unreadable"
     else -> (entry.problems.errors + entry.problems.warnings).takeIf { it > 0 }?.toString()
 }
 
-/** The problems in words, for a tip. */
+/** Returns the problems in words, for a tip. */
 internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(entry.problems) {
     listOfNotNull(
         counted(errors, "error", "errors"),
@@ -57,7 +57,10 @@ internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(en
 
 private fun counted(count: Int, one: String, many: String) = if (count == 0) null else "$count ${if (count == 1) one else many}"
 
-/** `Browned out +3`: the worst that rules found, and how much more; null for nothing, `…` while they have not been run, `–` where they cannot. */
+/**
+ * Returns `Browned out +3`: the worst that rules found, and how much more; null for nothing, `…` while they have not been run, `–` where
+ * they cannot.
+ */
 internal fun foundText(entry: LogEntry): String? {
     if (entry.isGray) return null
     val found = entry.found ?: return "…"

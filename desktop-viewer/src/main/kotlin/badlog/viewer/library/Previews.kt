@@ -20,7 +20,7 @@ internal class Previews(entries: List<LogEntry>, private val name: String?) {
     /** The part of y that is drawn; null when there is nothing to draw. */
     val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
 
-    /** What [entry] previews; null when it has no such topic. */
+    /** Returns what [entry] previews; null when it has no such topic. */
     fun of(entry: LogEntry): TopicSummary? = (name ?: entry.batteryTopic)?.let(entry::topic)
 }
 

@@ -116,7 +116,7 @@ private fun MenuSheet(menu: OpenMenu, layer: () -> LayoutCoordinates?) {
     }
 }
 
-/** The arrow keys go from line to line. */
+/** Returns the arrow keys go from line to line. */
 private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     return when (event.key) {
@@ -126,7 +126,7 @@ private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
     }
 }
 
-/** Where a menu of [width] and [height] is in [roomX] and [roomY]: below [anchor], else above it, else as low as it fits. */
+/** Returns where a menu of [width] and [height] is in [roomX] and [roomY]: below [anchor], else above it, else as low as it fits. */
 private fun cornerOf(anchor: Rect, width: Int, height: Int, roomX: Int, roomY: Int): IntOffset {
     val below = anchor.bottom.roundToInt()
     val above = anchor.top.roundToInt() - height

@@ -11,8 +11,9 @@ import badlog.analysis.Span
  */
 internal data class Playback(val isPlaying: Boolean = false, val speed: Double = 1.0, val loops: Boolean = false) {
     /**
-     * Where the cursor is when [distance] more of x has passed, not negative, and how it goes on from there. It stays within
-     * [range]: at the end it begins again when it loops, else it stops. From outside, it begins at the start of [range].
+     * Returns where the cursor is when [distance] more of x has passed, not negative, and how it goes on from there. It
+     * stays within [range]: at the end it begins again when it loops, else it stops. From outside, it begins at the start of
+     * [range].
      */
     fun advanced(cursor: Double?, distance: Double, range: Span): Step {
         val from = cursor?.takeIf { it in range } ?: range.from
@@ -24,7 +25,7 @@ internal data class Playback(val isPlaying: Boolean = false, val speed: Double =
         }
     }
 
-    /** The next faster of [SPEEDS], or slower when [steps] is negative. */
+    /** Returns the next faster of [SPEEDS], or slower when [steps] is negative. */
     fun faster(steps: Int): Playback {
         val nearest = SPEEDS.indices.minBy { kotlin.math.abs(SPEEDS[it] - speed) }
         return copy(speed = SPEEDS[(nearest + steps).coerceIn(SPEEDS.indices)])

@@ -69,7 +69,7 @@ internal fun PlayerFrames(player: Player) {
     }
 }
 
-/** How much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
+/** Returns how much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
 internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9

@@ -105,13 +105,15 @@ internal class OpenRecording(
     /** Which of its topics are the signals of [vocabulary]. */
     val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
 
-    /** What can be drawn of the topics that are the signal [name]. */
+    /** Returns what can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
     /** The graphs that it begins with: those of the [layout] beside it, as far as it has them, or else of its topics. */
     val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
 
-    /** [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway. */
+    /**
+     * Returns [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway.
+     */
     fun standardGraphs(pointed: List<String>): Board =
         layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() }
             ?: standardBoard(logged, vocabulary, pointed)
@@ -157,21 +159,23 @@ internal class OpenRecording(
         runCatching { field.picture?.let { Image.makeFromEncoded(it).toComposeImageBitmap() } }.getOrNull()
     }
 
-    /** What a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them. */
+    /**
+     * Returns what a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them.
+     */
     fun xyPlot(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
         xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field) { signal(it)?.line }
 
-    /** The signal called [name], or null when this recording has none. */
+    /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
-    /** The same file with the formulas [definitions] instead. Takes its time. */
+    /** Returns the same file with the formulas [definitions] instead. Takes its time. */
     fun withFormulas(definitions: List<String>): OpenRecording =
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
     /** What has the time in it, where it names no x axis; null where there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
-    /** The same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
+    /** Returns the same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
     fun overTime(isWanted: Boolean): OpenRecording {
         val column = timeColumn
         if (column == null || isWanted == (rows != null)) return this
@@ -181,7 +185,7 @@ internal class OpenRecording(
         }
     }
 
-    /** The same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
+    /** Returns the same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
     fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station ===
         this.station
     ) {
@@ -190,7 +194,7 @@ internal class OpenRecording(
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
     }
 
-    /** The same with its paths on [field]. Takes its time. */
+    /** Returns the same with its paths on [field]. Takes its time. */
     fun withField(field: FieldFile): OpenRecording =
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 

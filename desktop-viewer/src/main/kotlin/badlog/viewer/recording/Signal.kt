@@ -54,11 +54,11 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
     /** Its samples; the first call may calculate them, so not to be called while drawing. */
     val series: Series get() = line.data
 
-    /** A number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
+    /** Returns a number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
     fun numberText(number: Double, isShort: Boolean = false): String = if (isDerived || isShort) roundedText(number) else exactText(number)
 }
 
-/** Whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
+/** Returns whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
 internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
     // What it is costs a look through its samples, so only where that is asked for.
     val own = if (Trait.entries.any(query::asksFor)) traits else emptySet()
@@ -66,8 +66,8 @@ internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = n
 }
 
 /**
- * What [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap.
- * A logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where it is to
+ * Returns what [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap. A
+ * logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where it is to
  * be short, as beside a name that it would crowd out.
  */
 internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {

@@ -12,8 +12,8 @@ import kotlinx.serialization.Serializable
 @Serializable
 internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 348f) {
     /**
-     * The same in a window [room] wide: no part narrower than it can be, and as long as they can, all leave the graphs enough room. A part that is
-     * not there has no width.
+     * Returns the same in a window [room] wide: no part narrower than it can be, and as long as they can, all leave the graphs enough room.
+     * A part that is not there has no width.
      */
     fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
         val least = LEAST.only(hasLogs, hasTopics, hasDetails)
@@ -31,7 +31,7 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
         )
     }
 
-    /** The same after a drag by so much of what was [seen]; what is not seen stays as it is. */
+    /** Returns the same after a drag by so much of what was [seen]; what is not seen stays as it is. */
     fun draggedFrom(seen: PaneWidths, by: PaneWidths): PaneWidths = PaneWidths(
         logs = if (seen.logs > 0) seen.logs + by.logs else logs,
         topics = if (seen.topics > 0) seen.topics + by.topics else topics,

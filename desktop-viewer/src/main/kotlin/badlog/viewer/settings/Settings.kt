@@ -51,7 +51,7 @@ internal data class Settings(
 private fun <T> Map<String, T>.latest(changes: Map<String, T>): Map<String, T> =
     (filterKeys { it !in changes } + changes).toList().takeLast(MAX_LOGS).toMap()
 
-/** What two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
+/** Returns what two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
 internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
     fun <T> of(property: (Settings) -> T) = property(if (property(mine) == property(before)) theirs else mine)
     val recent = of(Settings::recentFolders)

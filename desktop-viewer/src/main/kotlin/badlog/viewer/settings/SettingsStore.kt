@@ -24,7 +24,7 @@ internal class SettingsFile(private val file: Path) {
         coerceInputValues = true
     }
 
-    /** What was kept. */
+    /** Returns what was kept. */
     fun read(): Settings = readWhole() ?: Settings()
 
     private fun readWhole(): Settings? = try {

@@ -68,7 +68,7 @@ internal class StationChoice(
         show()
     }
 
-    /** [recording] with the Driver Station's log where that is known and wanted. Takes its time. */
+    /** Returns [recording] with the Driver Station's log where that is known and wanted. Takes its time. */
     fun with(recording: OpenRecording): OpenRecording {
         val isWanted = recording.file == state.robot && settings.state.stations[recording.file.toString()] == true
         return recording.withStation(state.found.takeIf { isWanted })

@@ -15,8 +15,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The Driver Station's log of the same match as [robot], in its folder, in the folder of logs [library], or where the Driver Station of this
- * computer keeps its logs; null when none can be told to be it. Interrupting the thread gives up.
+ * Returns the Driver Station's log of the same match as [robot], in its folder, in the folder of logs [library], or where the Driver
+ * Station of this computer keeps its logs; null when none can be told to be it. Interrupting the thread gives up.
  */
 internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)

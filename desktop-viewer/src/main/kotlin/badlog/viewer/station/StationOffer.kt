@@ -39,7 +39,7 @@ internal fun StationOffer(stations: StationChoice) {
     }
 }
 
-/** How well two logs are aligned: `± 0.02 s`. */
+/** Returns how well two logs are aligned: `± 0.02 s`. */
 internal fun alignmentText(fit: ClockFit): String {
     // The Driver Station logs every 20 ms: nothing can be known better.
     val error = ceil(maxOf(fit.error, PERIOD) * HUNDRED) / HUNDRED

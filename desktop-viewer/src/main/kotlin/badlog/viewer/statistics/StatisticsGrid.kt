@@ -28,22 +28,22 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
     private val names = choice.topics.zip(shortNames(choice.topics)).toMap()
 
-    /** What the heading of [column] calls its topic: no more of its path than tells it from the others. */
+    /** Returns what the heading of [column] calls its topic: no more of its path than tells it from the others. */
     fun nameOf(column: FigureColumn): String = names.getValue(column.topic)
 
-    /** The unit of all of [column]; null where recordings differ. */
+    /** Returns the unit of all of [column]; null where recordings differ. */
     fun unitOf(column: FigureColumn): String? {
         val units = figures.getValue(column).units
         return if (units.size > 1) null else units.firstOrNull() ?: Topic.UNITLESS
     }
 
-    /** Whether the figure of [row] is the smallest of [column], and not all are the same. */
+    /** Returns whether the figure of [row] is the smallest of [column], and not all are the same. */
     fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == min }
 
-    /** Whether it is the largest. */
+    /** Returns whether it is the largest. */
     fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == max }
 
-    /** What stands in [column] of [row]; the unit only where that of the column is not one. */
+    /** Returns what stands in [column] of [row]; the unit only where that of the column is not one. */
     fun textOf(column: StatisticsColumn, row: StatisticsRow): String = when (column) {
         LabelColumn -> row.label
 
@@ -61,7 +61,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         )
     }
 
-    /** The table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
+    /** Returns the table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
     fun toCsv(): String {
         val head = ArrayList(listOf("Log", "Date", "File"))
         for ((column, facts) in figures) {
@@ -85,7 +85,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     private class FigureFacts(val min: Double, val max: Double, val units: List<String>)
 }
 
-/** [text] as a cell of CSV: in quotes where it must be. */
+/** Returns [text] as a cell of CSV: in quotes where it must be. */
 internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
 
 // How many samples there are is known exactly, however many they are.

@@ -38,8 +38,8 @@ internal class StatisticsSource(
 }
 
 /**
- * What the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll] the logs
- * that are [known], with those figures that they came with. A log that is both is there once.
+ * Returns what the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll]
+ * the logs that are [known], with those figures that they came with. A log that is both is there once.
  */
 internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
     val knownByFile = known.associateBy { it.path }
@@ -56,7 +56,7 @@ internal fun statisticsSource(drawn: List<OpenRecording>, known: List<Statistics
     }
 }
 
-/** The figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+/** Returns the figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
 internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
     val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
     return StatisticsRow(
@@ -69,14 +69,14 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
     )
 }
 
-/** When the file of [recording] was written last; empty when it is not there any more. */
+/** Returns when the file of [recording] was written last; empty when it is not there any more. */
 private fun dateOf(recording: OpenRecording): String = try {
     sortableText(LocalDateTime.ofInstant(Files.getLastModifiedTime(recording.file).toInstant(), ZoneId.systemDefault()))
 } catch (_: IOException) {
     ""
 }
 
-/** [time] as text that sorts by time: `2024-03-16 10:41`. */
+/** Returns [time] as text that sorts by time: `2024-03-16 10:41`. */
 internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
 
 private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")

@@ -32,13 +32,13 @@ internal class Palette private constructor(val isDark: Boolean) {
     val stateText: Color = of(Shade.STATE_TEXT)
     private val lines = List(LINE_COLORS) { opaque(lineColor(it, isDark)) }
 
-    /** The color of line [index], from 0; further ones begin again. */
+    /** Returns the color of line [index], from 0; further ones begin again. */
     fun line(index: Int): Color = lines[index.mod(LINE_COLORS)]
 
-    /** The color of a lane in state [index], from 0: a line's color, quiet enough for text upon it. */
+    /** Returns the color of a lane in state [index], from 0: a line's color, quiet enough for text upon it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
 
-    /** The color that shades [mode]. */
+    /** Returns the color that shades [mode]. */
     fun mode(mode: RobotMode): Color = of(modeShade(mode))
 
     private fun of(shade: Shade) = opaque(shade.of(isDark))

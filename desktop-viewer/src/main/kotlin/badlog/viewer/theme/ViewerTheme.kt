@@ -23,7 +23,10 @@ internal enum class Theme {
     DARK,
     ;
 
-    /** What a click makes of it, where the system [isSystemDark]: always the other colors than those seen, by the system's own choice where that is so. */
+    /**
+     * Returns what a click makes of it, where the system [isSystemDark]: always the other colors than those seen, by the system's own
+     * choice where that is so.
+     */
     fun other(isSystemDark: Boolean): Theme {
         val wantsDark = when (this) {
             SYSTEM -> !isSystemDark

@@ -11,11 +11,11 @@ import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
-/** Whether [signal] is a list of what happened, which no line draws. */
+/** Returns whether [signal] is a list of what happened, which no line draws. */
 internal fun OpenRecording.isEvents(signal: Signal): Boolean =
     !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
 
-/** The graph to which a click on a topic adds it; null where it has a graph of its own. */
+/** Returns the graph to which a click on a topic adds it; null where it has a graph of its own. */
 internal fun targetOf(board: GraphBoard, topics: TopicListing): BoardGraph? =
     topics.state.target?.let { id -> board.state.graphs.find { it.id == id } }
 

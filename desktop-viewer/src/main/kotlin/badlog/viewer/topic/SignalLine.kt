@@ -157,7 +157,7 @@ private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
     Text(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null, maxLines = 1, overflow = TextOverflow.Ellipsis)
 }
 
-/** What a drag that begins at [name] takes along. */
+/** Returns what a drag that begins at [name] takes along. */
 internal fun namesToTake(list: TopicList, name: String): List<String> = if (name in list.selected) list.selected else listOf(name)
 
 private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListing, row: SignalRow): List<ContextMenuItem> {

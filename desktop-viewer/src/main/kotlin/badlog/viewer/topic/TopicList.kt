@@ -27,7 +27,7 @@ internal data class TopicList(
     fun listing(folders: Set<String>): TopicList =
         copy(folded = if (folders.size > MANY_FOLDERS) folded + (folders - known) else folded, known = known + folders, target = null)
 
-    /** A click adds a topic to graph [id], or takes it out; for null it draws it in a graph of its own again. */
+    /** Returns a click adds a topic to graph [id], or takes it out; for null it draws it in a graph of its own again. */
     fun adding(id: Int?): TopicList = copy(target = id)
 
     /** Closes folder [path], or opens it. */

@@ -176,7 +176,7 @@ private fun Rows(
     }
 }
 
-/** What can be drawn of the folder [path] of [open]. */
+/** Returns what can be drawn of the folder [path] of [open]. */
 private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): List<ContextMenuItem> {
     val names = topicsIn(path, open.signals.filter { !open.isEvents(it) }).map { it.name }
     if (names.isEmpty()) return emptyList()
@@ -214,10 +214,10 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
     }
 }
 
-/** How far what lies in [depth] folders stands from the edge; deep ones keep room for their names. */
+/** Returns how far what lies in [depth] folders stands from the edge; deep ones keep room for their names. */
 internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, MAX_DEPTH)).dp
 
-/** [text] with what the words of [query] find in it marked. */
+/** Returns [text] with what the words of [query] find in it marked. */
 internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
     val isFound = BooleanArray(text.length)
     for (word in Query(query).words) {

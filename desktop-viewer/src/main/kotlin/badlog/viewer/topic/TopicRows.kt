@@ -5,8 +5,8 @@ import badlog.viewer.recording.Signal
 import badlog.viewer.recording.isFoundBy
 
 /**
- * The lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders by name.
- * Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
+ * Returns the lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders
+ * by name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
  *
  * @param found the names of the topics that a finding is about.
  */
@@ -27,7 +27,7 @@ internal fun topicRows(
     return rows
 }
 
-/** The paths of all folders that [signals] are in. */
+/** Returns the paths of all folders that [signals] are in. */
 internal fun foldersOf(signals: List<Signal>): Set<String> {
     val folders = HashSet<String>()
     for (signal in signals) {

@@ -193,7 +193,7 @@ internal fun unpackFfmpegInto(folder: Path) {
     System.setProperty("org.bytedeco.javacpp.cachedir", "${folder.toAbsolutePath()}")
 }
 
-/** Whether [file] is a video by its name. */
+/** Returns whether [file] is a video by its name. */
 internal fun isVideo(file: Path): Boolean = file.fileName.toString().substringAfterLast('.').lowercase() in ENDINGS
 
 private val ENDINGS = setOf("mp4", "mov", "m4v", "mkv", "webm", "avi", "mts", "mpg", "3gp")

@@ -122,7 +122,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         return shown.time < before
     }
 
-    /** The picture of the frame that is shown. */
+    /** Returns the picture of the frame that is shown. */
     fun picture(): VideoFrame = VideoFrame(shown.time, picture.of(shown.frame, format.streams(stream)))
 
     override fun close() {

@@ -102,7 +102,7 @@ private fun Hint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
-/** [seconds] from the video's start, as in `1:23.467`. */
+/** Returns [seconds] from the video's start, as in `1:23.467`. */
 internal fun secondsText(seconds: Double): String {
     val millis = Math.round(maxOf(0.0, seconds) * MILLIS)
     return String.format(Locale.ROOT, "%d:%02d.%03d", millis / MINUTE, millis / MILLIS % SECONDS, millis % MILLIS)

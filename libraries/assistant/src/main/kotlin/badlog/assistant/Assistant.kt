@@ -30,14 +30,14 @@ internal class Assistant : McpService {
         }
         // Graphs are drawn without a screen.
         System.setProperty("java.awt.headless", "true")
-        // The protocol's library greets, which a person would take for an error.
+        // The protocol's library prints a greeting, which a person would take for an error.
         System.setProperty("kotlin-logging.logStartupMessage", "false")
         runBlocking { AssistantServer(toolsOf(logs, cache), logs.root.toString()).serve(input, output) }
         return ExitCode.WHOLE
     }
 }
 
-/** All that may be asked about [logs]. `sql` has its place here as soon as there is a library that answers it. */
+/** Returns all tools for [logs]. `sql` belongs here as soon as there is a library for it. */
 internal fun toolsOf(logs: LogFolder, cache: Path?): List<AssistantTool> {
     val open = OpenLogs(logs)
     return listOf(

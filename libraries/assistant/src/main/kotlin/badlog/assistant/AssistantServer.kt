@@ -28,19 +28,19 @@ import java.io.OutputStream
 import java.util.Base64
 
 /**
- * Speaks the Model Context Protocol: says which [tools] there are, and answers one call after another, since each may need much memory.
+ * Speaks the Model Context Protocol: lists the [tools], and answers one call at a time, since each may need much memory.
  *
- * @param folder where the logs are, which no answer tells.
+ * @param folder where the logs are; no answer reveals it.
  */
 internal class AssistantServer(private val tools: List<AssistantTool>, folder: String) {
     private val texts = AnswerText(folder)
     private val turn = Any()
 
-    /** Answers what comes from [input], until its end. */
+    /** Answers requests from [input], until its end. */
     suspend fun serve(input: InputStream, output: OutputStream) =
         serve(StdioServerTransport(input.asSource().buffered(), output.asSink().buffered()))
 
-    /** Answers what comes by [transport], until it is closed. */
+    /** Answers requests from [transport], until it is closed. */
     suspend fun serve(transport: Transport) {
         val end = CompletableDeferred<Unit>()
         val server = server()

@@ -3,23 +3,23 @@ package badlog.fetch
 import java.util.concurrent.TimeUnit
 
 /**
- * Lets no more than [bytesPerSecond] pass, or all where it is null.
+ * Limits a transfer to [bytesPerSecond]; null for no limit.
  *
- * @param now the time in nanoseconds.
- * @param sleep waits for milliseconds.
+ * @param now returns the time in nanoseconds.
+ * @param sleep waits for a number of milliseconds.
  */
 internal class BandwidthLimit(
     private val bytesPerSecond: Long?,
     private val now: () -> Long = System::nanoTime,
     private val sleep: (millis: Long) -> Unit = Thread::sleep,
 ) {
-    // When all that has passed would have passed at that rate.
+    // When everything transferred so far would be due at that rate.
     private var due = now()
 
-    /** [bytes] have come; waits until more may. */
+    /** Records that [bytes] were transferred, and waits until more are allowed. */
     fun spend(bytes: Int) {
         val rate = bytesPerSecond ?: return
-        // What was not used while nothing came is gone.
+        // Unused bandwidth is not saved up.
         due = maxOf(due, now()) + bytes * NANOS / rate
         val millis = TimeUnit.NANOSECONDS.toMillis(due - now())
         if (millis > 0) sleep(millis)

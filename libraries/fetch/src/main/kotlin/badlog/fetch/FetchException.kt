@@ -1,6 +1,6 @@
 package badlog.fetch
 
-/** Why logs could not be fetched. The message is one sentence for the person who asked: what, where, and what to do next. */
+/** Thrown if logs could not be fetched. The message is one sentence for the user: what, where, and what to do next. */
 public sealed class FetchException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /** No robot answers at any of its addresses. */
@@ -10,7 +10,7 @@ public class NoRobotException internal constructor(addresses: List<RobotAddress>
     )
 
 /**
- * The robot lets none of the known users in.
+ * The robot refuses all known users.
  *
  * @property address where it answers.
  */
@@ -34,14 +34,14 @@ public class HostKeyRefusedException internal constructor(question: HostKeyQuest
 }
 
 /**
- * Nobody knows whether the robot is enabled.
+ * It is unknown whether the robot is enabled.
  *
  * @property address where it answers.
  */
 public class UnknownStateException internal constructor(public val address: RobotAddress, reason: String) :
     FetchException("It is unknown whether the robot at $address is enabled: $reason. Start its program, or use --anyway.")
 
-/** The connection was lost and did not come back. What was copied is kept for the next time. */
+/** The connection was lost and could not be restored. What was copied is kept for the next time. */
 public class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
     FetchException("The connection to $address was lost ($reason); fetch again to resume.", cause)
 

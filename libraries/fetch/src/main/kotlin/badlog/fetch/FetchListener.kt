@@ -5,13 +5,13 @@ import java.nio.file.Path
 /**
  * A log that was fetched.
  *
- * @property path where it is on the robot.
- * @property file where it is now.
- * @property bytes how many it has.
- * @property resumedAt how many of them were here before.
- * @property title what match it is of, or null.
+ * @property path its path on the robot.
+ * @property file its file on this computer.
+ * @property bytes its size in bytes.
+ * @property resumedAt the number of bytes that were already here.
+ * @property title its match, or null.
  * @property isLog whether it can be read as a log.
- * @property isSalvaged whether something of it is lost.
+ * @property isSalvaged whether some of its data is lost.
  */
 public class FetchedLog internal constructor(
     public val path: String,
@@ -24,26 +24,26 @@ public class FetchedLog internal constructor(
 )
 
 /**
- * What a robot's folders have for this computer.
+ * The logs found in a robot's folders.
  *
- * @property newLogs how many are not here.
- * @property newBytes how many bytes these have.
- * @property knownLogs how many are here.
+ * @property newLogs the number of logs that are not on this computer.
+ * @property newBytes their total size in bytes.
+ * @property knownLogs the number of logs that are already here.
  */
 public class FoundLogs internal constructor(public val newLogs: Int, public val newBytes: Long, public val knownLogs: Int)
 
-/** Hears what a fetch does, on the thread that fetches. What it throws ends the fetch. */
+/** Receives the events of a fetch, on its thread. An exception from it ends the fetch. */
 public interface FetchListener {
-    /** The robot at [address] let [user] in. */
+    /** The robot at [address] accepted [user]. */
     public fun connected(address: RobotAddress, user: String) {}
 
-    /** The robot is enabled: nothing is asked of it until it is disabled. */
+    /** The robot is enabled: the fetch waits until it is disabled. */
     public fun waiting(address: RobotAddress) {}
 
-    /** The connection was lost, for the reason of [reason], and is tried again. */
+    /** The connection was lost because of [reason], and will be retried. */
     public fun retrying(address: RobotAddress, reason: String) {}
 
-    /** The robot's folders were looked at. */
+    /** The robot's folders were listed. */
     public fun found(logs: FoundLogs) {}
 
     /** [done] of the [total] bytes of the log [name] are here. */
@@ -52,7 +52,7 @@ public interface FetchListener {
     /** A log was fetched. */
     public fun fetched(log: FetchedLog) {}
 
-    /** The robot's log at [path] was passed over, for the reason of [message]; [isGrowing] when it comes with a later fetch. */
+    /** The robot's log at [path] was skipped because of [message]; [isGrowing] if a later fetch will include it. */
     public fun skipped(path: String, message: String, isGrowing: Boolean) {}
 
     /** The log at [path] was removed from the robot. */
@@ -60,12 +60,12 @@ public interface FetchListener {
 }
 
 /**
- * What came of a fetch.
+ * The result of a fetch.
  *
  * @property address where the robot answered.
- * @property user who was let in.
- * @property fetched the logs that came, the newest first.
- * @property known how many were here already.
+ * @property user the user that was accepted.
+ * @property fetched the fetched logs, newest first.
+ * @property known the number of logs that were already here.
  */
 public class FetchSummary internal constructor(
     public val address: RobotAddress,

@@ -6,11 +6,12 @@ import java.time.Duration
 /**
  * What to fetch, and how.
  *
- * @property folder where logs go; made if need be.
- * @property robotFolders the folders of the robot to look into; null for those into which WPILib logs.
+ * @property folder the folder for logs; created if necessary.
+ * @property robotFolders the folders of the robot to search; null for those into which WPILib logs.
  * @property anyway true to fetch even while the robot may be enabled.
- * @property bytesPerSecond how many bytes may come in a second, or null for as many as can.
- * @property deleteOlderThan how old a log must be that is removed from the robot, if it is safely here; null to remove nothing.
+ * @property bytesPerSecond the maximum number of bytes per second, or null for no limit.
+ * @property deleteOlderThan the age from which logs are removed from the robot, once they are safely on this computer; null to
+ * remove nothing.
  * @property acceptsNewHostKeys true to trust every robot without asking.
  * @property password the robot's password, tried before the known ones; or null.
  */

@@ -21,13 +21,13 @@ import java.util.HexFormat
 /**
  * A log that was fetched.
  *
- * @property robot which robot it is from.
- * @property path where it is on the robot.
- * @property size its bytes there when it was fetched.
- * @property modified when it was written last, as the robot said.
- * @property file where it went, seen from the folder of fetched logs.
- * @property digest what its bytes are known by.
- * @property fetched when, in milliseconds since 1970.
+ * @property robot the robot it is from.
+ * @property path its path on the robot.
+ * @property size its size in bytes there when it was fetched.
+ * @property modified when it was last written, according to the robot.
+ * @property file its path relative to the folder of fetched logs.
+ * @property digest the digest of its bytes.
+ * @property fetched when it was fetched, in milliseconds since 1970.
  */
 internal class LogHere(
     val robot: String,
@@ -40,8 +40,8 @@ internal class LogHere(
 )
 
 /**
- * Which logs were fetched into [folder], in a hidden file there: a line of JSON for each, the last one counts. One program at a time has
- * it. To be closed.
+ * Which logs were fetched into [folder], in a hidden file there: a line of JSON for each, of which the last one counts. Only one program
+ * can open it at a time. Must be closed.
  */
 internal class FetchedLogs private constructor(private val folder: Path, private val channel: FileChannel) : AutoCloseable {
     private val logs = HashMap<Pair<String, String>, LogHere>()
@@ -49,23 +49,23 @@ internal class FetchedLogs private constructor(private val folder: Path, private
     init {
         val text = String(Files.readAllBytes(folder.resolve(NAME)), Charsets.UTF_8)
         for (line in text.lineSequence()) entryOf(line)?.let { logs[it.robot to it.path] = it }
-        // A power cut left half a line.
+        // A loss of power left part of a line.
         if (text.isNotEmpty() && !text.endsWith('\n')) append("\n")
     }
 
-    /** The log of [robot] at [path] as it was fetched last, or null. */
+    /** Returns the log of [robot] at [path] as last fetched, or null. */
     fun find(robot: String, path: String): LogHere? = logs[robot to path]
 
-    /** Where [log] is on this computer. */
+    /** Returns where [log] is on this computer. */
     fun fileOf(log: LogHere): Path = folder.resolve(log.file)
 
-    /** Whether [log] is still on this computer with the bytes that were fetched. */
+    /** Returns whether [log] is still on this computer with the bytes that were fetched. */
     fun isSafe(log: LogHere): Boolean {
         val file = fileOf(log)
         return Files.isRegularFile(file) && Files.size(file) == log.size && digestOf(file) == log.digest
     }
 
-    /** [log] was fetched. */
+    /** Records that [log] was fetched. */
     fun add(log: LogHere) {
         logs[log.robot to log.path] = log
         append(lineOf(log) + "\n")
@@ -82,10 +82,10 @@ internal class FetchedLogs private constructor(private val folder: Path, private
         private const val NAME = ".badlog-fetched.jsonl"
 
         /**
-         * What was fetched into [folder], which is made if need be.
+         * Opens the logs fetched into [folder], which is created if necessary.
          *
          * @throws NoRoomException while another program fetches into it.
-         * @throws badlog.file.UnwritableFileException when it cannot be written to.
+         * @throws badlog.file.UnwritableFileException if it cannot be written to.
          */
         fun open(folder: Path): FetchedLogs = writing(folder) {
             Files.createDirectories(folder)
@@ -102,7 +102,7 @@ internal class FetchedLogs private constructor(private val folder: Path, private
             FetchedLogs(folder, channel)
         }
 
-        /** What the bytes of [file] are known by: SHA-256. */
+        /** Returns the SHA-256 digest of the bytes of [file]. */
         fun digestOf(file: Path): String {
             val digest = MessageDigest.getInstance("SHA-256")
             Files.newInputStream(file).use { stream ->
@@ -128,7 +128,7 @@ internal class FetchedLogs private constructor(private val folder: Path, private
             ),
         ).toString()
 
-        /** Null for a line that is damaged. */
+        /** Returns null for a damaged line. */
         private fun entryOf(line: String): LogHere? = try {
             val json = Json.parseToJsonElement(line).jsonObject
             fun text(name: String) = json.getValue(name).jsonPrimitive.content

@@ -7,23 +7,23 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 
 /**
- * The host keys that a person trusted, kept in [file] with the lines of OpenSSH's `known_hosts`. A key that was trusted at one address is
- * at all others, since only that robot has it: by USB nobody is asked again. Of one address several keys may be trusted, since
- * the two robots of a team have the same.
+ * The host keys that a person trusted, stored in [file] in the format of OpenSSH's `known_hosts`. A key that was trusted at one address
+ * is trusted at all others, since only that robot has it: over USB, nobody is asked again. Several keys may be trusted at one address,
+ * since the robots of a team share it.
  */
 public class KnownHosts(private val file: Path) {
     private class Line(val host: String, val key: String)
 
-    /** Whether the robot that has [key] is known. */
+    /** Returns whether the robot with [key] is known. */
     internal fun knows(key: String): Boolean = lines().any { it.key == key }
 
-    /** Whether any key is known of [address]. */
+    /** Returns whether any key is known for [address]. */
     internal fun hasOther(address: RobotAddress): Boolean = lines().any { it.host == hostOf(address) }
 
     /**
      * Trusts [key] at [address] from now on.
      *
-     * @throws badlog.file.UnwritableFileException when it cannot be kept.
+     * @throws badlog.file.UnwritableFileException if it cannot be stored.
      */
     internal fun trust(address: RobotAddress, key: String) {
         val all = texts() + "${hostOf(address)} $key"

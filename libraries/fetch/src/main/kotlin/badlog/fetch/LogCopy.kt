@@ -17,16 +17,16 @@ import java.time.Instant
 import java.util.HexFormat
 import kotlin.math.min
 
-/** A log shrank on the robot while it was copied. */
+/** Thrown if a log shrank on the robot while it was copied. */
 internal class ShrunkLogException : Exception()
 
 /**
- * Copies logs into hidden parts in [folder], which only become logs when they are whole. A part that is there is gone on with.
+ * Copies logs into hidden parts in [folder], which only become logs when they are complete. An existing part is continued.
  *
- * @param limit lets no more bytes pass than are wanted.
- * @param room how many bytes the disk of a folder has left.
+ * @param limit limits the transfer rate.
+ * @param room returns the free bytes on the disk of a folder.
  * @param write writes all of the bytes.
- * @param checkpoint is called for each piece, and may throw to give up.
+ * @param checkpoint called for each piece; may throw to cancel.
  */
 internal class LogCopy(
     private val folder: Path,
@@ -39,13 +39,13 @@ internal class LogCopy(
     class Whole(val part: Path, val from: Long)
 
     /**
-     * Copies all of [log], as far as it had been written when it was looked at.
+     * Copies all of [log], up to its size when it was listed.
      *
      * @param former an older copy of it, which may be its beginning; or null.
-     * @param progress hears how many bytes are there.
-     * @throws IOException when the connection is lost; what has come stays.
-     * @throws NoRoomException when there is not enough room for it, also when the disk becomes full meanwhile; what has come stays.
-     * @throws ShrunkLogException when the log does not have so many bytes any longer.
+     * @param progress called with the number of bytes copied.
+     * @throws IOException if the connection is lost; the copied part is kept.
+     * @throws NoRoomException if there is not enough room, also if the disk becomes full meanwhile; the copied part is kept.
+     * @throws ShrunkLogException if the log no longer has that many bytes.
      */
     fun copy(connection: RobotConnection, log: RemoteLog, former: Path?, progress: (Long) -> Unit): Whole {
         val part = partOf(connection.robot, log)
@@ -62,7 +62,7 @@ internal class LogCopy(
             append(connection, log, from, progress) { bytes, size ->
                 filling(log, part, size) { write(file, ByteBuffer.wrap(bytes, 0, size)) }
             }
-            // Whoever removes the log from the robot relies on it.
+            // Needed before the log may be removed from the robot.
             filling(log, part, 1) { file.force(true) }
         }
         return Whole(part, from)
@@ -73,7 +73,7 @@ internal class LogCopy(
         try {
             work()
         } catch (e: IOException) {
-            // The system's own words for it differ by platform and language; the room that is left does not.
+            // The system's message differs by platform and language, so the remaining room is checked.
             if (RobotConnection.isInterruption(e) || room(folder) >= bytes) throw e
             throw NoRoomException(
                 "The disk of $folder is full, so ${safeName(
@@ -97,11 +97,11 @@ internal class LogCopy(
             progress(done)
             limit.spend(size)
         }
-        // Only here: closing it waits for all that was asked for, and whoever gives up wants nothing more of the robot.
+        // Only here: closing it waits for all requested data, which is not wanted after cancelling.
         RobotConnection.talking { stream.close() }
     }
 
-    /** How many bytes of [log] are in [part] already, which is made anew where it holds others. */
+    /** Returns how many bytes of [log] are already in [part], which is recreated if it has other bytes. */
     private fun begin(connection: RobotConnection, log: RemoteLog, part: Path, former: Path?): Long {
         val held = if (Files.exists(part)) Files.size(part) else 0
         if (held in 1..log.size && isBeginning(connection, log, part)) return held
@@ -113,7 +113,7 @@ internal class LogCopy(
         return Files.size(part)
     }
 
-    /** Whether [log] begins with [file], as far as a look at its two ends can tell: a log that is written anew differs there. */
+    /** Returns whether [log] begins with [file], judging by its two ends: a rewritten log differs there. */
     private fun isBeginning(connection: RobotConnection, log: RemoteLog, file: Path): Boolean {
         val size = Files.size(file)
         val ends = listOf(0L, maxOf(size - LOOK, 0)).distinct()
@@ -127,8 +127,8 @@ internal class LogCopy(
     }
 
     /**
-     * The parts of logs of [robot] that are not among its [logs], and that nothing was added to for a day: these never become whole. A robot's
-     * stick may be out for a while.
+     * Returns the parts of logs of [robot] that are not among its [logs] and have not grown for a day: these will never be complete. A
+     * robot's USB stick may be removed for a while.
      */
     fun leftParts(robot: String, logs: List<RemoteLog>): List<Path> {
         val wanted = logs.mapTo(HashSet()) { partOf(robot, it) }

@@ -5,12 +5,12 @@ import badlog.file.UnwritableFileException
 import java.io.IOException
 
 /**
- * Fetches the logs that are new from a robot, to the folder of [options].
+ * Fetches new logs from a robot to the folder of [options].
  *
- * A log comes while the robot is disabled; it is a hidden part until it is whole, and the next fetch goes on with a part that is left.
- * Nothing is removed from the robot unless the options say so.
+ * Logs are copied while the robot is disabled; each is a hidden part until it is complete, and the next fetch continues an existing
+ * part. Nothing is removed from the robot unless the options say so.
  *
- * @param addresses where the robot may answer, the likeliest first.
+ * @param addresses where the robot may answer, the most likely first.
  * @property options what to fetch, and how.
  * @param hosts the robots that are trusted.
  */
@@ -22,11 +22,11 @@ public class LogFetch(
     private val patience: Patience = Patience(),
 ) {
     /**
-     * Fetches once. Blocks until all is done; an interruption of the thread ends it.
+     * Fetches once. Blocks until everything is done; interrupting the thread ends it.
      *
-     * @throws FetchException when the robot cannot be fetched from.
-     * @throws badlog.file.UnwritableFileException when the folder cannot be written to.
-     * @throws InterruptedException when the thread was interrupted.
+     * @throws FetchException if logs cannot be fetched from the robot.
+     * @throws badlog.file.UnwritableFileException if the folder cannot be written to.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun run(listener: FetchListener): FetchSummary = FetchedLogs.open(options.folder).use { here ->
         RobotLogin(hosts, questions, options.acceptsNewHostKeys, options.password, patience).use { login ->
@@ -56,7 +56,7 @@ public class LogFetch(
                     leave()
                     awaitDisabled(address)
                 } catch (_: UnknownStateException) {
-                    // Its program starts anew; if it does not, nobody knows.
+                    // Its program may be restarting; otherwise its state is unknown.
                     leave()
                     state?.close()
                     watch(address)
@@ -73,7 +73,7 @@ public class LogFetch(
             }
         }
 
-        /** Connects to the first address at which somebody is let in. */
+        /** Connects to the first address at which a user is accepted. */
         private fun enter(): RobotAddress {
             var reason: Exception? = null
             for (address in answering(addresses, patience.connect)) {
@@ -118,20 +118,20 @@ public class LogFetch(
     }
 
     private companion object {
-        /** So often a connection may be lost one after another, without a byte between. */
+        /** How often in succession a connection may be lost without any byte transferred. */
         const val TRIES = 3
     }
 }
 
-/** The robot was enabled while logs came. */
+/** Thrown if the robot was enabled while logs were being copied. */
 internal class EnabledRobotException : Exception()
 
-/** Whether the network has no part in it. */
+/** Whether it does not concern the network. */
 private val IOException.isOfThisComputer: Boolean get() = this is UnreadableFileException || this is UnwritableFileException
 
 private fun reasonOf(e: IOException): String = (e.message ?: e.cause?.message)?.lineSequence()?.first()?.let(::safeReason) ?: "no answer"
 
-/** What a robot said is text of anybody's. */
+/** A robot's message may contain anything. */
 private fun safeReason(text: String) = text.filter { !it.isISOControl() }.take(MAX_REASON)
 
 private const val MAX_REASON = 100

@@ -8,13 +8,13 @@ import badlog.rules.signal.LoggedMatch
 /**
  * Where a log goes in the folder of fetched logs.
  *
- * @property folder the event's folder, or null where the event is unknown.
- * @property name the file's name: the robot's own, with the match behind it where that does not tell it.
- * @property title what a person calls the match, or null.
+ * @property folder the event's folder, or null if the event is unknown.
+ * @property name the file's name: the robot's own, followed by the match if it does not contain that.
+ * @property title the name of the match for people, or null.
  */
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
     companion object {
-        /** The place of a log that the robot calls [name] and that is of [match]. */
+        /** Returns the place of a log of [match] that is called [name] on the robot. */
         fun of(name: String, match: LoggedMatch?): LogPlace {
             val named = matchInName(name)
             val event = match?.event ?: named.event

@@ -2,18 +2,18 @@ package badlog.fetch
 
 import java.nio.ByteBuffer
 
-/** Reads what NetworkTables sends of a topic of whole numbers: arrays and numbers of MessagePack, in [bytes]. */
+/** Reads what NetworkTables sends for a topic of whole numbers: arrays and numbers of MessagePack, in [bytes]. */
 internal class MessagePackReader(private val bytes: ByteBuffer) {
-    /** Whether something is left. */
+    /** Whether there are bytes left. */
     val hasNext: Boolean get() = bytes.hasRemaining()
 
-    /** How many elements the array has that begins here; null when none does. */
+    /** Returns the size of the array that begins here; null if none does. */
     fun arraySize(): Int? {
         val first = unsigned()
         return if (first in FIX_ARRAY..FIX_ARRAY_END) first - FIX_ARRAY else null
     }
 
-    /** The whole number that stands here; null when there is something else. */
+    /** Returns the whole number here; null if there is something else. */
     fun number(): Long? = when (val first = unsigned()) {
         in 0..POSITIVE_END -> first.toLong()
         UINT_8 -> unsigned().toLong()

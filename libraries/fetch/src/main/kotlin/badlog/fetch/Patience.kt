@@ -3,14 +3,15 @@ package badlog.fetch
 import java.time.Duration
 
 /**
- * How long a fetch waits for what.
+ * How long a fetch waits.
  *
  * @property connect for a robot to answer.
- * @property answer for a robot to let somebody in.
- * @property silence for an answer once it did; a silent robot counts as gone.
- * @property growth between two looks at a folder, which show which of its files grow. Loggers write four times a second.
- * @property retry before the next try after a connection was lost.
- * @property state for the robot to tell whether it is enabled.
+ * @property answer for a robot to accept a login.
+ * @property silence for an answer after login; a silent robot counts as gone.
+ * @property growth between two listings of a folder, which show which of its files are growing. Loggers write four times
+ * a second.
+ * @property retry before the next attempt after a connection was lost.
+ * @property state for the robot to report whether it is enabled.
  */
 public class Patience(
     public val connect: Duration = Duration.ofSeconds(3),

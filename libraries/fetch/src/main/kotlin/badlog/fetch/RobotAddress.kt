@@ -4,10 +4,10 @@ package badlog.fetch
  * A user of a robot's computer.
  *
  * @property user the name.
- * @property password the one that the computer comes with; empty for none.
+ * @property password the computer's default password; empty for none.
  */
 public class Login(public val user: String, public val password: String) {
-    /** The name alone: passwords are never printed. */
+    /** Returns only the name: passwords are never printed. */
     override fun toString(): String = user
 }
 
@@ -16,9 +16,9 @@ public class Login(public val user: String, public val password: String) {
  *
  * @property host a name or an address.
  * @property logins the users to try, in this order.
- * @property port that of SFTP.
- * @property networkTablesPort that of its NetworkTables server, which says whether it is enabled.
- * @property name what people call it.
+ * @property port the port of SFTP.
+ * @property networkTablesPort the port of its NetworkTables server, which reports whether it is enabled.
+ * @property name its name for people.
  */
 public class RobotAddress(
     public val host: String,
@@ -34,18 +34,19 @@ public class RobotAddress(
         private const val NETWORK_TABLES_PORT = 5810
         private const val MAX_PORT = 65_535
 
-        /** The largest number that a team can have: addresses have room for no larger one. */
+        /** The largest possible team number: addresses have no room for a larger one. */
         private const val MAX_TEAM = 25_599
 
         private val ROBORIO = Login("lvuser", "")
         private val SYSTEMCORE = Login("systemcore", "systemcore")
 
         /**
-         * Where the robot [robot] may answer, the likeliest place first: of a team's number, the addresses of a roboRIO and a Systemcore
-         * in the field's network and by USB; else that address, such as `10.10.14.2`, `robot.local`, `pit@10.10.14.2` or `localhost:2222`.
+         * Returns where the robot [robot] may answer, the most likely place first: for a team number, the addresses of a roboRIO and a
+         * Systemcore on the field's network and over USB; otherwise that address, such as `10.10.14.2`, `robot.local`, `pit@10.10.14.2` or
+         * `localhost:2222`.
          *
          * @param user the user to try in place of the known ones, or null.
-         * @throws IllegalArgumentException when it is neither; the message is one sentence for a person.
+         * @throws IllegalArgumentException if it is neither; the message is one sentence for the user.
          */
         public fun of(robot: String, user: String? = null): List<RobotAddress> {
             val team = robot.toIntOrNull()
@@ -77,7 +78,7 @@ public class RobotAddress(
             )
         }
 
-        /** [user] alone, with the password that is known of it. */
+        /** Returns only [user], with its known password; all known logins for null. */
         private fun logins(user: String?, vararg known: Login): List<Login> =
             if (user == null) known.toList() else listOf(listOf(ROBORIO, SYSTEMCORE).find { it.user == user } ?: Login(user, ""))
 

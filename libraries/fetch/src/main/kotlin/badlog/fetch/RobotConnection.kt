@@ -15,17 +15,17 @@ import java.nio.channels.ClosedByInterruptException
 import kotlin.math.min
 
 /**
- * A robot that let somebody in. All errors of the network are [IOException]s. To be closed.
+ * A connection to a robot after login. All network errors are [IOException]s. Must be closed.
  *
  * @property address where it answered.
- * @property user who was let in.
- * @property robot which robot it is, whatever its address: the fingerprint of its host key.
+ * @property user the user that was accepted.
+ * @property robot identifies the robot regardless of its address: the fingerprint of its host key.
  */
 internal class RobotConnection(val address: RobotAddress, val user: String, val robot: String, private val session: ClientSession) :
     AutoCloseable {
     private val sftp: SftpClient = talking { SftpClientFactory.instance().createSftpClient(session) }
 
-    /** The logs in those of [folders] that are there, and below them. */
+    /** Returns the logs in those of [folders] that exist, and below them. */
     fun list(folders: List<String>): RemoteListing = talking {
         val found = LinkedHashSet<String>()
         for (folder in folders) realPath(folder)?.let(found::add)
@@ -53,7 +53,7 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         RemoteListing(logs, refused, found.toList())
     }
 
-    /** [log] as it is now; null when it is gone. */
+    /** Returns the current state of [log]; null if it is gone. */
     fun look(log: RemoteLog): RemoteLog? = talking {
         try {
             val now = sftp.stat(log.path)
@@ -63,12 +63,12 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         }
     }
 
-    /** The bytes of [log] from [from] on; many are asked for at a time. Errors of the stream are those of [talking]. */
+    /** Returns the bytes of [log] from [from] on; many are requested at a time. The stream throws the same exceptions as [talking]. */
     fun read(log: RemoteLog, from: Long): InputStream = talking {
         sftp.read(log.path, OpenMode.Read).also { if (from > 0) it.skip(from) }
     }
 
-    /** The [size] bytes of [log] from [from] on, or fewer where it ends before. */
+    /** Returns the [size] bytes of [log] from [from] on, or fewer if it ends before that. */
     fun piece(log: RemoteLog, from: Long, size: Int): ByteArray = talking {
         val bytes = ByteArray(size)
         var done = 0
@@ -98,9 +98,9 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
 
     companion object {
         /**
-         * Runs [work], which speaks to a robot.
+         * Runs [work], which communicates with a robot.
          *
-         * @throws InterruptedException when the thread was interrupted.
+         * @throws InterruptedException if the thread was interrupted.
          */
         fun <T> talking(work: () -> T): T = try {
             work()
@@ -108,9 +108,9 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
             throw if (isInterruption(e)) InterruptedException() else e
         }
 
-        /** Whether [e] says that the thread was interrupted, which the library for SSH may have wrapped. */
+        /** Returns whether [e] means that the thread was interrupted, possibly wrapped by the SSH library. */
         fun isInterruption(e: IOException): Boolean = generateSequence<Throwable>(e) { it.cause }.any {
-            // A timeout is an interruption for Java, too.
+            // In Java, a timeout is also an interruption.
             it is InterruptedException || it is ClosedByInterruptException ||
                 (it is InterruptedIOException && it !is SocketTimeoutException)
         }
@@ -125,7 +125,7 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         /** No robot's logs are nested deeper. */
         private const val MAX_DEPTH = 4
 
-        /** No disk of a robot has more. */
+        /** No robot has more. */
         private const val MAX_LOGS = 100_000
     }
 }

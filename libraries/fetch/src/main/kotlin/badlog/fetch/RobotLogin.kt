@@ -15,9 +15,9 @@ import java.io.IOException
 import java.security.PublicKey
 
 /**
- * Logs into robots, by passwords alone: nothing of the person's own SSH keys and settings is looked at. To be closed.
+ * Logs into robots, only with passwords: the person's own SSH keys and settings are not used. Must be closed.
  *
- * @param password the one to try before the known ones, or null.
+ * @param password a password to try before the known ones, or null.
  */
 internal class RobotLogin(
     private val hosts: KnownHosts,
@@ -26,11 +26,11 @@ internal class RobotLogin(
     private val password: String?,
     private val patience: Patience,
 ) : AutoCloseable {
-    // The last key that was shown, whether it was trusted or not.
+    // The last key that a robot presented, trusted or not.
     @Volatile
     private var shownKey: PublicKey? = null
 
-    // What a person typed, for the next time that the connection is lost.
+    // Passwords that a person typed, for reconnecting.
     private val typed = HashMap<String, String>()
 
     private val client = SshClient.setUpDefaultClient().apply {
@@ -48,11 +48,11 @@ internal class RobotLogin(
     }
 
     /**
-     * The robot at [address], with the first of its users that is let in.
+     * Returns a connection to the robot at [address], with the first of its users that is accepted.
      *
-     * @throws HostKeyRefusedException when nobody trusts it.
-     * @throws LoginRefusedException when no user is let in.
-     * @throws IOException when it does not answer.
+     * @throws HostKeyRefusedException if its host key is not trusted.
+     * @throws LoginRefusedException if no user is accepted.
+     * @throws IOException if it does not answer.
      */
     fun into(address: RobotAddress): RobotConnection {
         for (login in address.logins) {
@@ -69,7 +69,7 @@ internal class RobotLogin(
         throw LoginRefusedException(address, listOf(user))
     }
 
-    /** Null when [user] is refused with [word]. */
+    /** Returns null if [user] is refused with [word]. */
     private fun connect(address: RobotAddress, user: String, word: String): RobotConnection? {
         val session = open(address, user)
         try {
@@ -91,7 +91,7 @@ internal class RobotLogin(
         }
     }
 
-    /** A session whose host key is trusted. */
+    /** Returns a session whose host key is trusted. */
     private fun open(address: RobotAddress, user: String): ClientSession {
         repeat(2) {
             shownKey = null
@@ -114,10 +114,10 @@ internal class RobotLogin(
     override fun close() = client.close(true).let { }
 
     private companion object {
-        /** As often as others ask for a password. */
+        /** As often as other programs ask for a password. */
         const val TRIES = 3
 
-        /** What the library says when there is no password left to try. */
+        /** The library's message when there is no password left to try. */
         const val REFUSAL = "No more authentication methods"
     }
 }

@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Those of [addresses] at which something answers, in their order, each as soon as no earlier one can. All are tried at the same
- * time: most do not exist in the network that the computer is in, and say nothing.
+ * Returns those of [addresses] at which something answers, in order, each as soon as no earlier one can answer any more. All are
+ * tried at the same time: most do not exist on the computer's network, and never answer.
  */
 public fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
     val end = System.nanoTime() + patience.toNanos()
@@ -20,7 +20,7 @@ public fun answering(addresses: List<RobotAddress>, patience: Duration): Sequenc
     for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])
 }
 
-// On a thread of its own, which ends with the answer: whoever has found a robot asks no further, and ends nothing.
+// Runs on a separate thread, which ends with the answer: a caller that has found a robot stops waiting, without cancelling the others.
 private fun trying(address: RobotAddress, patience: Duration): Future<Boolean> {
     val answer = FutureTask { answers(address, patience) }
     Thread(answer, "robot search").apply { isDaemon = true }.start()
@@ -30,7 +30,7 @@ private fun trying(address: RobotAddress, patience: Duration): Future<Boolean> {
 private fun isTrue(answer: Future<Boolean>, end: Long): Boolean = try {
     answer.get(maxOf(end - System.nanoTime(), 0), TimeUnit.NANOSECONDS)
 } catch (_: TimeoutException) {
-    // Looking up a name may take longer than anybody waits.
+    // Looking up a name may take longer than anybody would wait.
     false
 } catch (_: ExecutionException) {
     false

@@ -19,10 +19,11 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Whether the robot at [address] is enabled, as its NetworkTables server says in `FMSControlData`. To be closed.
+ * Knows whether the robot at [address] is enabled, from `FMSControlData` of its NetworkTables server. Must be
+ * closed.
  *
- * @param patience for how long it is waited for.
- * @throws UnknownStateException when the robot does not say.
+ * @param patience how long to wait for it.
+ * @throws UnknownStateException if the robot does not report it.
  */
 internal class RobotState(private val address: RobotAddress, private val patience: Duration) : AutoCloseable {
     private val lock = ReentrantLock()
@@ -45,16 +46,16 @@ internal class RobotState(private val address: RobotAddress, private val patienc
     }
 
     /**
-     * Whether it is enabled now.
+     * Whether it is currently enabled.
      *
-     * @throws UnknownStateException when the connection was lost.
+     * @throws UnknownStateException if the connection was lost.
      */
     val isEnabled: Boolean get() = lock.withLock {
         if (isLost) throw UnknownStateException(address, "its NetworkTables no longer answer")
         control!! and ENABLED != 0L
     }
 
-    /** Waits until it is disabled. Errors as [isEnabled]. */
+    /** Waits until it is disabled. Throws the same exceptions as [isEnabled]. */
     fun awaitDisabled() = lock.withLock {
         while (isEnabled) change.await()
     }
@@ -106,7 +107,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
 
         override fun onError(socket: WebSocket, error: Throwable) = lose()
 
-        /** The number that the server gives to the topic in [frame], if it does. */
+        /** Returns the id that the server assigns to the topic in [frame], if it does. */
         private fun announcement(frame: String): Long? = try {
             Json.parseToJsonElement(frame).jsonArray.map { it.jsonObject }
                 .filter { it["method"]?.jsonPrimitive?.content == "announce" }
@@ -114,7 +115,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
                 .firstOrNull { it["name"]?.jsonPrimitive?.content == TOPIC }
                 ?.get("id")?.jsonPrimitive?.content?.toLongOrNull()
         } catch (_: IllegalArgumentException) {
-            // What is not NetworkTables' says nothing.
+            // A frame that is not of NetworkTables is ignored.
             null
         }
 
@@ -129,7 +130,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
                     if (id == topic) set(value)
                 }
             } catch (_: BufferUnderflowException) {
-                // The frame is cut; the next one says it again.
+                // The frame is cut; the next one repeats the value.
             }
         }
     }
@@ -148,10 +149,10 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         const val TOPIC = "/FMSInfo/FMSControlData"
         const val ENABLED = 1L
 
-        /** The topic's number, a time, a type and a value. */
+        /** The topic's id, a time, a type and a value. */
         const val ELEMENTS = 4
 
-        /** What a server says of one topic is much shorter. */
+        /** A server's message about one topic is much shorter. */
         const val MAX_MESSAGE = 1 shl 16
     }
 }

@@ -3,20 +3,20 @@ package badlog.fetch
 import badlog.file.LogName
 
 /**
- * [name], which came from a robot or a log and may hold anything, as the name of a file or folder on any system: without folders, signs
- * that a system refuses, and what nobody would see; not hidden, and not too long.
+ * Returns [name], which comes from a robot or a log and may contain anything, as a name for a file or folder on any system: without
+ * folders, forbidden characters or invisible ones; not hidden, and not too long.
  */
 internal fun safeName(name: String): String {
     val signs = buildString {
         name.codePoints().forEach { if (isUnsafe(it)) append('_') else appendCodePoint(it) }
     }
-    // Windows drops what a name may not end in.
+    // Windows drops characters that a name may not end in.
     val bare = signs.trimEnd('.', ' ').trimStart(' ').let { if (it.startsWith(".")) "_" + it.drop(1) else it }.ifEmpty { "_" }
     val short = shortened(bare).trimEnd('.', ' ')
     return if (short.substringBefore('.').trim().uppercase() in DEVICES) "_$short" else short
 }
 
-/** [name] with its beginning and its ending, where it is too long. */
+/** Returns [name] shortened in the middle if it is too long. */
 private fun shortened(name: String): String {
     if (name.encodeToByteArray().size <= MAX_BYTES) return name
     val ending = name.drop(LogName.of(name).stem.length).takeIf { it.length <= MAX_ENDING }.orEmpty()
@@ -32,9 +32,9 @@ private const val REFUSED = "/\\:*?\"<>|"
 private const val ASCII_END = 0x80
 private val UNSEEN = setOf(Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.SURROGATE)
 
-/** What Windows takes for devices, whatever the ending. */
+/** Names of devices on Windows, whatever the ending. */
 private val DEVICES = setOf("CON", "PRN", "AUX", "NUL") + (0..9).flatMap { listOf("COM$it", "LPT$it") }
 
-/** Systems take 255; a number may come behind it. */
+/** Systems allow 255; a number may be appended. */
 private const val MAX_BYTES = 180
 private const val MAX_ENDING = 20

@@ -22,10 +22,10 @@ import java.time.Duration
 import java.time.Instant
 
 /**
- * Copies what is new to the folder of [options], and removes from the robot what the options say. What was done over one connection is
- * not done again over the next.
+ * Copies new logs to the folder of [options], and removes logs from the robot according to the options. Work done over one connection
+ * is not repeated over the next.
  *
- * @param checkpoint is called often, and may throw to give up.
+ * @param checkpoint called often; may throw to cancel.
  */
 internal class Transfer(
     private val options: FetchOptions,
@@ -41,18 +41,18 @@ internal class Transfer(
         checkpoint()
     }
 
-    /** The logs that came. */
+    /** The fetched logs. */
     val fetched = ArrayList<FetchedLog>()
 
-    /** How many were here before. */
+    /** The number of logs that were already here. */
     var known = 0
         private set
 
-    /** How many bytes came. */
+    /** The number of bytes received. */
     var received = 0L
         private set
 
-    /** Does what is left to do, over [connection]. */
+    /** Does the remaining work over [connection]. */
     fun run(connection: RobotConnection) {
         val listing = connection.list(foldersOf(connection))
         if (!isTold) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
@@ -75,7 +75,7 @@ internal class Transfer(
         return found.size != log.size || found.modified != log.modified
     }
 
-    /** Those of [logs] that nobody writes. */
+    /** Returns those of [logs] that are not being written. */
     private fun settled(connection: RobotConnection, logs: List<RemoteLog>): List<RemoteLog> {
         if (logs.isEmpty()) return logs
         checkpoint()
@@ -109,7 +109,7 @@ internal class Transfer(
         done += log.path
     }
 
-    /** Makes a log of the whole part. */
+    /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
         val recording = try {
             readRecording(whole.part, LOG_FORMATS, name = log.name)
@@ -121,7 +121,7 @@ internal class Transfer(
         val digest = FetchedLogs.digestOf(whole.part)
         val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
         val file = moveTo(whole.part, place, former)
-        // The window, and the file managers of systems, sort by it.
+        // The window and file managers sort by it.
         writtenAt(log)?.let { time -> writing(file) { Files.setLastModifiedTime(file, FileTime.from(time)) } }
         val name = options.folder.relativize(file).joinToString("/")
         here.add(LogHere(connection.robot, log.path, log.size, log.modified, name, digest, System.currentTimeMillis()))
@@ -132,7 +132,7 @@ internal class Transfer(
         listener.fetched(result)
     }
 
-    /** Makes a log of [part], whose log is no longer on the robot, where anything of it can be read; removes it otherwise. */
+    /** Makes [part], whose log is no longer on the robot, a log if any of it can be read; otherwise removes it. */
     private fun keepUnfinished(part: Path) {
         val recording = try {
             readRecording(part, LOG_FORMATS)
@@ -158,11 +158,11 @@ internal class Transfer(
         RecordingFormat.DRIVER_STATION -> ".dslog"
     }
 
-    // Any bytes with line ends among them are a damaged table.
+    // Any bytes with line ends would count as a damaged table.
     private fun isFormerWpilog(log: RemoteLog, recording: Recording) =
         recording.format == RecordingFormat.CSV && recording.isSalvaged && LogName.of(log.name).ending.equals(".wpilog", ignoreCase = true)
 
-    /** Puts [part] where [place] says, in place of its [former] copy, which was its beginning; beside any other log that has the name. */
+    /** Moves [part] to [place], replacing its [former] copy, which was its beginning; beside any other log with the same name. */
     private fun moveTo(part: Path, place: LogPlace, former: Path?): Path {
         val folder = place.folder?.let(options.folder::resolve) ?: options.folder
         writing(folder) { Files.createDirectories(folder) }
@@ -182,7 +182,7 @@ internal class Transfer(
 
     private fun isSame(part: Path, other: Path) = Files.isRegularFile(other) && Files.mismatch(part, other) < 0
 
-    /** Whether [whole] is [former] and more, or the same. */
+    /** Returns whether [whole] is [former], possibly with more bytes. */
     private fun isBeginning(former: Path, whole: Path): Boolean {
         if (!Files.isRegularFile(former)) return false
         val differs = Files.mismatch(former, whole)
@@ -191,7 +191,7 @@ internal class Transfer(
 
     private fun deleteIfOld(connection: RobotConnection, log: RemoteLog, age: Duration) {
         val found = here.find(connection.robot, log.path)?.takeIf { it.size == log.size && it.modified == log.modified } ?: return
-        // What was written by a wrong clock is as old as it is here.
+        // A log with a wrong time counts as being as old as its copy here.
         val written = writtenAt(log) ?: Instant.ofEpochMilli(found.fetched)
         if (written > Instant.now().minus(age) || !here.isSafe(found)) return
         checkpoint()
@@ -205,7 +205,7 @@ internal class Transfer(
         }
     }
 
-    /** When [log] was written last; null where the robot's clock, which begins at 1970 or so, was not set. */
+    /** Returns when [log] was last written; null if the robot's clock, which starts at about 1970, was not set. */
     private fun writtenAt(log: RemoteLog): Instant? = Instant.ofEpochSecond(log.modified).takeIf { it > BELIEVABLE }
 
     private fun skipGrowing(log: RemoteLog) {
@@ -218,7 +218,7 @@ internal class Transfer(
         if (done.add(path)) listener.skipped(printablePath(path), message, isGrowing = false)
     }
 
-    /** [path] on one line. */
+    /** Returns [path] on one line. */
     private fun printablePath(path: String) = path.split('/').joinToString("/") { if (it.isEmpty()) it else safeName(it) }
 
     private companion object {

@@ -95,7 +95,7 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
         return file
     }
 
-    /** Where it answers. */
+    /** Returns where it answers. */
     fun address(networkTablesPort: Int = 1, name: String = "10.10.14.2"): RobotAddress = RobotAddress("127.0.0.1", listOf(Login("lvuser", ""), Login("systemcore", "systemcore")), port, networkTablesPort, name)
 
     private fun give(session: ServerSession, size: Int) {
@@ -114,7 +114,7 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
     }
 
     companion object {
-        /** A host key that no other robot has. */
+        /** Returns a host key that no other robot has. */
         fun newKey(): KeyPair = KeyPairGenerator.getInstance("EC").apply { initialize(256) }.generateKeyPair()
     }
 }

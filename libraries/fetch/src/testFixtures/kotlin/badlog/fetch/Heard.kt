@@ -62,7 +62,7 @@ class Person(private val isTrusting: Boolean = true, private val password: Strin
     }
 }
 
-/** A bag of the match [number] with [rows] rows. */
+/** Returns a bag of the match [number] with [rows] rows. */
 fun matchBag(number: Int, rows: Int = 50): String = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Speed","unit":"m/s"}],""")
     append(""""values":[{"name":"Event Name","value":"MILLC"},{"name":"Match Type","value":"Qualification"},{"name":"Match Number","value":"$number"}]}""")

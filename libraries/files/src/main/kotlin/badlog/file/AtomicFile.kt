@@ -14,10 +14,11 @@ import java.nio.file.StandardOpenOption.WRITE
 import java.util.UUID
 
 /**
- * Makes [target] of what [write] writes: an older file is replaced only by a whole one. Its folder is made if need be.
+ * Creates [target] with what [write] writes: an older file is replaced only by a complete one. Its folder is created
+ * if necessary.
  *
- * @throws UnwritableFileException when it cannot be written.
- * @throws InterruptedException when the thread was interrupted.
+ * @throws UnwritableFileException if it cannot be written.
+ * @throws InterruptedException if the thread was interrupted.
  */
 public fun <T> writeAtomically(target: Path, write: (OutputStream) -> T): T = writing(target) {
     Files.createDirectories(target.toAbsolutePath().normalize().parent)
@@ -29,18 +30,18 @@ public fun <T> writeAtomically(target: Path, write: (OutputStream) -> T): T = wr
 }
 
 /**
- * A file that is there whole or as it was before: it is written under another name beside [target], and takes its place in
- * [commit]. Closed or cut short before that, even by the end of the program, it leaves nothing.
+ * A file that is written atomically: under another name beside [target], which it replaces in [commit]. If it is closed or
+ * interrupted before that, even by the end of the program, it leaves nothing.
  *
- * @throws IOException when the folder cannot be written to.
+ * @throws IOException if the folder cannot be written to.
  */
 public class AtomicFile(target: Path) : AutoCloseable {
     private val target = target.toAbsolutePath().normalize()
 
-    // No temporary file of the system's kind: of those nobody else may read what becomes of them.
+    // Not a temporary file of the system, which other users could not read after the move.
     private val draft = this.target.resolveSibling(".badlog-${UUID.randomUUID()}.part")
 
-    /** Where the content goes. */
+    /** The stream for the content. */
     public val out: OutputStream = BufferedOutputStream(RoomGuard(draft, Files.newOutputStream(draft, CREATE_NEW, WRITE)), 1 shl 16)
     private val cleaner = Thread { Files.deleteIfExists(draft) }
 
@@ -48,7 +49,7 @@ public class AtomicFile(target: Path) : AutoCloseable {
         Runtime.getRuntime().addShutdownHook(cleaner)
     }
 
-    /** Puts the file in its place, instead of any older one. */
+    /** Moves the file to its place, replacing any older one. */
     public fun commit() {
         out.close()
         try {
@@ -58,31 +59,31 @@ public class AtomicFile(target: Path) : AutoCloseable {
         }
     }
 
-    /** Removes what was not committed. */
+    /** Removes the file if it was not committed. */
     override fun close() {
         try {
             out.close()
         } catch (_: IOException) {
-            // What was not written is not wanted either; a failure that matters was thrown before.
+            // The rest of an uncommitted file is not needed; any failure that matters was thrown before.
         }
         Files.deleteIfExists(draft)
         try {
             Runtime.getRuntime().removeShutdownHook(cleaner)
         } catch (_: IllegalStateException) {
-            // The program is ending, and the hook runs.
+            // The program is ending, and the hook is running.
         }
     }
 }
 
-/** There was no room on the disk for what was to be written. */
+/** Thrown if there was not enough room on the disk. */
 internal class DiskFullException(cause: IOException) : IOException(cause)
 
-/** A stream of [file] whose failures distinguish a full disk from other reasons. */
+/** A stream of [file] whose failures distinguish a full disk from other causes. */
 private class RoomGuard(private val file: Path, stream: OutputStream) : FilterOutputStream(stream) {
     override fun write(bytes: ByteArray, from: Int, size: Int) = try {
         out.write(bytes, from, size)
     } catch (e: IOException) {
-        // The system's own words for it differ by platform and language; the room that is left does not.
+        // The system's message differs by platform and language, so the remaining room is checked.
         throw if (Files.getFileStore(file).usableSpace < size) DiskFullException(e) else e
     }
 }

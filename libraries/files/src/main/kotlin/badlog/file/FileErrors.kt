@@ -11,17 +11,17 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
 /**
- * A file or a folder cannot be read. The message is one sentence for the person who asked: what, where, and what to do.
+ * Thrown if a file or a folder cannot be read. The message is one sentence for the user: what, where, and what to do.
  *
- * @property file what was to be read.
+ * @property file the file or folder.
  */
 public class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
     IOException(message, cause)
 
 /**
- * A file cannot be written. The message is one sentence for the person who asked: what, where, and what to do.
+ * Thrown if a file cannot be written. The message is one sentence for the user: what, where, and what to do.
  *
- * @property file what was to be written.
+ * @property file the file.
  */
 public class UnwritableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
     IOException(message, cause)
@@ -30,7 +30,7 @@ public class UnwritableFileException(public val file: Path, override val message
  * Runs [work], which reads [file], a file or a folder.
  *
  * @throws UnreadableFileException for an [IOException] of [work].
- * @throws InterruptedException when the thread was interrupted while it read.
+ * @throws InterruptedException if the thread was interrupted while reading.
  */
 public fun <T> reading(file: Path, work: () -> T): T = try {
     work()
@@ -47,9 +47,9 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
 }
 
 /**
- * Looks whether [file] is there and is a regular file, which can be opened without waiting for another program.
+ * Checks that [file] exists and is a regular file, which can be opened without waiting for another program.
  *
- * @throws UnreadableFileException when it is not.
+ * @throws UnreadableFileException if it is not.
  */
 public fun requireRegularFile(file: Path) {
     if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, not a file; name a file.")
@@ -63,7 +63,7 @@ public fun requireRegularFile(file: Path) {
  * Runs [work], which writes [file].
  *
  * @throws UnwritableFileException for an [IOException] of [work].
- * @throws InterruptedException when the thread was interrupted while it wrote.
+ * @throws InterruptedException if the thread was interrupted while writing.
  */
 public fun <T> writing(file: Path, work: () -> T): T = try {
     work()

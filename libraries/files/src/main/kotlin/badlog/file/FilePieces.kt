@@ -12,12 +12,12 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     /** The file's size when it was opened. */
     val total: Long = reading(file) { channel.size() }
 
-    /** What [look] sees in the first [size] bytes, or fewer where the file is shorter; the array is used again after the call. */
+    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter; the array is reused after the call. */
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**
-     * How many bytes a gzip file may inflate to, or 0 where its end does not show it: the trailer of its last member, if there
-     * is one, has the size of that member.
+     * Returns how many bytes a gzip file may inflate to, or 0 if its end does not show it: the trailer of its last member, if
+     * there is one, has the size of that member.
      */
     fun inflatedSize(): Long {
         if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
@@ -25,7 +25,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         return if (size in total..total * MAX_INFLATION) size else 0
     }
 
-    /** Where the line after the last line end begins; 0 without any. */
+    /** Returns where the line after the last line end begins; 0 if there is none. */
     fun lastLineEnd(): Long {
         var until = total
         while (until > 0) {
@@ -39,8 +39,8 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     }
 
     /**
-     * Gives all bytes before [until] to [sink], and reports the progress; ends where there are [enough]. The array is used again after
-     * the call.
+     * Passes all bytes before [until] to [sink], and reports the progress; ends when there are [enough]. The array is reused after the
+     * call.
      */
     fun forEach(until: Long = Long.MAX_VALUE, enough: () -> Boolean = { false }, sink: (bytes: ByteArray, size: Int) -> Unit) {
         var done = 0L
@@ -58,7 +58,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         if (done > reported) progress(done, total)
     }
 
-    /** Fills [bytes] from [position] on, with [size] bytes or what the file still has; returns how many there are. */
+    /** Fills [bytes] from [position] on, with [size] bytes, or fewer at the end of the file. Returns their number. */
     private fun readAt(position: Long, size: Int): Int = reading(file) {
         val buffer = ByteBuffer.wrap(bytes, 0, size)
         while (buffer.hasRemaining()) {
@@ -68,7 +68,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     }
 
     private companion object {
-        // Larger ones are no faster.
+        // Larger pieces are not faster.
         const val SIZE = 1 shl 18
         const val STEP = 1L shl 20
 

@@ -7,22 +7,22 @@ import java.util.concurrent.Semaphore
 import kotlin.math.ceil
 
 /**
- * Works on many files on all cores at once, and gives the results in the order of the files.
+ * Works on many files on all cores at once, and returns the results in the order of the files.
  *
- * Few files are under way at a time, so the memory does not grow with their number. A file that is large for the heap is worked on
- * alone.
+ * Few files are in progress at a time, so the memory does not grow with their number. A file that is large for the heap is
+ * processed alone.
  *
- * @param threads how many are worked on at once.
+ * @param threads the number of files processed at once.
  */
 public class FolderRun(private val threads: Int = Runtime.getRuntime().availableProcessors()) {
     private val room = Semaphore(ROOM, true)
 
     /**
-     * Does [work] on each of [files] with so many cores, and gives what comes of it to [each] on this thread. What [work] or [each]
-     * throws stops all and is passed on.
+     * Does [work] on each of [files], which receives a number of cores, and passes each result to [each] on this thread. An
+     * exception from [work] or [each] stops everything and is passed on.
      */
     public fun <R> forEach(files: List<LogFile>, work: (file: LogFile, cores: Int) -> R, each: (LogFile, R) -> Unit) {
-        // Those that no other file takes.
+        // The cores that no other file uses.
         val cores = threads / files.size.coerceIn(1, threads)
         val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-logs").apply { isDaemon = true } }
         try {
@@ -63,10 +63,10 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
         const val AHEAD = 4
         const val ROOM = 1000
 
-        /** How much of the heap the logs under way may fill, by a guess. */
+        /** The estimated part of the heap that logs in progress may fill. */
         const val SHARE = 0.6
 
-        /** How much more memory a log needs than its file has bytes: the samples, and what expressions make of them. */
+        /** The estimated memory of a log per byte of its file: the samples, and the results of expressions. */
         const val GROWTH = 3.0
         const val GROWTH_OF_GZIP = 15.0
     }

@@ -10,10 +10,11 @@ import java.nio.file.attribute.BasicFileAttributes
 import java.util.EnumSet
 
 /**
- * What a look at a folder found.
+ * The result of scanning a folder.
  *
- * @property files what may be logs, in no order; [NaturalOrder] is what people expect. A log of two files is there once, as the first.
- * @property unreadable the folders that could not be looked into.
+ * @property files the possible logs, in no particular order; [NaturalOrder] is what people expect. A log of two files is included
+ * once, as the first.
+ * @property unreadable the folders that could not be read.
  */
 public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
     public companion object {
@@ -21,11 +22,11 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
         private const val MAX_DEPTH = 16
 
         /**
-         * Looks at [folder] and all folders in it, without reading a file. Follows links, but into no folder twice. Passes over
-         * what is hidden, and what programs build.
+         * Scans [folder] and all folders in it, without reading a file. Follows links, but never enters a folder twice. Skips
+         * hidden files, and build folders.
          *
-         * @param checkpoint is called for each file, and may throw to give up.
-         * @throws IOException when [folder] itself cannot be looked into.
+         * @param checkpoint called for each file; may throw to cancel.
+         * @throws IOException if [folder] itself cannot be read.
          */
         public fun of(folder: Path, checkpoint: () -> Unit = {}): FolderScan {
             val look = Look(folder, checkpoint)
@@ -56,7 +57,7 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
 
         override fun visitFileFailed(file: Path, e: IOException): FileVisitResult {
             if (file == root) throw e
-            // A loop of links, or something that went away meanwhile, is nothing to speak of.
+            // A loop of links, or something deleted in the meantime, is not worth mentioning.
             if (Files.isDirectory(file) && !Files.isReadable(file)) unreadable.add(file)
             return FileVisitResult.CONTINUE
         }
@@ -65,13 +66,13 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
     }
 }
 
-/** These files without those that are the second of a log, which count for its first. */
+/** Returns these files without the second files of logs, which are added to the first ones. */
 private fun whole(files: List<LogFile>): List<LogFile> {
     val seconds = files.associateBy { firstPartOf(it.path) }
     return wholeLogs(files, LogFile::path).map { file -> seconds[file.path]?.let(file::with) ?: file }
 }
 
-/** Whether [name] may be that of a log; what is in the file decides later. Where nothing can read a `.hoot`, it is none. */
+/** Returns whether [name] may be that of a log; the content decides later. A `.hoot` counts only if something can read it. */
 private fun isNamedLikeLog(name: String): Boolean {
     val parts = LogName.of(name)
     return !name.startsWith(".") && parts.mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true) &&

@@ -5,11 +5,11 @@ import badlog.recording.ProblemKind
 import badlog.recording.Recording
 
 /**
- * This recording with the [problem][ProblemKind.GZIP_CUT], before all others, that the gzip stream it was read from broke
- * off after [inflatedBytes] bytes, which its rows do not show.
+ * Returns this recording with one more [problem][ProblemKind.GZIP_CUT], before all others: the gzip stream it was read
+ * from ended early after [inflatedBytes] bytes, which its rows do not show.
  */
 public fun Recording.withGzipCut(inflatedBytes: Long): Recording = copy(problems = listOf(compressedCut(inflatedBytes)) + problems)
 
-/** The problem that a compressed file gave only [inflatedBytes]. */
+/** Returns the problem that only [inflatedBytes] of a compressed file could be inflated. */
 internal fun compressedCut(inflatedBytes: Long): Problem =
     Problem(ProblemKind.GZIP_CUT, "The compressed file is cut off or damaged; the $inflatedBytes bytes before that were read.")

@@ -2,7 +2,7 @@ package badlog.file
 
 /** Finds the end of a gzip member's header (RFC 1952), byte by byte. */
 internal class GzipHeader {
-    /** Whether the header goes on, has ended, or is none. */
+    /** Whether the header continues, has ended, or is invalid. */
     enum class State { MORE, DONE, NONE }
 
     private var position = 0
@@ -10,7 +10,7 @@ internal class GzipHeader {
     private var part = FIXED
     private var extraLeft = 0
 
-    /** Takes the next [byte], from 0 to 255. Not to be called after anything but [State.MORE]. */
+    /** Accepts the next [byte], 0 to 255. Call it only after [State.MORE]. */
     fun accept(byte: Int): State {
         val at = position++
         when (part) {
@@ -40,7 +40,7 @@ internal class GzipHeader {
     }
 
     private companion object {
-        // The parts in their order; all but the first are there when their flag says so.
+        // The parts in order; all but the first are present only if their flag is set.
         const val FIXED = 0
         const val EXTRA = 1
         const val NAME = 2
@@ -48,7 +48,7 @@ internal class GzipHeader {
         const val CHECK = 4
         val FLAG_OF = intArrayOf(0, 4, 8, 16, 2)
 
-        /** The signature, and deflate, the one method there is. */
+        /** The signature, and deflate, the only method. */
         val MAGIC = intArrayOf(0x1F, 0x8B, 8)
         const val FLAGS_AT = 3
         const val FIXED_SIZE = 10

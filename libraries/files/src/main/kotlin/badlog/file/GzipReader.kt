@@ -4,14 +4,14 @@ import java.util.zip.DataFormatException
 import java.util.zip.Inflater
 
 /**
- * Inflates a gzip file that is pushed to it in pieces, and passes on all that can be inflated of it. A robot's file may
- * lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
- * Check sums are not looked at: a wrong one would not bring anything back.
+ * Inflates a gzip file that is pushed to it in pieces, and passes on everything that can be inflated. A robot's file
+ * may lack its trailer or be cut anywhere, may consist of several gzip members, and may end in NULs or other remains.
+ * Checksums are ignored: knowing that one is wrong would not recover anything.
  *
- * Nothing in the bytes makes it throw. Not safe for use by several threads.
+ * It never throws because of the bytes. Not thread-safe.
  *
- * @param sink gets what was inflated: `[0, size)` of the array, which is used again after the call. What it throws,
- *   [accept] throws.
+ * @param sink receives the inflated bytes: `[0, size)` of the array, which is reused after the call. [accept] passes on
+ *   its exceptions.
  */
 public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit) : AutoCloseable {
     private enum class Stage { HEADER, BODY, TRAILER, OVER }
@@ -24,7 +24,7 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
     private var isDamaged = false
     private var sawBody = false
 
-    // The last four bytes that the inflater was given.
+    // The last four bytes passed to the inflater.
     private var tail = 0
 
     /** How many bytes have been inflated so far. */
@@ -32,13 +32,13 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
         private set
 
     /**
-     * After the last piece: whether something is missing, because the stream broke off or cannot be inflated further.
-     * A stream that its writer flushed but never closed, as the original badlog leaves it, lacks nothing.
+     * After the last piece: whether data is missing, because the stream ends early or cannot be inflated further. A
+     * stream that was flushed but never closed, as by the original badlog, is complete.
      */
     public val isCut: Boolean
         get() = isDamaged || !sawBody || (stage == Stage.BODY && tail != FLUSH_MARK)
 
-    /** Reads the bytes from [from] until [until] of [bytes], which follow those of the calls before. */
+    /** Reads the bytes from [from] until [until] of [bytes], which follow those of previous calls. */
     public fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         while (at < until) {
@@ -108,19 +108,19 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
         return from + size
     }
 
-    /** Frees the memory outside the heap; after it, only the properties may be asked. */
+    /** Frees the memory outside the heap; afterwards, only the properties may be used. */
     override fun close(): Unit = inflater.end()
 
     public companion object {
         private const val TRAILER = 8
 
-        /** The end of the empty block by which a flush brings the stream to a whole byte. */
+        /** The end of the empty block with which a flush aligns the stream to a byte. */
         private const val FLUSH_MARK = 0x0000FFFF
 
-        /** How many bytes [isGzip] wants to see. */
+        /** The number of bytes that [isGzip] needs. */
         public const val SIGNATURE_SIZE: Int = 2
 
-        /** Whether a file that begins with the first [size] of [bytes] is compressed with gzip, whatever its name. */
+        /** Returns whether a file that begins with the first [size] of [bytes] is compressed with gzip, whatever its name. */
         public fun isGzip(bytes: ByteArray, size: Int = bytes.size): Boolean =
             size >= SIGNATURE_SIZE && bytes[0] == 0x1F.toByte() && bytes[1] == 0x8B.toByte()
     }

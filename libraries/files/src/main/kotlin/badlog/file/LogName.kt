@@ -1,17 +1,18 @@
 package badlog.file
 
 /**
- * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. What a file holds, only its content tells.
+ * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. Only the content shows what a file really
+ * is.
  *
- * @property stem what is left without [ending].
- * @property ending that of a log, with its dot and in its own case; empty when there is none.
- * @property isGzip whether `.gz` stands behind it.
+ * @property stem the name without [ending] and `.gz`.
+ * @property ending the ending of a log, with its dot and in its original case; empty if there is none.
+ * @property isGzip whether `.gz` follows.
  */
 public class LogName private constructor(public val stem: String, public val ending: String, public val isGzip: Boolean) {
-    /** Whether a log may be called so. */
+    /** Whether it may be the name of a log. */
     public val mayBeLog: Boolean get() = ending.isNotEmpty() || isGzip
 
-    /** Whether only logs are called so; tables of all kinds end in `.csv`. */
+    /** Whether only logs have such names; tables of all kinds end in `.csv`. */
     public val isOnlyOfLogs: Boolean get() = ending.isNotEmpty() && ending.lowercase() != CSV
 
     public companion object {
@@ -21,11 +22,11 @@ public class LogName private constructor(public val stem: String, public val end
         internal const val DSEVENTS = ".dsevents"
         internal const val HOOT = ".hoot"
 
-        /** What logs of REV's motor controllers end in. */
+        /** The ending of logs of REV's motor controllers. */
         public const val REVLOG: String = ".revlog"
         private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
 
-        /** The parts of [name], which is without folders. */
+        /** Returns the parts of [name], which must not include folders. */
         public fun of(name: String): LogName {
             val isGzip = name.endsWith(GZIP, ignoreCase = true) && name.length > GZIP.length
             val inner = if (isGzip) name.dropLast(GZIP.length) else name

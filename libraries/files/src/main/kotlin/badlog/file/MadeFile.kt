@@ -6,8 +6,8 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * A new empty file of the system's kind for what is there only while a log is read, in [folder]; its name tells which program made it. The
- * first call removes what programs have left there that were killed.
+ * Creates an empty temporary file in [folder], for use while a log is read; its name identifies the program that made it. The first call
+ * removes files left there by killed programs.
  *
  * @param ending the end of its name, such as `.wpilog`.
  */
@@ -16,12 +16,12 @@ internal fun newMadeFile(ending: String, folder: Path = Path.of(System.getProper
     return Files.createTempFile(folder, "badlog-${ProcessHandle.current().pid()}-", ending)
 }
 
-/** Removes from [folder] what [newMadeFile] has made for programs that no longer run. */
+/** Removes files from [folder] that [newMadeFile] made for programs that are no longer running. */
 internal fun removeLeftFiles(folder: Path) {
     try {
         Files.newDirectoryStream(folder, "badlog-*").use { files -> files.filter(::isLeft).forEach(::removeQuietly) }
     } catch (_: IOException) {
-        // Whoever cleans the folder may do it, too.
+        // Something else may clean up the folder instead.
     }
 }
 
@@ -34,7 +34,7 @@ private fun removeQuietly(file: Path) {
     try {
         Files.deleteIfExists(file)
     } catch (_: IOException) {
-        // It is somebody else's.
+        // It belongs to another user.
     }
 }
 

@@ -7,10 +7,10 @@ import java.time.OffsetDateTime
 import java.time.ZoneId
 
 /**
- * A date that stands in a name.
+ * A date in a name.
  *
- * @property time the date; at midnight where the name has no time of day.
- * @property range where in the name it stands.
+ * @property time the date; at midnight if the name has no time of day.
+ * @property range its place in the name.
  */
 public class NamedDate internal constructor(public val time: LocalDateTime, public val range: IntRange)
 
@@ -20,7 +20,7 @@ private val FOUR_DIGIT_YEAR = Regex(
 private val TWO_DIGIT_YEAR = Regex("(?<!\\d)(\\d{2})-(\\d{2})-(\\d{2})[T_ -](\\d{2})[-_.:](\\d{2})(?:[-_.:](\\d{2}))?(?!\\d)")
 private val MONTH_FIRST = Regex("(\\d{1,2})/(\\d{1,2})/(\\d{4})(?:[ ,T]+(\\d{1,2}):(\\d{2})(?::(\\d{2}))?)?.*")
 
-/** The date in the name of a file, such as `FRC_20240910_002949.bag`; null when there is none, or only one of a wrong clock. */
+/** Returns the date in the name of a file, such as `FRC_20240910_002949.bag`; null if there is none, or only that of a wrong clock. */
 public fun dateInName(name: String): NamedDate? {
     for ((pattern, century) in listOf(FOUR_DIGIT_YEAR to 0, TWO_DIGIT_YEAR to 2000)) {
         for (match in pattern.findAll(name)) {
@@ -32,11 +32,11 @@ public fun dateInName(name: String): NamedDate? {
     return null
 }
 
-/** The date that [text] is: as in ISO 8601, month first with slashes, or seconds or milliseconds since 1970; else null. */
+/** Returns the date in [text]: as in ISO 8601, month first with slashes, or seconds or milliseconds since 1970; otherwise null. */
 public fun dateInText(text: String): LocalDateTime? {
     val number = text.toDoubleOrNull()
     if (number != null && text.length >= 9) {
-        // Above this, seconds would be of the year 5138.
+        // Above this, seconds would be in the year 5138.
         val millis = if (number > 1e11) number else number * 1000
         return believable(localTime(Instant.ofEpochMilli(millis.toLong())))
     }
@@ -66,5 +66,5 @@ private fun dateOf(year: Int, month: String, day: String, hour: String, minute: 
     null
 }
 
-// A robot's clock begins at 1970 or so until something sets it.
+// A robot's clock starts at about 1970 until something sets it.
 private fun believable(time: LocalDateTime?) = time?.takeIf { it.year in 2000..2199 }

@@ -1,11 +1,11 @@
 package badlog.file
 
 /**
- * What match a name tells. Each is null where the name does not tell it.
+ * The match in a name. Each property is null if the name does not have it.
  *
- * @property event where, such as `MILLC`.
- * @property type such as `Qualification`.
- * @property number of the match; mostly digits, but `2-1` for the first match of the second semifinal.
+ * @property event the event, such as `MILLC`.
+ * @property type the type, such as `Qualification`.
+ * @property number the number of the match; usually digits, but `2-1` for the first match of the second semifinal.
  */
 public class NamedMatch internal constructor(
     public val event: String? = null,
@@ -29,13 +29,13 @@ private val MATCH = Regex(
     RegexOption.IGNORE_CASE,
 )
 
-/** A single word between the date and the match, as WPILib names its logs: `FRC_20240316_104107_MILLC_Q42`. */
+/** A single word between the date and the match, as in the names of WPILib's logs: `FRC_20240316_104107_MILLC_Q42`. */
 private val EVENT = Regex("[-_. ]+([A-Za-z][A-Za-z0-9]{2,})[-_. ]+")
 
-/** What the name of a file tells about the match, such as `qualification-42.bag`, `Q42.bag` and `ohcl_sf2m1.csv`. */
+/** Returns what the name of a file says about the match, such as `qualification-42.bag`, `Q42.bag` and `ohcl_sf2m1.csv`. */
 public fun matchInName(fileName: String): NamedMatch {
     val date = dateInName(fileName)
-    // The digits of a date are none of a match's: behind it a match is looked for first.
+    // The digits of a date do not belong to a match, so a match is searched for after it first.
     val afterDate = date?.let { it.range.last + 1 } ?: 0
     val found = MATCH.find(fileName, afterDate)
         ?: MATCH.find(date?.let { fileName.substring(0, it.range.first) } ?: return NamedMatch())

@@ -1,6 +1,6 @@
 package badlog.file
 
-/** Orders texts as people do: regardless of case, and numbers in them by their value, so that 9 stands before 10. */
+/** Orders texts as people do: regardless of case, and numbers in them by their value, so that 9 comes before 10. */
 public object NaturalOrder : Comparator<String> {
     override fun compare(a: String, b: String): Int {
         var i = 0
@@ -21,7 +21,7 @@ public object NaturalOrder : Comparator<String> {
             }
         }
         val difference = (a.length - i).compareTo(b.length - j)
-        // Texts that only differ in case or in zeros still need an order of their own.
+        // Texts that differ only in case or in zeros still need a definite order.
         return if (difference != 0) difference else a.compareTo(b)
     }
 

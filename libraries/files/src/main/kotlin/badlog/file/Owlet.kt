@@ -7,8 +7,8 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
 /**
- * CTRE's program that makes a WPILOG of a `.hoot`, a format that CTRE does not tell. It is never part of badlog: it is called where it
- * is on the PATH, as its help says: `owlet INPUT OUTPUT -f wpilog`.
+ * CTRE's program that converts a `.hoot`, a format that CTRE does not publish, to a WPILOG. It is never part of badlog: it is run if
+ * it is on the PATH, as described in its help: `owlet INPUT OUTPUT -f wpilog`.
  */
 internal object Owlet {
     private const val NAME = "owlet"
@@ -16,7 +16,7 @@ internal object Owlet {
     /** Whether a log of this format can be read here. */
     val isInstalled: Boolean by lazy { programOnPath(NAME) != null }
 
-    /** Makes the WPILOG [made] of [hoot] by [program]. */
+    /** Converts [hoot] to the WPILOG [made] with [program]. */
     fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
         val said = newMadeFile(".txt")
         try {
@@ -52,9 +52,9 @@ internal object Owlet {
         )
     }
 
-    /** After so many ms it is looked whether somebody has given up. */
+    /** How often, in ms, cancellation is checked. */
     private const val STEP = 50L
 
-    /** So many letters of what it said. */
+    /** The maximum number of characters quoted from its output. */
     private const val MOST = 200
 }

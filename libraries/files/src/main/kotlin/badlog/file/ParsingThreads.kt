@@ -15,11 +15,11 @@ import java.util.concurrent.Future
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Parses on threads of its own, while the calling one reads or inflates the next piece. The rows of a bag are read in batches on
- * several cores and put together on one thread, which also reads what is not plain rows. Few pieces are in flight, which bounds the
+ * Parses on separate threads, while the calling one reads or inflates the next piece. The rows of a bag are read in batches on
+ * several cores and joined on one thread, which also reads everything but plain rows. Few pieces are in progress, which bounds the
  * memory.
  *
- * @param cores on how many cores it reads rows, at least 2.
+ * @param cores the number of cores for reading rows, at least 2.
  */
 internal class ParsingThreads(
     formats: List<LogFormat>,
@@ -44,16 +44,16 @@ internal class ParsingThreads(
     private val inFlight = ArrayDeque<Piece>()
     private var filling = Piece(pieceSize)
 
-    // Until the header is read, one piece waits for the other.
+    // Until the header is read, each piece waits for the previous one.
     private var mayBeBag = true
 
-    /** Whether nothing that follows is read. */
+    /** Whether nothing more will be read. */
     @Volatile
     var isFull = false
         private set
     private var readsDecimalComma: BooleanArray? = null
 
-    /** Takes the first [size] of [bytes], which follow those of the calls before. Keeps no reference. */
+    /** Accepts the first [size] of [bytes], which follow those of previous calls. Keeps no reference to the array. */
     fun accept(bytes: ByteArray, size: Int) {
         var at = 0
         while (at < size) {
@@ -65,7 +65,7 @@ internal class ParsingThreads(
         }
     }
 
-    /** Waits until all is parsed, and returns what was read. To be called once, last. */
+    /** Waits until everything is parsed, and returns what was read. Call it once, last. */
     fun finish(): Recording {
         submit(filling.size)
         while (inFlight.isNotEmpty()) awaitFirst()
@@ -122,7 +122,7 @@ internal class ParsingThreads(
         const val PIECE_SIZE = 1 shl 18
         const val LINE_FEED = '\n'.code.toByte()
 
-        /** So many pieces are in flight besides those that are being read. */
+        /** The number of pieces in progress besides those that are being read. */
         const val SPARE_PIECES = 3
 
         fun pool(name: String, size: Int): ExecutorService =
@@ -134,7 +134,7 @@ internal class ParsingThreads(
             throw e.cause ?: e
         }
 
-        /** The end of the last whole line; of the piece, where it has none. */
+        /** Returns the end of the last complete line; that of the piece if it has none. */
         fun Piece.lastLineEnd(): Int {
             var end = size
             while (end > 0 && bytes[end - 1] != LINE_FEED) end--

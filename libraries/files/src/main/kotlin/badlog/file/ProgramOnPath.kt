@@ -6,7 +6,8 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Where the program [name] is in the folders of [path], the system's PATH; null where it is in none. On Windows it may end in `.exe`.
+ * Returns the path of the program [name] in the folders of [path], the system's PATH; null if it is in none. On Windows it may end in
+ * `.exe`.
  */
 public fun programOnPath(name: String, path: String? = System.getenv("PATH")): Path? =
     path.orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }.firstNotNullOfOrNull { folder ->
@@ -16,6 +17,6 @@ public fun programOnPath(name: String, path: String? = System.getenv("PATH")): P
 private fun executableAt(folder: String, file: String): Path? = try {
     Path.of(folder, file).takeIf { Files.isRegularFile(it) && Files.isExecutable(it) }
 } catch (_: InvalidPathException) {
-    // A PATH may hold anything.
+    // A PATH may contain anything.
     null
 }

@@ -11,28 +11,29 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Reads [file]: a bag, a CSV file or a log of one of [formats], perhaps compressed with gzip, or [holding a WPILOG][unpacked]; its
- * content decides, hardly ever its name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a problem of the recording.
+ * Reads [file]: a bag, a CSV file or a log of one of [formats], optionally compressed with gzip, or [containing a WPILOG][unpacked]; its
+ * content decides, hardly ever its name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a
+ * problem of the recording.
  *
- * Besides the recording, it holds pieces of the file, never the file: less than 1 MB on the calling thread, where small files and logs
- * of records are always read; else [cores] and five more pieces of 256 kB, and the numbers read from them, which take up to four times
- * as much where they have one digit. A longer row takes twice its length. A column that outgrows its room is copied, so that for a
- * moment it is there twice.
+ * Besides the recording, it holds pieces of the file in memory, never the whole file: less than 1 MB on the calling thread, which always
+ * reads small files and logs of records; otherwise [cores] + 5 pieces of 256 kB, and the numbers read from them, which take up to four
+ * times as much if they have one digit. A longer row takes twice its length. A column that outgrows its memory is copied, so that it
+ * briefly exists twice.
  *
- * @param formats what it may be besides a bag and a CSV file.
+ * @param formats the formats to recognize besides bag and CSV.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
- * @param untilLastLineEnd true to leave out what stands after the file's last line end, or all where there is none: the
- *   half of a row in a file that is still being written, and no problem. So is the half of a record at the end of a log of records.
- *   Without effect on a compressed file.
- * @param sinks where the numbers of a bag's or CSV file's topics go that the recording is not to have; texts and counts are in it
- *   all the same. It is asked, and each of its sinks is called, on one thread at a time, though not always on the same and not on the
- *   calling one; all calls have returned when this one does. Each sink gets each row once, in order. Logs of records have no use for it.
- * @param cores on how many cores a large file is read; 1 for the calling thread alone, where others read other files meanwhile.
- * @param name what the log is called, where the file has another name meanwhile.
- * @param progress hears, on the calling thread and about once a megabyte, how many bytes of the file are read and how many
- *   it had at the beginning. What it throws stops the reading and is passed on.
- * @throws UnreadableFileException when the file is missing, is not a regular file, or cannot be read.
- * @throws InterruptedException when the thread was interrupted.
+ * @param untilLastLineEnd true to ignore everything after the file's last line end, or everything if there is none: part of a row in a file
+ *   that is still being written is not a problem. The same applies to part of a record at the end of a log of records. Has no effect on a
+ *   compressed file.
+ * @param sinks where numbers of a bag's or CSV file's topics go that the recording is not to keep; texts and counts are kept all the same.
+ *   It and its sinks are called on one thread at a time, though not always the same one, and not the calling one; all calls have returned
+ *   when this function returns. Each sink receives each row once, in order. Not used for logs of records.
+ * @param cores the number of cores for reading a large file; 1 for only the calling thread, if others read other files meanwhile.
+ * @param name the name of the log, if the file temporarily has another one.
+ * @param progress called on the calling thread, about once per megabyte, with the number of bytes read and the size of the file at the
+ *   start. An exception from it stops the reading and is passed on.
+ * @throws UnreadableFileException if the file is missing, is not a regular file, or cannot be read.
+ * @throws InterruptedException if the thread was interrupted.
  */
 public fun readRecording(
     file: Path,
@@ -105,21 +106,21 @@ private fun read(
     if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
 }
 
-/** The same parser, which reads as many rows or records as the person who started the program allows. */
+/** Returns the same parser, limited to the number of rows or records that the user of the program allows. */
 internal fun RecordingParser.limited(): RecordingParser = also { parser ->
     System.getenv("BADLOG_MAX_ROWS")?.toIntOrNull()?.let { parser.maxRows = it }
 }
 
-/** Smaller files are read before Java has translated for each of several threads what one needs. */
+/** Smaller files are read before Java has compiled the code for several threads. */
 private const val MIN_PARALLEL = 64L shl 20
 
-/** Inflating is work enough for a thread of its own earlier. */
+/** Inflating is worth a separate thread for smaller files already. */
 private const val MIN_PARALLEL_GZIP = 1L shl 20
 
-/** How much more a gzip file holds, where its end does not tell. */
+/** The assumed compression ratio of a gzip file, if its end does not show it. */
 private const val GZIP_GROWTH = 4
 
-/** Gives the bytes before [until] to [accept], inflated where need be, until it [isFull]; returns what [finish] made of them. */
+/** Passes the bytes before [until] to [accept], inflated if necessary, until [isFull]. Returns the result of [finish]. */
 private fun FilePieces.read(
     isGzip: Boolean,
     until: Long,
@@ -138,7 +139,7 @@ private fun FilePieces.read(
     }
 }
 
-/** Gives the bytes of the log's other parts to [accept], inflated where need be, until it [isFull]. */
+/** Passes the bytes of the log's other parts to [accept], inflated if necessary, until [isFull]. */
 private fun FilePieces.readOthers(isFull: () -> Boolean, accept: (ByteArray, Int) -> Unit) = partsOfLog(file).drop(1).forEach { part ->
     reading(part) { FileChannel.open(part) }.use { channel ->
         val pieces = FilePieces(part, channel) { _, _ -> progress(total, total) }

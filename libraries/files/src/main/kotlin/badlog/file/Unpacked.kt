@@ -9,23 +9,23 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A log as the readers of this library know it.
+ * A log in a form that this library can read.
  *
- * @property path the log itself, or a WPILOG made of it.
- * @property name what to call it: of a WPILOG that was made, that of the log with its ending.
- * @property problems what was wrong in the log and does not show in the WPILOG that was made of it.
+ * @property path the log itself, or a WPILOG made from it.
+ * @property name its name: for a converted WPILOG, the name of the log with the ending of a WPILOG.
+ * @property problems what was wrong in the log and does not show in the converted WPILOG.
  */
 public class Unpacked internal constructor(public val path: Path, public val name: String, public val problems: List<Problem>)
 
 /**
- * Runs [work] with the log [file], or with the WPILOG that it holds in another form, which is there only meanwhile: a `.wpilogxz` is
- * one that was compressed with xz, a `.revlog` of REV's devices can be written as one, and of a `.hoot` of CTRE's devices CTRE's own
- * program makes one. All but the last are known by their content.
+ * Runs [work] with the log [file], or with a temporary WPILOG made from it: a `.wpilogxz` is one compressed with xz, a `.revlog` of
+ * REV's devices can be converted to one, and CTRE's own program converts a `.hoot` of CTRE's devices. All but the last are
+ * recognized by their content.
  *
- * @param name what the log is called, where the file has another name meanwhile.
- * @param checkpoint is called now and then while a WPILOG is made, and may throw to give up.
- * @throws UnreadableFileException when the file cannot be read, or no WPILOG can be made of it.
- * @throws InterruptedException when the thread was interrupted.
+ * @param name the name of the log, if the file temporarily has another one.
+ * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
+ * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
+ * @throws InterruptedException if the thread was interrupted.
  */
 public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = file.fileName.toString(), work: (Unpacked) -> T): T {
     val head = reading(file) { Files.newInputStream(file).use { it.readNBytes(SIGNATURE_SIZE) } }

@@ -3,20 +3,20 @@ package badlog.file
 import java.nio.file.Path
 
 /**
- * Where badlog's programs keep what is the user's own.
+ * The folders of badlog's programs for the user's own files.
  *
- * @property settings what a person has chosen; to be kept.
- * @property cache what can be found out again; may be deleted at any time.
+ * @property settings the folder of settings, which should be kept.
+ * @property cache the folder of cached results, which may be deleted at any time.
  */
 public class UserFolders(public val settings: Path, public val cache: Path) {
     public companion object {
-        /** The folders that the system means for it: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
+        /** Returns the folders that the system intends for this: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
         public fun ofSystem(
             system: String = System.getProperty("os.name"),
             user: Path = Path.of(System.getProperty("user.home")),
             variable: (String) -> String? = System::getenv,
         ): UserFolders {
-            // XDG has relative paths ignored.
+            // XDG requires relative paths to be ignored.
             fun named(name: String, otherwise: Path) =
                 variable(name)?.takeIf { it.isNotBlank() }?.let(Path::of)?.takeIf { it.isAbsolute } ?: otherwise
             // Java takes it from the system's list of users, whatever HOME says.

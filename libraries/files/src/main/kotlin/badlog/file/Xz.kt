@@ -12,7 +12,7 @@ import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Writes to [out] what of [file], which is compressed with xz, can be inflated; returns the problem that something is missing. */
+/** Writes to [out] everything that can be inflated of [file], which is compressed with xz. Returns a problem if data is missing. */
 internal fun inflateXz(file: Path, out: OutputStream, checkpoint: () -> Unit): List<Problem> {
     var inflated = 0L
     reading(file) { ReadGuard(file, Files.newInputStream(file)) }.use { source ->
@@ -39,18 +39,18 @@ internal fun inflateXz(file: Path, out: OutputStream, checkpoint: () -> Unit): L
     return listOf(compressedCut(inflated))
 }
 
-/** Tells failures of reading [file] from what is wrong in it. */
+/** Distinguishes failures of reading [file] from errors in its content. */
 private class ReadGuard(private val file: Path, source: InputStream) : FilterInputStream(source) {
     override fun read(): Int = reading(file) { super.read() }
 
     override fun read(bytes: ByteArray, from: Int, size: Int): Int = reading(file) { super.read(bytes, from, size) }
 }
 
-/** Where a file breaks off, what was inflated of a piece is lost. */
+/** If a file ends early, the inflated part of a piece is lost. */
 private const val PIECE = 1 shl 12
 
 /** Twice what `xz -9` needs. */
 private const val MEMORY_KB = 128 shl 10
 
-/** No robot's log is larger, and a small file can hold anything. */
+/** No robot's log is larger, but a small file can inflate to any size. */
 private const val MAX_BYTES = 4L shl 30

@@ -4,9 +4,9 @@ package badlog.revlog
  * A value in the eight bytes of a status frame.
  *
  * @property start its first bit, counted from the lowest of the first byte on.
- * @property length in bits.
- * @property unit empty for none, and where the robot's program chooses it.
- * @property scale what its number is multiplied with.
+ * @property length its length in bits.
+ * @property unit its unit; empty for none, and if the robot's program defines it.
+ * @property scale the factor for its number.
  */
 internal class RevSignal(
     val name: String,
@@ -20,7 +20,7 @@ internal class RevSignal(
     /** Whether it is on or off. */
     val isFlag: Boolean get() = length == 1
 
-    /** Its number in [bits], the eight bytes of the frame. */
+    /** Returns its number in [bits], the eight bytes of the frame. */
     fun read(bits: Long): Double {
         val unused = Long.SIZE_BITS - length
         val word = if (isSigned) bits shl (unused - start) shr unused else bits shl (unused - start) ushr unused
@@ -31,9 +31,9 @@ internal class RevSignal(
 /**
  * A kind of REV's devices.
  *
- * @property name as in the names of its topics.
- * @property frames what each status frame holds, by the frame's number.
- * @property version reads the version of its firmware from the bytes of the frame that tells it.
+ * @property name its name in topics.
+ * @property frames the content of each status frame, by the frame's number.
+ * @property version reads the firmware version from the bytes of the frame that has it.
  */
 internal class RevDevice(val name: String, val frames: Map<Int, List<RevSignal>>, val version: (ByteArray, Int) -> String)
 
@@ -112,7 +112,7 @@ private fun flags(start: Int, vararg names: String) = names.mapIndexed { i, name
 private fun floats(vararg names: String) = names.mapIndexed { i, name -> RevSignal(name, i * 32, 32, isFloat = true) }
 
 /**
- * REV's devices by their types on the CAN bus, with the places of their values as REV's public descriptions of the frames have them
+ * REV's devices by their types on the CAN bus, with the places of their values according to REV's public descriptions of the frames
  * (`spark`, `servo_hub` and `encoder`, of its converter from `.revlog` to WPILOG, 2026).
  */
 internal val REV_DEVICES: Map<Int, RevDevice> = mapOf(

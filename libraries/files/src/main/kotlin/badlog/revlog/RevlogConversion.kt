@@ -6,13 +6,13 @@ import badlog.recording.ProblemKind
 import java.io.OutputStream
 
 /**
- * Writes the `.revlog` that is pushed to it as a WPILOG to [out]: the status frames that REV's devices have sent on the CAN bus, and
- * what firmware they have. Its topics are called as REV's own converter calls them, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
+ * Writes the `.revlog` that is pushed to it as a WPILOG to [out]: the status frames that REV's devices have sent on the CAN bus, and their
+ * firmware versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
  *
- * The file is records one after another. Each has a byte that tells the widths of the next two numbers in its lowest four bits, a
- * number that tells what it is, and the size of what follows: firmware (10 bytes a device), or status frames (16 bytes each: ms since
- * the robot's program began, the frame's identifier, eight bytes). Nothing in the bytes makes it throw: where no record goes on, the next place
- * from which one does is searched for.
+ * The file is a sequence of records. Each has a byte whose lowest four bits are the widths of the next two numbers, a number for its kind,
+ * and the size of what follows: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's program began, the
+ * frame's identifier, eight bytes). It never throws because of the bytes: where no record follows, it searches for the next place at which
+ * one does.
  */
 internal class RevlogConversion(private val out: OutputStream) {
     private val wpilog = WpilogOutput(out)
@@ -23,13 +23,13 @@ internal class RevlogConversion(private val out: OutputStream) {
     private var at = 0
     private var end = 0
 
-    /** The place in the file of [bytes]' first. */
+    /** The position in the file of the first of [bytes]. */
     private var base = 0L
 
-    /** From where on no records have been found again; before 0 where they go on. */
+    /** The position after which no records have been found yet; below 0 if they continue. */
     private var lostFrom = -1L
 
-    /** Takes the first [size] of [piece], which follow those of the calls before. */
+    /** Accepts the first [size] of [piece], which follow those of previous calls. */
     fun accept(piece: ByteArray, size: Int) {
         if (end + size > bytes.size) {
             val room = if (end - at + size > bytes.size / 2) ByteArray((end - at + size) * 2) else bytes
@@ -44,9 +44,9 @@ internal class RevlogConversion(private val out: OutputStream) {
         while (step()) continue
     }
 
-    /** Says that no more bytes come; returns what was wrong in them. */
+    /** Ends the bytes. Returns what was wrong in them. */
     fun finish(): List<Problem> {
-        // A record whose size was damaged may seem to go on behind the end, with whole ones inside.
+        // A record with a damaged size may seem to extend beyond the end, with complete ones inside.
         val left = base + at
         while (at < end) {
             if (lostFrom < 0) lostFrom = base + at
@@ -67,7 +67,7 @@ internal class RevlogConversion(private val out: OutputStream) {
         return problems
     }
 
-    /** Goes on by a record or a lost byte; false where more bytes are needed for that. */
+    /** Advances by a record or a lost byte. Returns false if that needs more bytes. */
     private fun step(): Boolean {
         if (at >= end) return false
         val head = RevlogHead.at(bytes, at, end)
@@ -130,10 +130,10 @@ internal class RevlogConversion(private val out: OutputStream) {
     private fun nameOf(device: RevDevice, id: Int) = "REV/${device.name}-${id and NUMBER}"
 
     companion object {
-        /** How many bytes [isRevlog] wants to see. */
+        /** The number of bytes that [isRevlog] needs. */
         const val SIGNATURE_SIZE: Int = 17
 
-        /** Whether a file that begins with [bytes] is a `.revlog`, which has no signature: its first record shows it. */
+        /** Returns whether a file that begins with [bytes] is a `.revlog`, which has no signature: its first record shows it. */
         fun isRevlog(bytes: ByteArray): Boolean = RevlogHead.at(bytes, 0, bytes.size).let { it != null && it !== RevlogHead.MORE }
 
         private const val CLASS_BIT = 10
@@ -146,14 +146,14 @@ internal class RevlogConversion(private val out: OutputStream) {
         private const val NUMBER = 0x3F
         private const val DEVICE = 0x1F00003F
 
-        /** By this metadata a WPILOG of badlog's has values instead of topics. */
+        /** The metadata that mark an entry as a value in badlog's WPILOG. */
         private const val VALUE = "{\"badlog\":\"value\"}"
     }
 }
 
-/** The beginning of a record: it has [headSize] bytes, and [size] bytes of frames follow. */
+/** The head of a record: it has [headSize] bytes, and [size] bytes of frames follow. */
 internal class RevlogHead private constructor(val headSize: Int, val size: Int, val isFirmware: Boolean) {
-    /** How many bytes each of its frames has. */
+    /** The size of each of its frames in bytes. */
     val frameSize: Int get() = if (isFirmware) FIRMWARE_SIZE else STATUS_SIZE
 
     companion object {
@@ -165,10 +165,10 @@ internal class RevlogHead private constructor(val headSize: Int, val size: Int, 
         private const val MANUFACTURER_BIT = 16
         private const val REV = 5
 
-        /** Says that more bytes are needed to know. */
+        /** The result if more bytes are needed to decide. */
         val MORE = RevlogHead(0, 0, false)
 
-        /** The head that begins at [at] of [bytes], which go until [until]; null for none, [MORE] where that does not show yet. */
+        /** Returns the head at [at] in [bytes], which end at [until]; null for none, [MORE] if that is not clear yet. */
         fun at(bytes: ByteArray, at: Int, until: Int): RevlogHead? {
             if (at >= until) return MORE
             val widths = bytes[at].toInt()
@@ -182,7 +182,7 @@ internal class RevlogHead private constructor(val headSize: Int, val size: Int, 
             if (kind != FIRMWARE.toLong() && kind != STATUS.toLong()) return null
             val head = RevlogHead(headSize, size.toInt(), kind == FIRMWARE.toLong())
             if (size !in 1..MAX_SIZE || size % head.frameSize != 0L) return null
-            // The frames are REV's, who writes this: the first one's identifier names its maker.
+            // The frames must be REV's: the first one's identifier contains the manufacturer.
             val id = at + headSize + if (head.isFirmware) 0 else Int.SIZE_BYTES
             if (until - id < Int.SIZE_BYTES) return MORE
             return head.takeIf { wordAt(bytes, id) shr MANUFACTURER_BIT and 0xFF == REV }

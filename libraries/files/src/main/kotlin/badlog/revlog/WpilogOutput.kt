@@ -4,7 +4,7 @@ import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Writes a WPILOG of numbers to [out], as WPILib's specification of the data log says. */
+/** Writes a WPILOG of numbers to [out], according to WPILib's specification of the data log. */
 internal class WpilogOutput(private val out: OutputStream) {
     private val record = ByteBuffer.allocate(RECORD).order(ByteOrder.LITTLE_ENDIAN)
     private var entries = 0
@@ -13,7 +13,7 @@ internal class WpilogOutput(private val out: OutputStream) {
         out.write("WPILOG".encodeToByteArray() + byteArrayOf(0, 1, 0, 0, 0, 0))
     }
 
-    /** Begins an entry, and returns its number. */
+    /** Starts an entry, and returns its id. */
     fun start(name: String, type: String, metadata: String): Int {
         val id = ++entries
         val texts = listOf(name, type, metadata).map { it.encodeToByteArray() }
@@ -24,17 +24,17 @@ internal class WpilogOutput(private val out: OutputStream) {
         return id
     }
 
-    /** A sample of a `double` entry at [millis]. */
+    /** Writes a sample of a `double` entry at [millis]. */
     fun number(id: Int, millis: Long, number: Double) {
         record.clear()
         record.putDouble(number)
         write(id, millis, record.array(), Double.SIZE_BYTES)
     }
 
-    /** A sample of a `boolean` entry at [millis]. */
+    /** Writes a sample of a `boolean` entry at [millis]. */
     fun truth(id: Int, millis: Long, isTrue: Boolean) = write(id, millis, byteArrayOf(if (isTrue) 1 else 0), 1)
 
-    /** A sample of a `string` entry at [millis]. */
+    /** Writes a sample of a `string` entry at [millis]. */
     fun text(id: Int, millis: Long, text: String) = text.encodeToByteArray().let { write(id, millis, it, it.size) }
 
     private fun write(id: Int, millis: Long, payload: ByteArray, size: Int) {

@@ -6,7 +6,7 @@ import badlog.recording.Topic
 import badlog.recording.addNotFinite
 import badlog.recording.addNotUtf8
 
-/** Reports what was odd about [topic], which came of [column] with the times of [timestamps]. */
+/** Reports what was odd about [topic], which was made from [column] with the times of [timestamps]. */
 internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
     val name = topic.name
     if (timestamps.disorder > 0) {

@@ -1,13 +1,13 @@
 package badlog.column
 
-/** Numbers that become ever more. Grows by pieces that are copied once, at the end, instead of at every growth. */
+/** A growing list of numbers. It grows by pieces that are copied only once, at the end, instead of at every growth. */
 internal class GrowingDoubles {
     private var full: ArrayList<DoubleArray>? = null
     private var fullSize = 0
     private var last = NONE
     private var lastSize = 0
 
-    /** How many there are. */
+    /** The number of numbers. */
     val size: Int get() = fullSize + lastSize
 
     fun add(number: Double) {
@@ -25,7 +25,7 @@ internal class GrowingDoubles {
         lastSize = 0
     }
 
-    /** All of them. */
+    /** Returns all of them. */
     fun toArray(): DoubleArray {
         if (full == null && lastSize == last.size) return last
         val all = DoubleArray(size)
@@ -38,7 +38,7 @@ internal class GrowingDoubles {
         return all
     }
 
-    /** All of them, of which none is kept. */
+    /** Returns all of them, and removes them from this list. */
     fun take(): DoubleArray {
         val all = toArray()
         full = null
@@ -48,7 +48,7 @@ internal class GrowingDoubles {
         return all
     }
 
-    /** Adds those of [others]. */
+    /** Adds all of [others]. */
     fun addAll(others: GrowingDoubles) {
         for (number in others.toArray()) add(number)
     }

@@ -9,7 +9,7 @@ import badlog.text.TextPool
 /**
  * The samples of one topic while its file is being read.
  *
- * @property path what follows the entry's name in the topic's.
+ * @property path the part of the topic's name after the entry's.
  * @param keepsSamples false to count only, in memory that does not grow.
  */
 internal class SampleColumn(val path: String, private val keepsSamples: Boolean, private val decoder: TextDecoder) {
@@ -23,7 +23,7 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
     private var textCount = 0
     private var gapCount = 0
 
-    /** How many whole numbers could not be kept exactly. */
+    /** The number of whole numbers that could not be kept exactly. */
     var roundedCount = 0
         private set
 
@@ -75,13 +75,16 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
         size++
     }
 
-    // A column of texts needs no room for the numbers it has not.
+    // A column of texts needs no memory for numbers.
     private fun add(number: Double) {
         if (keepsSamples && textCount == 0) numbers.add(number)
         size++
     }
 
-    /** The topic that is [like] its entry, but has these samples at the times of [timestamps], which is finished. Of no use afterwards. */
+    /**
+     * Returns a topic [like] its entry, but with these samples at the times of [timestamps], which must be finished. The column must not be
+     * used afterwards.
+     */
     fun build(name: String, like: Topic, timestamps: Timestamps): Topic {
         val order = timestamps.order
         val isNumeric = size - textCount - gapCount > 0
@@ -107,7 +110,7 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
         return TextColumn(rows, ids, texts?.dictionary.orEmpty())
     }
 
-    /** The counts of [total] samples, of those that were dropped taken off. */
+    /** Returns the counts of [total] samples, minus those that were dropped. */
     private fun counts(total: Int, samples: DoubleArray, column: TextColumn): CellCounts {
         val isAll = total == size
         val textsLeft = if (isAll) textCount else column.size
@@ -140,13 +143,13 @@ internal class SampleBlock(val columns: List<SampleColumn>, timestamps: Timestam
         private set
     private var isInGap = false
 
-    /** A sample comes at [time]; whether the block still goes with [shared], which its owner moves on. */
+    /** Records a sample at [time]. The block may still use [shared], which its owner advances. */
     fun meet(time: Double, shared: Timestamps) {
         isInGap = false
         if (timestamps !== shared) timestamps.add(time)
     }
 
-    /** Says that the array has lost this element at [time]: a gap, from which on the block has timestamps of its own. */
+    /** Records that the array no longer has this element at [time]: a gap, after which the block has its own timestamps. */
     fun miss(time: Double, shared: Timestamps) {
         if (isInGap) return
         isInGap = true
@@ -156,22 +159,22 @@ internal class SampleBlock(val columns: List<SampleColumn>, timestamps: Timestam
     }
 }
 
-/** Makes the columns of a file, as many as there may be. */
+/** Creates the columns of a file, up to the maximum. */
 internal class ColumnSource(val keepsSamples: Boolean) {
     private val decoder = TextDecoder()
     private var made = 0
 
-    /** Whether there may be [count] more. */
+    /** Returns whether [count] more columns are allowed. */
     fun hasRoomFor(count: Int): Boolean = made + count <= MAX_COLUMNS
 
-    /** A column for each of [paths]. */
+    /** Returns a column for each of [paths]. */
     fun columns(paths: List<String>): List<SampleColumn> {
         made += paths.size
         return paths.map { SampleColumn(it, keepsSamples, decoder) }
     }
 
     private companion object {
-        /** No program shows more topics, and damage could make millions. */
+        /** No program shows more topics, and a damaged file could produce millions. */
         const val MAX_COLUMNS = 1 shl 16
     }
 }

@@ -2,25 +2,25 @@ package badlog.column
 
 import badlog.analysis.stableOrder
 
-/** The growing times of one or several columns, in s. */
+/** The growing list of times of one or several columns, in s. */
 internal class Timestamps(private val keepsSamples: Boolean) {
     private val growing = GrowingDoubles()
     private var isOrdered = true
     private var last = Double.NEGATIVE_INFINITY
 
-    /** How many times there are. */
+    /** The number of times. */
     var size = 0
         private set
 
-    /** How many times stand behind a later one; after [finish]. */
+    /** The number of times that follow a later one; valid after [finish]. */
     var disorder = 0
         private set
 
-    /** The times, ascending; after [finish]. */
+    /** The times, ascending; valid after [finish]. */
     var times = DoubleArray(0)
         private set
 
-    /** For each of [times] the sample that it belongs to, or null when they stand in their order; after [finish]. */
+    /** For each of [times], the index of its sample, or null if they were already in order; valid after [finish]. */
     var order: IntArray? = null
         private set
     private var isFinished = false
@@ -32,7 +32,7 @@ internal class Timestamps(private val keepsSamples: Boolean) {
         size++
     }
 
-    /** Timestamps that have had the same times so far, and go their own way from now on. */
+    /** Returns a copy with the same times so far, which then grows independently. */
     fun copy(): Timestamps {
         val copy = Timestamps(keepsSamples)
         copy.growing.addAll(growing)
@@ -43,8 +43,8 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     }
 
     /**
-     * Says that no more times come. Drops what does not lie in [span], and sorts the others; what was before 0 is put where
-     * [span] begins. May be called again.
+     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span].
+     * May be called again.
      */
     fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return

@@ -2,13 +2,13 @@ package badlog.column
 
 import kotlin.math.floor
 
-/** The moment [micros] µs after 1970 began, in UTC: `2024-03-09 14:02:31 UTC`. Null outside of the years 1970 to 9999. */
+/** Returns the moment [micros] µs after the start of 1970, in UTC: `2024-03-09 14:02:31 UTC`. Null outside the years 1970 to 9999. */
 internal fun wallTimeText(micros: Double): String? {
     if (!(micros >= 0 && micros < END_OF_9999)) return null
     val seconds = floor(micros / 1e6)
     val days = floor(seconds / DAY).toInt()
     val ofDay = (seconds - days * DAY).toInt()
-    // Years that begin in March have their odd day at the end (Hinnant, "chrono-compatible low-level date algorithms").
+    // Counting years from March puts the leap day at the end (Hinnant, "chrono-compatible low-level date algorithms").
     val shifted = days + DAYS_TO_1970
     val era = shifted / DAYS_OF_ERA
     val dayOfEra = shifted % DAYS_OF_ERA

@@ -14,7 +14,7 @@ public object DriverStationFormat : LogFormat {
     /** How many bytes [startOf] needs. */
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
-    /** When the log began whose first [HEAD_SIZE] bytes are [head], in s since 1970; null where those are not of such a log. */
+    /** Returns when a log with the first [HEAD_SIZE] bytes [head] began, in s since 1970; null if those are not the start of such a log. */
     public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE ||
         !isHeader(head, 0)
     ) {
@@ -24,7 +24,7 @@ public object DriverStationFormat : LogFormat {
     }
 }
 
-/** From the beginning of 1904, from which Driver Stations count, to that of 1970. */
+/** The seconds from the start of 1904, from which Driver Stations count, to the start of 1970. */
 internal const val SECONDS_TO_1970 = 2082844800.0
 
 /** Version, the seconds since 1904 and their fraction. */
@@ -33,7 +33,7 @@ internal const val HEADER_SIZE = 20
 /** A version and the highest byte of a time from 2006 until 2040. */
 internal const val SIGNATURE_SIZE = 9
 
-/** Whether a file begins at [at] of [bytes], from where on [SIGNATURE_SIZE] bytes are there. No record begins so. */
+/** Returns whether a file begins at [at] of [bytes]; [SIGNATURE_SIZE] bytes must follow. No record begins like that. */
 internal fun isHeader(bytes: ByteArray, at: Int): Boolean =
     wordAt(bytes, at) in 0..MAX_VERSION && wordAt(bytes, at + 4) == 0 && bytes[at + 8] in LATE_YEARS
 

@@ -23,11 +23,11 @@ import badlog.recording.Value
 
 /**
  * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of the first
- * and then those of the second. Nothing in the bytes makes it throw: whatever is wrong becomes a problem of the recording, by the
+ * and then those of the second. It never throws because of the bytes: whatever is wrong becomes a problem of the recording, by the
  * rules in `docs/driver-station.md`.
  *
- * Besides the samples it holds a few records of the file, or an event and what it takes to find the next one behind damage, 3 MB
- * at most. Not safe for use by several threads.
+ * Besides the samples, it holds a few records of the file, or an event and the bytes needed to find the next one after damage, at
+ * most 3 MB. Not thread-safe.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
@@ -39,7 +39,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private var events: StationEvents? = null
     private var refusal: String? = null
 
-    /** The time of day at which x is 0, in whole seconds since 1904 and their fraction; before 0 where no header was read. */
+    /** The time of day at which x is 0, in whole seconds since 1904 and their fraction; below 0 if no header was read. */
     private var seconds = -1.0
     private var fraction = 0.0
 
@@ -48,7 +48,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
 
     override var maxRows: Int = BagParser.MAX_ROWS
 
-    /** A record has a dozen samples, and more where there is a power distribution. */
+    /** A record has a dozen samples, and more if there is a power distribution. */
     private val maxRecords: Int get() = maxRows / SAMPLES
 
     override var isFull: Boolean = false
@@ -63,7 +63,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         }
     }
 
-    /** What stands behind the header at [at]; null where that is not to be read. */
+    /** Returns what follows the header at [at]; null if it is not to be read. */
     private fun begin(bytes: ByteArray, at: Int, until: Int): Frames? {
         val version = wordAt(bytes, at)
         if (version !in VERSIONS) {
@@ -127,7 +127,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
 
         const val SAMPLES = 12
 
-        /** After so many bytes it looks whether there are too many records. */
+        /** After this many bytes, it checks whether there are too many records. */
         const val PIECE = 1 shl 16
         const val MICROS = 1e6
         val NO_CELLS = CellCounts(0, 0, 0, 0, 0, 0)

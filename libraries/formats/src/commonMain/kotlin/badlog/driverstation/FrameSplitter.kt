@@ -5,11 +5,11 @@ import badlog.driverstation.Frames.Companion.NONE
 import kotlin.math.abs
 
 /**
- * Finds the headers and the frames behind them in bytes that are pushed to it. Where frames do not go on, the next place from which
- * several do is searched for. What it does depends on the bytes alone, never on the pieces in which they come.
+ * Finds the headers and the frames after them in bytes that are pushed to it. If frames do not continue, it searches for the next
+ * place from which several do. The result depends only on the bytes, never on the pieces in which they arrive.
  *
- * @param begin gets the bytes where a header stands, and how far they go; returns what follows the header, or null where nothing can.
- * @param skipped hears from where until where no frames were, and how many that may have been.
+ * @param begin receives the bytes at a header, and their end; returns what follows the header, or null if nothing can.
+ * @param skipped receives the range without frames, and how many there may have been.
  */
 internal class FrameSplitter(
     private val begin: (bytes: ByteArray, at: Int, until: Int) -> Frames?,
@@ -19,29 +19,29 @@ internal class FrameSplitter(
     private var at = 0
     private var end = 0
 
-    /** The place in the file of [bytes]' first. */
+    /** The position in the file of the first of [bytes]. */
     private var base = 0L
     private var frames: Frames? = null
 
-    /** Where the first header stood: what it said. */
+    /** The version in the first header. */
     private var version = 0
     private var seconds = 0.0
 
-    /** Only behind records another header may come. */
+    /** Only after records may another header follow. */
     private var mayEnd = false
 
-    /** How many frames were read. */
+    /** The number of frames read. */
     var count = 0
         private set
 
-    /** From where on no frames have been found again; before 0 where they go on. */
+    /** The position after which no frames have been found yet; below 0 if they continue. */
     var lostFrom = -1L
         private set
 
-    /** How many bytes have come. */
+    /** The number of bytes received. */
     val total: Long get() = base + end
 
-    /** How many bytes at the end are not a whole frame. */
+    /** The number of bytes at the end that are not a whole frame. */
     val pendingBytes: Int get() = end - at
 
     fun accept(piece: ByteArray, from: Int, until: Int) {
@@ -66,7 +66,7 @@ internal class FrameSplitter(
         while (goesOn && at < end) goesOn = step(isEnd)
     }
 
-    /** Goes on by a frame, a header or a lost byte; false where more bytes are needed for that. */
+    /** Advances by a frame, a header or a lost byte. Returns false if that needs more bytes. */
     private fun step(isEnd: Boolean): Boolean {
         val current = frames
         if ((current == null || mayEnd) && !isEnd && end - at < HEADER_SIZE + Long.SIZE_BYTES) return false
@@ -78,7 +78,7 @@ internal class FrameSplitter(
         }
     }
 
-    /** Whether the header of the `.dsevents` stands at [place], of a time that is less than [slack] s away. */
+    /** Returns whether the header of the `.dsevents` is at [place], with a time less than [slack] s away. */
     private fun isHeaderAt(place: Int, slack: Double = SAME) = mayEnd && end - place >= HEADER_SIZE && wordAt(bytes, place) == version &&
         wordAt(bytes, place + Int.SIZE_BYTES) == 0 && abs(secondsAt(bytes, place + Int.SIZE_BYTES) - seconds) < slack
 
@@ -144,10 +144,10 @@ internal class FrameSplitter(
     private companion object {
         const val FIRST_SIZE = 1 shl 10
 
-        /** The headers of the two files of a pair are of the same moment; in s. */
+        /** The headers of the two files of a pair have the same time, to this many seconds. */
         const val SAME = 2.0
 
-        /** So many frames in a row are no accident. */
+        /** This many frames in a row are not a coincidence. */
         const val ROW = 3
     }
 }

@@ -4,7 +4,7 @@ import badlog.column.ColumnSource
 import badlog.column.SampleColumn
 import badlog.column.Timestamps
 
-/** What the power distribution [name], a PDP or a PDH, tells in the blocks of a `.dslog`. */
+/** The columns of the power distribution [name], a PDP or a PDH, in the blocks of a `.dslog`. */
 internal class PowerColumns(private val name: String, private val source: ColumnSource) {
     private val isPdp = name == "PDP"
     private val channels = if (isPdp) PDP_CHANNELS else PDH_CHANNELS
@@ -12,7 +12,7 @@ internal class PowerColumns(private val name: String, private val source: Column
     private var columns = emptyList<SampleColumn>()
     private var isMissing = true
 
-    /** Takes the block at [at], or that there is none where it [isThere] not. */
+    /** Reads the block at [at], or records that there is none if [isThere] is false. */
     fun take(time: Double, bytes: ByteArray, at: Int, isThere: Boolean) {
         if (!isThere) return miss(time)
         if (columns.isEmpty()) columns = source.columns(names())
@@ -31,7 +31,7 @@ internal class PowerColumns(private val name: String, private val source: Column
         }
     }
 
-    /** Says that nothing is known at [time]. */
+    /** Records that nothing is known at [time]. */
     fun miss(time: Double) {
         if (isMissing) return
         isMissing = true
@@ -39,7 +39,7 @@ internal class PowerColumns(private val name: String, private val source: Column
         for (column in columns) column.addGap()
     }
 
-    /** Gives each column with its unit and its attributes to [add]. */
+    /** Passes each column with its unit and its attributes to [add]. */
     fun topics(add: (SampleColumn, String, List<String>, Timestamps) -> Unit) {
         columns.forEachIndexed { i, column ->
             val unit = if (i <= channels) "A" else TAIL[i - channels].second
@@ -49,13 +49,13 @@ internal class PowerColumns(private val name: String, private val source: Column
 
     private fun names() = List(channels) { "$name/Channel $it" } + TAIL.take(if (isPdp) TAIL.size else 1).map { "$name/${it.first}" }
 
-    // 10 bits a channel, the highest bit first, six channels in 8 bytes.
+    // 10 bits per channel, the highest bit first, six channels in 8 bytes.
     private fun ampsOfPdp(bytes: ByteArray, at: Int, channel: Int): Double {
         val bit = channel / 6 * 64 + channel % 6 * 10
         return (shortAt(bytes, at + bit / 8) shr (6 - bit % 8) and TEN_BITS) / 8.0
     }
 
-    // 10 bits a channel, the lowest bit first, three channels in 4 bytes; the last four have a byte each.
+    // 10 bits per channel, the lowest bit first, three channels in 4 bytes; the last four have a byte each.
     private fun ampsOfPdh(bytes: ByteArray, at: Int, channel: Int): Double {
         if (channel >= WIDE_CHANNELS) return byteAt(bytes, at + NARROW + channel) / 16.0
         val bit = channel / 3 * 32 + channel % 3 * 10
@@ -69,12 +69,12 @@ internal class PowerColumns(private val name: String, private val source: Column
         const val TEN_BITS = 0x3FF
         const val WIDE_CHANNELS = 20
 
-        /** Where the channel 0 would stand if all had one byte as the last ones have, behind the number on the CAN bus. */
+        /** Where channel 0 would be if all channels had one byte like the last ones, after the number on the CAN bus. */
         const val NARROW = 7
         const val VOLTAGE = 23
         const val TEMPERATURE = 24
 
-        /** What follows the channels; a PDH has only the first. */
+        /** The values after the channels; a PDH has only the first. */
         val TAIL = listOf("Total Current" to "A", "Bus Voltage" to "V", "Temperature" to "°C")
     }
 }

@@ -10,8 +10,8 @@ import kotlin.math.abs
 /**
  * The entries of a `.dsevents`, each with its time of day and often several messages.
  *
- * @param headerSeconds the whole seconds in the file's header, which the entries are near.
- * @param originSeconds the whole seconds where x is 0, and [originFraction] their fraction.
+ * @param headerSeconds the whole seconds in the file's header, near which the entries are.
+ * @param originSeconds the whole seconds at which x is 0, and [originFraction] their fraction.
  */
 internal class StationEvents(
     private val headerSeconds: Double,
@@ -28,7 +28,7 @@ internal class StationEvents(
     private val console = Lane(source, listOf("Console"))
     private val system = Lane(source, SYSTEM.map { it.first })
 
-    /** What the field said of the match. */
+    /** What the field said about the match. */
     val match = StationMatch()
 
     override fun sizeAt(bytes: ByteArray, at: Int, until: Int, isEnd: Boolean): Int {
@@ -50,7 +50,7 @@ internal class StationEvents(
         val time = secondsAt(bytes, at) - originSeconds + (fractionAt(bytes, at) - originFraction)
         val text = bytes.decodeToString(at + HEADER_SIZE, at + size)
         match.hear(text)
-        // The newest stands first.
+        // The newest comes first.
         for (message in text.split("<TagVersion>").asReversed()) hear(time, message)
     }
 
@@ -86,7 +86,7 @@ internal class StationEvents(
 
     override fun skip(bytes: Int): Int = 1
 
-    /** Gives each column with its unit and its attributes to [add]. */
+    /** Passes each column with its unit and its attributes to [add]. */
     fun topics(add: (SampleColumn, String, List<String>, Timestamps) -> Unit) {
         for (lane in listOf(events, console)) add(lane.columns[0], "", listOf("log"), lane.timestamps)
         system.columns.forEachIndexed { i, column -> add(column, SYSTEM[i].second, emptyList(), system.timestamps) }
@@ -98,19 +98,19 @@ internal class StationEvents(
         /** The longest entry seen has 22 kB. */
         private const val MAX_TEXT = 1 shl 20
 
-        /** A month, in s: no Driver Station runs longer. */
+        /** A month, in s: no Driver Station runs for longer. */
         const val NEAR = 2.7e6
 
-        /** What an untagged message begins with. */
+        /** The beginnings of untagged messages. */
         private val SPEAKERS = listOf("Info ", "Warning ", "ERROR ")
         private const val END = "\u0000"
 
-        /** In the order in which [SYSTEM_LINE] has them: the names, and the units. */
+        /** The names and units, in the order of [SYSTEM_LINE]. */
         private val SYSTEM =
             listOf("roboRIO Disk Free" to "MB", "roboRIO Memory Free" to "MB", "Laptop CPU" to "%", "Laptop Battery" to "%")
         private val SYSTEM_LINE = Regex("Disk Free (\\d+) MB, Memory Free (\\d+) MB\\. DS Laptop: CPU (\\d+)% Batt (\\d+)%")
 
-        /** Whether times of [one] and [other] seconds may be of one run of the Driver Station. */
+        /** Returns whether times of [one] and [other] seconds may belong to the same run of the Driver Station. */
         fun isNear(one: Double, other: Double): Boolean = abs(one - other) < NEAR
 
         private fun String.between(start: String, end: String) = substringAfter(start, "").substringBefore(end).trim()

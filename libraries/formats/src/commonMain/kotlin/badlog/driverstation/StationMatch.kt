@@ -2,18 +2,18 @@ package badlog.driverstation
 
 import badlog.recording.Value
 
-/** Which match the field said it is. */
+/** The match, as reported by the field. */
 internal class StationMatch {
     private var event = ""
     private var match: List<String> = emptyList()
 
-    /** Looks for it in the [text] of an entry. */
+    /** Searches for it in the [text] of an entry. */
     fun hear(text: String) {
         EVENT.find(text)?.let { event = it.groupValues[1] }
         MATCH.find(text)?.let { match = it.groupValues }
     }
 
-    /** What was heard. */
+    /** Returns what was found. */
     fun values(): List<Value> = buildList {
         if (event.isNotEmpty()) add(Value("Event Name", event))
         if (match.isNotEmpty()) {

@@ -6,7 +6,7 @@ import badlog.column.Timestamps
 import badlog.driverstation.Frames.Companion.MORE
 import badlog.driverstation.Frames.Companion.NONE
 
-/** The records of a `.dslog` of [version] 3 or 4: one each 20 ms, without a time. */
+/** The records of a `.dslog` of [version] 3 or 4: one every 20 ms, without a time. */
 internal class StationRecords(private val version: Int, source: ColumnSource) : Frames {
     private val timestamps = Timestamps(source.keepsSamples)
     private val columns = source.columns(RECORD_TOPICS.map { it.first })
@@ -16,7 +16,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
     private var lastSize = if (version == 3) SIZE_3 else HEAD
     private var next = 0
 
-    /** How many records say what cannot be, and were dropped. */
+    /** The number of records that were dropped because they are impossible. */
     var badCount = 0
         private set
 
@@ -31,7 +31,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
 
             isKnown(power) -> HEAD + power
 
-            // Whether a block that nobody knows is one shows in what follows it.
+            // What follows an unknown block shows whether it is one.
             until - end < HEAD -> if (isEnd) HEAD + power else MORE
 
             isPossible(bytes, end) -> HEAD + power
@@ -46,7 +46,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         return (isKnown(power) || HEAD + power == lastSize) && isOneMode(status) && isOneMode(status shr DS_MODE)
     }
 
-    // All modes at once are a hole of zeros.
+    // All modes at once mean a hole of zeros.
     private fun isPossible(bytes: ByteArray, at: Int) = bytes[at + STATUS].toInt() != 0 && wordAt(bytes, at + POWER_SIZE) in 0..MAX_POWER
 
     private fun isKnown(power: Int) = power == 0 || power == PDP_SIZE || power == PDH_SIZE
@@ -69,7 +69,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         number(byteAt(bytes, at + 4) / 2.0)
         number(byteAt(bytes, at + 6) / 2.0)
         number(if (trip == NO_TRIP) Double.NaN else trip / 2.0)
-        // A few percent below 0 are none.
+        // A few percent below 0 mean 0.
         number((bytes[at + 1] * 4.0).coerceIn(0.0, 100.0))
         val hasLink = volts != NO_VOLTS && trip != NO_TRIP
         truth(hasLink)
@@ -113,7 +113,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         else -> null
     }
 
-    /** Gives each column with its unit and its attributes to [add]. */
+    /** Passes each column with its unit and its attributes to [add]. */
     fun topics(add: (SampleColumn, String, List<String>, Timestamps) -> Unit) {
         columns.forEachIndexed { i, column -> add(column, RECORD_TOPICS[i].second, emptyList(), timestamps) }
         pdp.topics(add)
@@ -133,7 +133,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         const val NO_TRIP = 255
         const val NO_VOLTS = 0xFFFF
 
-        // The bits of the status, which is inverted.
+        // The bits of the status, which are inverted.
         const val MODES = 7
         const val DS_MODE = 3
         const val DS_DISABLED = 0x08
@@ -141,7 +141,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         const val WATCHDOG = 0x40
         const val BROWNOUT = 0x80
 
-        /** In the order in which [take] fills them: the names, and the units. */
+        /** The names and units, in the order in which [take] fills them. */
         val RECORD_TOPICS = listOf(
             "Battery Voltage" to "V",
             "CPU Utilization" to "%",
@@ -165,5 +165,5 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
     }
 }
 
-/** Where the topics are that every Driver Station has. */
+/** The folder of the topics that every Driver Station has. */
 internal const val FOLDER = "Driver Station/"

@@ -4,5 +4,5 @@ import badlog.driverstation.DriverStationFormat
 import badlog.recording.LogFormat
 import badlog.wpilog.WpilogFormat
 
-/** The formats of this library, for programs that read whatever log they are given. */
+/** The formats of this library, for programs that read any log. */
 public val LOG_FORMATS: List<LogFormat> = listOf(WpilogFormat, DriverStationFormat)

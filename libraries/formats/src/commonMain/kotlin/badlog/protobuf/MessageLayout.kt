@@ -1,11 +1,11 @@
 package badlog.protobuf
 
 /**
- * What a message of one type is shown as: its values, with those of messages inside it in their places, and its lists.
+ * How a message of one type is shown: its values, including those of nested messages at their places, and its lists.
  *
- * @property values the single ones.
- * @property lists those that are there any number of times.
- * @property partCount how many messages there are inside one another, with the outermost.
+ * @property values the single values.
+ * @property lists the repeated ones.
+ * @property partCount the number of messages, including the outermost and the nested ones.
  */
 internal class MessageLayout private constructor(
     val values: List<MessageValue>,
@@ -13,10 +13,10 @@ internal class MessageLayout private constructor(
     val partCount: Int,
     val outermost: MessagePart,
 ) {
-    /** How many values and messages there are, of a list with one element. */
+    /** The number of values and messages, counting lists with one element. */
     val size: Int = values.size + partCount + lists.sumOf { it.element.size }
 
-    /** Whether the bytes from [from] until [until] of [bytes] are such a message; only then may they be read. */
+    /** Returns whether the bytes from [from] until [until] of [bytes] are such a message; only then may they be read. */
     fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = fits(outermost, bytes, from, until)
 
     private fun fits(part: MessagePart, bytes: ByteArray, from: Int, until: Int): Boolean {
@@ -43,7 +43,7 @@ internal class MessageLayout private constructor(
             val members = HashMap<Int, MessageMember>()
             for (field in types.fieldsOf(name) ?: return null) {
                 val inside = "$path/${field.name}"
-                // A message that has itself inside never ends.
+                // A message that contains itself would never end.
                 if (field.type == null && field.typeName in within) continue
                 members[field.number] = when {
                     field.isList -> {
@@ -69,7 +69,7 @@ internal class MessageLayout private constructor(
         /** Each value is a topic, and a graph. */
         private const val MAX_SIZE = 1024
 
-        /** The layout of the message called [name] in full; null where a descriptor is missing, or there are too many values. */
+        /** Returns the layout of the message with the full name [name]; null if a descriptor is missing, or there are too many values. */
         fun of(types: MessageTypes, name: String): MessageLayout? = of(types, name, setOf(name))
 
         private fun of(types: MessageTypes, name: String, within: Set<String>): MessageLayout? {
@@ -78,7 +78,7 @@ internal class MessageLayout private constructor(
             return MessageLayout(building.values, building.lists, building.partCount, outermost)
         }
 
-        /** The layout of an element that is no message. */
+        /** Returns the layout of an element that is not a message. */
         private fun single(types: MessageTypes, field: MessageField): MessageLayout {
             val only = value(types, field, 0, "", 0)
             return MessageLayout(listOf(only), emptyList(), 1, MessagePart(0, mapOf(field.number to only)))
@@ -92,25 +92,25 @@ internal class MessageLayout private constructor(
     }
 }
 
-/** What a field of a message is shown as. */
+/** How a field of a message is shown. */
 internal sealed interface MessageMember
 
 /**
- * A message, or one inside it.
+ * A message, or one nested in it.
  *
- * @property index from 0 on, in its layout.
- * @property members by the numbers of their fields.
+ * @property index its index in the layout, from 0.
+ * @property members the members by their field numbers.
  */
 internal class MessagePart(val index: Int, val members: Map<Int, MessageMember>) : MessageMember
 
 /**
  * A single value.
  *
- * @property index from 0 on, in its layout.
- * @property path what follows the message's name in the topic's.
+ * @property index its index in the layout, from 0.
+ * @property path the part of the topic's name after the message's.
  * @property part the [MessagePart.index] of the message that it is in.
- * @property hasPresence whether it may be missing where its message is there.
- * @property names what its numbers are called, of an enumeration; else null.
+ * @property hasPresence whether it may be missing although its message is present.
+ * @property names for an enumeration, the names of its numbers; otherwise null.
  */
 internal class MessageValue(
     val index: Int,
@@ -124,17 +124,17 @@ internal class MessageValue(
 /**
  * Any number of values or messages.
  *
- * @property index from 0 on, in its layout.
- * @property type of its elements; null where they are messages.
+ * @property index its index in the layout, from 0.
+ * @property type the type of its elements; null if they are messages.
  */
 internal class MessageList(val index: Int, val path: String, val element: MessageLayout, val type: ScalarType?) : MessageMember {
-    /** How an element stands in the bytes. */
+    /** How an element is encoded. */
     val wire: Int get() = type?.wire ?: WireReader.SIZED
 
-    /** Whether the numbers stand side by side in the field that [reader] has read, without the field's number before each. */
+    /** Returns whether the field that [reader] has read is packed: its numbers follow each other without the field's number before each. */
     fun isPacked(reader: WireReader): Boolean = reader.wire != wire
 
-    /** Whether the field that [reader] has read may belong to this list. */
+    /** Returns whether the field that [reader] has read may belong to this list. */
     fun fits(reader: WireReader, bytes: ByteArray): Boolean = when {
         type == null -> reader.wire == WireReader.SIZED && element.fits(bytes, reader.from, reader.end)
 

@@ -1,8 +1,8 @@
 package badlog.protobuf
 
 /**
- * Reads messages of one [layout], one after another. Of a field that comes twice the last value counts, and messages that come in
- * pieces are put together, as the encoding wants; fields that the layout does not know are left out.
+ * Reads messages of one [layout], one after another. If a field occurs twice, the last value counts, and messages that occur in
+ * pieces are merged, as the encoding requires; unknown fields are skipped.
  */
 internal class MessageReader(private val layout: MessageLayout) {
     private val bits = LongArray(layout.values.size)
@@ -25,7 +25,7 @@ internal class MessageReader(private val layout: MessageLayout) {
         read(layout.outermost, bytes, from, until)
     }
 
-    /** Takes the element at [index] of the list [elements] for the whole message, where its elements are no messages. */
+    /** Treats the element at [index] of the list [elements], which is not a message, as the whole message. */
     fun take(elements: MessageElements, index: Int) {
         hasPart[0] = true
         isThere[0] = true
@@ -34,16 +34,16 @@ internal class MessageReader(private val layout: MessageLayout) {
         ends[0] = elements.ends[index]
     }
 
-    /** Whether [value] stands in the message, or its default is meant. */
+    /** Returns whether [value] is in the message, or has its default. */
     fun has(value: MessageValue): Boolean = isThere[value.index] || (hasPart[value.part] && !value.hasPresence)
 
-    /** The bits of [value], unless it is of [WireReader.SIZED]. */
+    /** Returns the bits of [value], which must not be [WireReader.SIZED]. */
     fun bitsOf(value: MessageValue): Long = bits[value.index]
 
-    /** Where the bytes of [value] begin, which is of [WireReader.SIZED]. */
+    /** Returns where the bytes of [value] begin, which must be [WireReader.SIZED]. */
     fun fromOf(value: MessageValue): Int = froms[value.index]
 
-    /** Where they end. */
+    /** Returns where they end. */
     fun endOf(value: MessageValue): Int = ends[value.index]
 
     private fun read(part: MessagePart, bytes: ByteArray, from: Int, until: Int) {
@@ -77,11 +77,11 @@ internal class MessageReader(private val layout: MessageLayout) {
 
 /** The elements of a list in one message. */
 internal class MessageElements {
-    /** Of numbers. */
+    /** The bits of numbers. */
     var bits = LongArray(4)
         private set
 
-    /** Where each begins, of texts, bytes and messages. */
+    /** Where each text, byte array or message begins. */
     var froms = IntArray(4)
         private set
 
@@ -89,7 +89,7 @@ internal class MessageElements {
     var ends = IntArray(4)
         private set
 
-    /** How many there are. */
+    /** The number of elements. */
     var size = 0
         private set
 

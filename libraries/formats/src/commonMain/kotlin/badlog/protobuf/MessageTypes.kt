@@ -3,9 +3,10 @@ package badlog.protobuf
 /**
  * One field of a message type.
  *
- * @property type null where it is a message.
+ * @property type null if it is a message.
  * @property typeName the full name of its message or enumeration.
- * @property hasPresence whether it may be missing, which otherwise means its default: 0, false or an empty text.
+ * @property hasPresence whether it may be missing; otherwise a missing field has its default: 0, false or an empty
+ * text.
  */
 internal class MessageField(
     val number: Int,
@@ -16,16 +17,19 @@ internal class MessageField(
     val hasPresence: Boolean,
 )
 
-/** The message types whose descriptors a file has brought so far, as `google/protobuf/descriptor.proto` says. */
+/** The message types whose descriptors a file has provided so far, see `google/protobuf/descriptor.proto`. */
 internal class MessageTypes {
     private val messages = HashMap<String, List<MessageField>>()
     private val enumerations = HashMap<String, Map<Long, ByteArray>>()
 
-    /** Grows with every descriptor, so that it is known when a type may be asked for anew. */
+    /** Grows with every descriptor, to show when a type is worth requesting again. */
     var version = 0
         private set
 
-    /** Takes the `FileDescriptorProto` [bytes]. Of two types with one name the first counts, as for records that were read by then. */
+    /**
+     * Adds the `FileDescriptorProto` [bytes]. Of two types with the same name, the first counts, since records may already have been read
+     * with it.
+     */
     fun add(bytes: ByteArray) {
         if (messages.size >= MAX_TYPES) return
         var folder = ""
@@ -41,10 +45,10 @@ internal class MessageTypes {
         version++
     }
 
-    /** The fields of the message called [name] in full, such as `wpi.proto.ProtobufPose2d`; null where no file has described it. */
+    /** Returns the fields of the message with the full name [name], such as `wpi.proto.ProtobufPose2d`; null if no descriptor has it. */
     fun fieldsOf(name: String): List<MessageField>? = messages[name]
 
-    /** What the numbers of the enumeration called [name] are called. */
+    /** Returns the names of the numbers of the enumeration [name]. */
     fun namesOf(name: String): Map<Long, ByteArray> = enumerations[name].orEmpty()
 
     private fun addMessage(bytes: ByteArray, from: Int, until: Int, folder: String, depth: Int) {

@@ -4,7 +4,7 @@ package badlog.protobuf
  * A type of single values.
  *
  * @property id its number in a descriptor, `FieldDescriptorProto.Type`.
- * @property wire how it stands in the bytes, as [WireReader.wire] says.
+ * @property wire how it is encoded, see [WireReader.wire].
  */
 internal enum class ScalarType(val id: Int, val wire: Int) {
     DOUBLE(1, WireReader.FIXED_64),
@@ -26,7 +26,7 @@ internal enum class ScalarType(val id: Int, val wire: Int) {
     ;
 
     companion object {
-        /** The type that descriptors call [id], or null, as for a message. */
+        /** Returns the type with the number [id] in descriptors, or null, for example for a message. */
         fun of(id: Int): ScalarType? = entries.find { it.id == id }
     }
 }

@@ -1,15 +1,15 @@
 package badlog.protobuf
 
 /**
- * Reads the fields of one message of Protocol Buffers, from [at] until [until] of [bytes], in their order; see
- * https://protobuf.dev/programming-guides/encoding. Nothing in the bytes makes it throw.
+ * Reads the fields of one message of Protocol Buffers, from [at] until [until] of [bytes], in order; see
+ * https://protobuf.dev/programming-guides/encoding. It never throws because of the bytes.
  */
 internal class WireReader(private val bytes: ByteArray, private var at: Int, private val until: Int) {
-    /** The number of the field that was read last. */
+    /** The number of the last field read. */
     var number = 0
         private set
 
-    /** How it stands in the bytes: [VARINT], [FIXED_64], [SIZED] or [FIXED_32]. */
+    /** Its encoding: [VARINT], [FIXED_64], [SIZED] or [FIXED_32]. */
     var wire = VARINT
         private set
 
@@ -17,18 +17,18 @@ internal class WireReader(private val bytes: ByteArray, private var at: Int, pri
     var bits = 0L
         private set
 
-    /** Where its bytes begin, of a [SIZED] one. */
+    /** Where the bytes of a [SIZED] field begin. */
     var from = 0
         private set
 
-    /** Where its bytes end, of a [SIZED] one. */
+    /** Where the bytes of a [SIZED] field end. */
     val end: Int get() = at
 
-    /** Whether the bytes are no message. */
+    /** Whether the bytes are not a message. */
     var isBad = false
         private set
 
-    /** Whether another field was read: false at the end, and where the bytes are no message. */
+    /** Reads the next field. Returns false at the end, and if the bytes are not a message. */
     fun next(): Boolean {
         if (at >= until || isBad) return false
         val tag = varint()
@@ -38,7 +38,7 @@ internal class WireReader(private val bytes: ByteArray, private var at: Int, pri
         return !isBad && read()
     }
 
-    /** Whether another number of a packed list, which stands as [wire] says, was read. */
+    /** Reads the next number of a packed list with the encoding [wire]. Returns false at the end. */
     fun nextPacked(wire: Int): Boolean {
         if (at >= until || isBad) return false
         this.wire = wire

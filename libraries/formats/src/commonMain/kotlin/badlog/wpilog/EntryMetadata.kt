@@ -6,13 +6,13 @@ import badlog.json.quotedJson
 import badlog.recording.Topic
 import badlog.recording.TopicKind
 
-/** The metadata by which an entry becomes a value again. */
+/** The metadata that marks an entry as a value. */
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
-/** What the metadata of a topic hold that was the x axis of a bag. */
+/** The part of the metadata that marks a topic as the former x axis of a bag. */
 internal const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
 
-/** The unit that [metadata] tell, where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
+/** Returns the unit in [metadata], where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
 internal fun unitIn(metadata: String): String {
     val members = JsonReader.readObject(metadata).orEmpty()
     val own = members.findLast { it.key == UNIT }
@@ -20,7 +20,7 @@ internal fun unitIn(metadata: String): String {
     return (own ?: property)?.value?.text ?: Topic.UNITLESS
 }
 
-/** The attributes of an entry [name]: those in its [metadata], or those that belong to what WPILib writes by itself. */
+/** Returns the attributes of an entry [name]: those in its [metadata], or those for the entries that WPILib itself writes. */
 internal fun attributesIn(metadata: String, name: String): List<String> {
     val member = JsonReader.readObject(metadata).orEmpty().findLast { it.key == ATTRIBUTES }
     val own = member?.value?.items.orEmpty().mapNotNull { it.text }
@@ -32,7 +32,7 @@ internal fun attributesIn(metadata: String, name: String): List<String> {
     }
 }
 
-/** The metadata of [topic] as they were, where they say all of its unit and attributes; else as JSON that does. */
+/** Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does. */
 internal fun metadataOf(topic: Topic): String {
     val attributes = attributesOf(topic)
     val isX = X_AXIS in topic.attributes
@@ -52,17 +52,17 @@ internal fun metadataOf(topic: Topic): String {
 }
 
 private fun attributesOf(topic: Topic): List<String> {
-    // The times of the records take the place of an x axis.
+    // The times of the records replace an x axis.
     val attributes = topic.attributes - X_AXIS
-    // That a bag's texts are events, its empty cells tell, which have no record.
+    // In a bag, empty cells show that texts are events; they have no records here.
     val isEvent = topic.times == null && topic.kind == TopicKind.EVENT && LOG !in attributes
     return if (isEvent) attributes + LOG else attributes
 }
 
-/** Where WPILib's logger puts what the program says. */
+/** Where WPILib's logger puts the program's messages. */
 private const val MESSAGES = "messages"
 
-/** Where the Driver Station of 2027 puts what it says, and the robot's errors. */
+/** Where the Driver Station of 2027 puts its messages, and the robot's errors. */
 private const val CONSOLE = "DS:/Dscomm/Console/"
 private const val UNIT = "unit"
 private const val ATTRIBUTES = "attrs"

@@ -4,7 +4,7 @@ import badlog.recording.Loss
 import badlog.recording.ProblemKind
 import badlog.recording.ProblemList
 
-/** Reports what was odd about the records of one entry, once, when all of them were read. */
+/** Reports what was odd about the records of one entry: once, after all of them were read. */
 internal fun reportEntry(entry: Entry, problems: ProblemList) {
     val decoder = entry.decoder
     val name = entry.name

@@ -27,7 +27,7 @@ internal class EntryWriter(
     private val isNaNValue = isFloating && topic.counts.empty == 0
     private val isNaNGap = isFloating && !isNaNValue && !topic.isSparse
 
-    // What is said twice was said twice.
+    // An event that occurs twice must be written twice.
     private val happens = topic.kind == TopicKind.EVENT || "log" in topic.attributes
     private var next = 0
     private var nextText = 0
@@ -39,14 +39,14 @@ internal class EntryWriter(
     private var misfits = 0
     private var nowhere = 0
 
-    /** How many samples were left out because they are the same as those before them. */
+    /** The number of samples skipped because they equal the previous ones. */
     var repeats = 0
         private set
 
     /** Whether there are samples left. */
     val hasNext: Boolean get() = next < topic.size
 
-    /** Where the next sample stands. */
+    /** The x of the next sample. */
     val nextX: Double get() = positions[next]
 
     fun start(out: RecordBuffer) {
@@ -54,7 +54,7 @@ internal class EntryWriter(
         out.start(id, topic.name, if (isText) topic.type else payload.type, metadataOf(topic))
     }
 
-    /** Writes the next sample, if it is one that can be written. */
+    /** Writes the next sample, if it can be written. */
     fun writeNext(out: RecordBuffer) {
         val index = next++
         val texts = topic.texts
@@ -82,7 +82,7 @@ internal class EntryWriter(
 
     private fun writeNumber(out: RecordBuffer, micros: Double, number: Double) {
         if (number.isNaN() && !isNaNValue) {
-            // One NaN ends the value before, which would hold otherwise.
+            // A single NaN ends the previous value, which would otherwise hold.
             val beginsGap = isNaNGap && hasLast && !last.isNaN()
             if (beginsGap) gaps++ else empty++
             if (!beginsGap) return
@@ -101,7 +101,7 @@ internal class EntryWriter(
         }
     }
 
-    /** What of the topic has not been written. */
+    /** Returns what was not written of the topic. */
     fun omissions(): List<Omission> = buildList {
         if (gaps > 0) add(Omission(topic.name, "Each gap starts with NaN.", gaps))
         if (empty > 0) add(Omission(topic.name, "Empty cells have no record.", empty))
@@ -127,14 +127,14 @@ internal class EntryWriter(
             else -> Payload.DOUBLE
         }
 
-        /** The type of a topic, or of the array that it was an element of. */
+        /** Returns the type of a topic, or of the array that it was an element of. */
         private fun wholeType(topic: Topic) = topic.type.removeSuffix("[]")
 
         private fun isWhole(number: Double) = number.isNaN() || (abs(number) <= MAX_EXACT && number == floor(number))
     }
 }
 
-/** Entries in the order of their next samples: a heap, in which of two equal times the earlier entry comes first. */
+/** Entries in the order of their next samples: a heap, in which the earlier of two entries with equal times comes first. */
 internal class EntryQueue(entries: List<EntryWriter>) {
     private val heap = entries.indices.filter { entries[it].hasNext }.toIntArray()
     private val all = entries
@@ -144,10 +144,10 @@ internal class EntryQueue(entries: List<EntryWriter>) {
         for (i in size / 2 - 1 downTo 0) sink(i)
     }
 
-    /** The one whose next sample is the earliest; null when none has one left. */
+    /** The entry with the earliest next sample; null if none has one left. */
     val first: EntryWriter? get() = if (size == 0) null else all[heap[0]]
 
-    /** Finds the new place of [first], whose sample was taken. */
+    /** Moves [first], whose sample was written, to its new place. */
     fun moveFirst() {
         if (!all[heap[0]].hasNext) heap[0] = heap[--size]
         if (size > 1) sink(0)
@@ -166,7 +166,7 @@ internal class EntryQueue(entries: List<EntryWriter>) {
         }
     }
 
-    // What stands nowhere goes at once.
+    // A sample without a place is handled at once.
     private fun isBefore(one: Int, other: Int): Boolean {
         val x = all[one].nextX
         val y = all[other].nextX

@@ -5,12 +5,12 @@ import badlog.column.SampleColumn
 /**
  * One value inside a record of a fixed layout.
  *
- * @property path what follows the entry's name in the topic's: empty, or `/` and the names of the fields.
+ * @property path the part of the topic's name after the entry's: empty, or `/` and the names of the fields.
  * @property offset where it begins, in bytes.
- * @property count how many characters, of a text; else 1.
- * @property bits how many bits it has, of a bit-field; else 0.
+ * @property count for a text, the number of characters; otherwise 1.
+ * @property bits for a bit-field, the number of bits; otherwise 0.
  * @property shift where its bits begin.
- * @property names what its numbers are called, of an enumeration; else null.
+ * @property names for an enumeration, the names of its numbers; otherwise null.
  */
 internal class Leaf(
     val path: String,
@@ -21,10 +21,10 @@ internal class Leaf(
     private val shift: Int = 0,
     private val names: Map<Long, ByteArray>? = null,
 ) {
-    /** The same value inside something that begins at [offset] and is called [prefix]. */
+    /** Returns the same value inside something that begins at [offset] and is called [prefix]. */
     fun inside(prefix: String, offset: Int) = Leaf(prefix + path, offset + this.offset, type, count, bits, shift, names)
 
-    /** Adds the value, of the record that begins at [start], to [column]. */
+    /** Adds the value in the record that begins at [start] to [column]. */
     fun read(bytes: ByteArray, start: Int, column: SampleColumn) {
         val at = start + offset
         if (names != null || bits > 0) return addBits(integer(bytes, at), column)
@@ -44,7 +44,7 @@ internal class Leaf(
         }
     }
 
-    // What is shorter than its room ends in NULs.
+    // A text shorter than its field is padded with NULs.
     private fun addCharacters(bytes: ByteArray, at: Int, column: SampleColumn) {
         var end = at
         while (end < at + count && bytes[end].toInt() != 0) end++
@@ -76,7 +76,7 @@ internal class Leaf(
         return if (type.isSigned) number shl unused shr unused else number shl unused ushr unused
     }
 
-    // A boolean bit-field may lie in the bytes of the integer before it.
+    // A boolean bit-field may be in the bytes of the integer before it.
     private val storageWidth get() = if (bits > 0) (shift + bits + BITS - 1) / BITS else type.width
 
     private companion object {

@@ -4,7 +4,7 @@ import badlog.column.wallTimeText
 import badlog.recording.PathName
 import badlog.recording.Value
 
-/** What single entries tell about the whole run: the match, and the time of day. */
+/** What certain entries say about the whole run: the match, and the time of day. */
 internal class MatchMetadata {
     private var event: String? = null
     private var matchType: String? = null
@@ -13,10 +13,10 @@ internal class MatchMetadata {
     private var wallOffset: Double? = null
     private val own = LinkedHashMap<String, String>()
 
-    /** Hears what [entry] says, where that concerns the run. */
+    /** Listens to [entry] if it concerns the run. */
     fun watch(entry: Entry) {
         if (entry.name == Entry.SYSTEM_TIME && entry.type == "int64") {
-            // The later the better: a robot's clock is set when the driver station connects.
+            // Later values are better: a robot's clock is set when the Driver Station connects.
             entry.listener = longListener { micros, number -> wallOffset = number.toDouble() - micros }
             return
         }
@@ -50,7 +50,7 @@ internal class MatchMetadata {
         }
     }
 
-    /** What was heard, in a recording that begins at [firstMicros]. */
+    /** Returns what was found, for a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {
         for ((name, text) in own) add(Value(name, text))
         fun offer(name: String, text: String?) {
@@ -59,7 +59,7 @@ internal class MatchMetadata {
         offer("Event Name", event)
         offer("Match Type", matchType)
         offer("Match Number", matchNumber?.toString())
-        // Off the field, everybody is red.
+        // Off the field, every robot is red.
         if (event != null || matchNumber != null) offer("Alliance", alliance)
         offer("Start Time", wallOffset?.let { wallTimeText(it + firstMicros) })
     }
@@ -69,7 +69,7 @@ internal class MatchMetadata {
     }
 
     private companion object {
-        /** Where WPILib, and a logger above it, put what the field says. */
+        /** Where WPILib, and a logger based on it, put what the field says. */
         val SOURCES = listOf("FMSInfo/", "DriverStation/")
         val MATCH_TYPES = listOf("Practice", "Qualification", "Elimination")
     }

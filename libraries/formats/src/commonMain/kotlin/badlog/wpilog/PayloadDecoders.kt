@@ -6,32 +6,32 @@ import badlog.column.Timestamps
 
 /** Turns the payloads of one entry into samples. */
 internal abstract class PayloadDecoder {
-    /** How many payloads did not have the bytes that the type asks for. */
+    /** The number of payloads without the size that the type requires. */
     var badCount = 0
 
-    /** How many values there was no topic left for. */
+    /** The number of values for which there was no topic left. */
     var droppedValues = 0
 
-    /** Whether the payloads are shown by their sizes only. */
+    /** Whether only the sizes of the payloads are shown. */
     open val isUndecoded: Boolean get() = false
 
     /** The times of all good records. */
     abstract val timestamps: Timestamps
 
-    /** What was made of them; may be empty. */
+    /** The decoded samples; may be empty. */
     abstract val blocks: List<SampleBlock>
 
-    /** Whether the payload from [from] until [until] has the bytes that the type asks for. */
+    /** Returns whether the payload from [from] until [until] has the size that the type requires. */
     open fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = true
 
-    /** Takes the payload from [from] until [until] of a record at [time]. */
+    /** Accepts the payload from [from] until [until] of a record at [time]. */
     abstract fun accept(time: Double, bytes: ByteArray, from: Int, until: Int)
 
-    /** Says that no more payloads come. */
+    /** Marks the end of the payloads. */
     open fun finish() = Unit
 }
 
-/** Payloads with one value: the [columns] get it. */
+/** Payloads with one value, which goes to the [columns]. */
 internal abstract class SingleDecoder(source: ColumnSource, paths: List<String>) : PayloadDecoder() {
     protected val columns = source.columns(paths)
     override val timestamps = Timestamps(source.keepsSamples)
@@ -55,7 +55,7 @@ internal class LayoutDecoder(source: ColumnSource, private val layout: ValueLayo
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = until - from == layout.width
 }
 
-/** Payloads that are a text. */
+/** Payloads that are texts. */
 internal class TextPayloadDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
         columns[0].addText(bytes, from, until)
@@ -63,7 +63,7 @@ internal class TextPayloadDecoder(source: ColumnSource) : SingleDecoder(source, 
     }
 }
 
-/** Payloads that nothing here understands: how many bytes each has. */
+/** Payloads of unknown types: the size of each. */
 internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
     override val isUndecoded: Boolean get() = true
 
@@ -73,7 +73,7 @@ internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf(
     }
 }
 
-/** Payloads for which there is no column left: they are only counted. */
+/** Payloads for which there is no column left; they are only counted. */
 internal class NoDecoder : PayloadDecoder() {
     override val timestamps = Timestamps(false)
     override val blocks get() = emptyList<SampleBlock>()
@@ -83,7 +83,7 @@ internal class NoDecoder : PayloadDecoder() {
     }
 }
 
-/** Payloads with any number of values, each of which gets a block of its own; those far behind are dropped. */
+/** Payloads with any number of values, each with its own block; elements beyond the maximum are dropped. */
 internal abstract class ArrayDecoder(private val source: ColumnSource, private val leafPaths: List<String>) : PayloadDecoder() {
     protected val elements = ElementBlocks(source.keepsSamples, ::newBlock)
     override val timestamps: Timestamps get() = elements.timestamps
@@ -95,7 +95,7 @@ internal abstract class ArrayDecoder(private val source: ColumnSource, private v
     }
 
     private companion object {
-        /** Each is a topic, and a graph: more tell nobody anything. */
+        /** Each is a topic and a graph; more would not help anybody. */
         const val MAX_ELEMENTS = 256
     }
 }
@@ -126,7 +126,7 @@ internal class LayoutArrayDecoder(source: ColumnSource, private val layout: Valu
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = layout.width > 0 && (until - from) % layout.width == 0
 }
 
-/** Arrays of texts: their number, then each with its length before it. */
+/** Arrays of texts: their number, then each preceded by its length. */
 internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, listOf("")) {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
         val count = countOf(bytes, from, until)
@@ -150,7 +150,7 @@ internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, lis
 
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = countOf(bytes, from, until) >= 0
 
-    /** How many texts there are; -1 unless they fill the payload. */
+    /** Returns the number of texts; -1 unless they fill the payload exactly. */
     private fun countOf(bytes: ByteArray, from: Int, until: Int): Int {
         if (until - from < Int.SIZE_BYTES) return -1
         val count = intAt(bytes, from)
@@ -167,10 +167,10 @@ internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, lis
 }
 
 /**
- * The blocks of an array's elements. Those that every record has share their timestamps; an element that comes later or goes
- * missing has its own, so that an array which was long once costs nothing afterwards.
+ * The blocks of an array's elements. Elements in every record share their timestamps; one that appears later or disappears
+ * has its own, so that an array that was once long costs nothing afterwards.
  *
- * @param newBlock makes the block of the element with this index, or null when there are too many.
+ * @param newBlock creates the block of the element with this index, or returns null if there are too many.
  */
 internal class ElementBlocks(
     private val keepsSamples: Boolean,
@@ -182,10 +182,10 @@ internal class ElementBlocks(
     /** The times of all records. */
     val timestamps = Timestamps(keepsSamples)
 
-    /** Those there are, in the order of the elements. */
+    /** The existing blocks, in the order of the elements. */
     val blocks: List<SampleBlock> get() = list
 
-    /** The block for element [index] of the record at [time], to which it then has to be added; null beyond what is kept. */
+    /** Returns the block for element [index] of the record at [time], to which the element must then be added; null beyond the maximum. */
     fun next(index: Int, time: Double): SampleBlock? {
         if (index == list.size) {
             list += newBlock(index, if (timestamps.size == 0) timestamps else Timestamps(keepsSamples)) ?: return null
@@ -193,7 +193,7 @@ internal class ElementBlocks(
         return list.getOrNull(index)?.also { it.meet(time, timestamps) }
     }
 
-    /** Says that the record at [time] has had [count] elements. */
+    /** Records that the record at [time] had [count] elements. */
     fun end(count: Int, time: Double) {
         for (i in count until present) list[i].miss(time, timestamps)
         present = minOf(count, list.size)

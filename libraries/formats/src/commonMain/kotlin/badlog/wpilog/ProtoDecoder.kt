@@ -10,7 +10,7 @@ import badlog.protobuf.MessageReader
 import badlog.protobuf.MessageValue
 import badlog.protobuf.ScalarType
 
-/** Payloads that are a message of Protocol Buffers with this [layout]. */
+/** Payloads that are Protocol Buffers messages with this [layout]. */
 internal class ProtoDecoder(source: ColumnSource, private val layout: MessageLayout) :
     SingleDecoder(source, layout.values.map { it.path }) {
     private val reader = MessageReader(layout)
@@ -32,7 +32,7 @@ internal class ProtoDecoder(source: ColumnSource, private val layout: MessageLay
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = layout.fits(bytes, from, until)
 }
 
-/** The topics of a [list], whose names go on with [path] behind the entry's. */
+/** The topics of a [list], whose names consist of the entry's and [path]. */
 private class ListTopics(private val source: ColumnSource, private val list: MessageList, private val path: String) {
     private val reader = MessageReader(list.element)
     private val elements = ElementBlocks(source.keepsSamples, ::newBlock)
@@ -42,7 +42,7 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
 
     val blocks: List<SampleBlock> get() = elements.blocks + inner.flatten().flatMap { it.blocks }
 
-    /** Adds what the message that [outer] has read has of this list; returns how many values there was no topic left for. */
+    /** Adds this list from the message that [outer] has read. Returns the number of values for which there was no topic left. */
     fun add(time: Double, bytes: ByteArray, outer: MessageReader): Int {
         val found = outer.lists[list.index]
         var dropped = 0
@@ -61,7 +61,7 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
         return dropped
     }
 
-    /** Says that at [time] there is no such list. */
+    /** Records that there is no such list at [time]. */
     private fun end(time: Double) {
         for (index in inner.indices) inner[index].forEach { it.end(time) }
         elements.end(0, time)
@@ -75,7 +75,7 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
     }
 
     private companion object {
-        /** Each is a topic, and a graph: more tell nobody anything. */
+        /** Each is a topic and a graph; more would not help anybody. */
         const val MAX_ELEMENTS = 256
     }
 }
@@ -99,5 +99,5 @@ private fun SampleColumn.add(value: MessageValue, reader: MessageReader, bytes: 
     }
 }
 
-/** Small numbers of both signs stand as small ones: 0, -1, 1, -2. */
+/** Small numbers of either sign are encoded as small ones: 0, -1, 1, -2. */
 private fun fromZigzag(bits: Long) = (bits ushr 1) xor -(bits and 1)

@@ -12,7 +12,7 @@ internal class RecordBuffer {
         size = 0
     }
 
-    /** The header, with [extra] for whoever cares. */
+    /** Writes the header, with [extra] as its additional text. */
     fun header(extra: String) {
         for (char in RecordSplitter.MAGIC) byte(char.code)
         byte(0)
@@ -20,7 +20,7 @@ internal class RecordBuffer {
         text(extra)
     }
 
-    /** Begins entry [id]. */
+    /** Starts entry [id]. */
     fun start(id: Int, name: String, type: String, metadata: String, micros: Double = 0.0) {
         val texts = listOf(name, type, metadata).map { it.encodeToByteArray() }
         head(0, micros, 1 + Int.SIZE_BYTES + texts.sumOf { Int.SIZE_BYTES + it.size })
@@ -57,20 +57,20 @@ internal class RecordBuffer {
         raw(text)
     }
 
-    /** A record, or part of a file, as it stands in [source] from [from] until [until]. */
+    /** Copies a record, or part of a file, unchanged from [source], from [from] until [until]. */
     fun copy(source: ByteArray, from: Int, until: Int) {
         reserve(until - from)
         source.copyInto(bytes, size, from, until)
         size += until - from
     }
 
-    /** A record of entry [id], 0 for a control record, with the payload that stands in [source] from [from] until [until]. */
+    /** Writes a record of entry [id], 0 for a control record, with the payload in [source] from [from] until [until]. */
     fun record(id: Int, micros: Double, source: ByteArray, from: Int, until: Int) {
         head(id, micros, until - from)
         copy(source, from, until)
     }
 
-    // Each length in as few bytes as it fits in, as WPILib's own writer has it.
+    // Writes each number in as few bytes as possible, like WPILib's own writer.
     private fun head(id: Int, micros: Double, payload: Int) {
         reserve(MAX_HEAD_BYTES + payload)
         val time = micros.toLong()

@@ -2,44 +2,44 @@ package badlog.wpilog
 
 /** What bytes look like where a record is expected. */
 internal enum class RecordLook {
-    /** A record that belongs to the log: its entry was begun, its size fits the type, its time is near the others. */
+    /** A record that belongs to the log: its entry was started, its size fits the type, and its time is near the others. */
     FITTING,
 
-    /** Perhaps a record: its head is possible, and something in it is odd. */
+    /** Possibly a record: its head is valid, but something in it is odd. */
     ODD,
 
-    /** No record. */
+    /** Not a record. */
     NONE,
 
-    /** More bytes are needed to tell. */
+    /** More bytes are needed to decide. */
     MORE,
 }
 
-/** What stands before the payload of a record. */
+/** The part of a record before its payload. */
 internal class RecordHead {
     /** The record's entry; 0 for a control record. */
     var id = 0
         private set
 
-    /** When it was written. */
+    /** Its time, in µs. */
     var micros = 0.0
         private set
 
-    /** How many bytes the payload has. */
+    /** The size of the payload in bytes. */
     var size = 0
         private set
 
-    /** What the record belongs to, as far as that was looked up; null for a control record and for an unknown entry. */
+    /** The record's entry, if it was looked up; null for a control record and for an unknown entry. */
     var entry: Entry? = null
 
-    /** Whether all records of its entry have one size, so that one that fits is surely no longer or shorter. */
+    /** Whether all records of its entry have the same size, so that the size of a fitting one is certain. */
     val hasOneSize: Boolean get() = entry?.hasOneSize == true
 
-    /** How many bytes the whole record has. */
+    /** The size of the whole record in bytes. */
     var length = 0
         private set
 
-    /** Reads the head at [at]; [RecordLook.FITTING] when it is possible. */
+    /** Reads the head at [at]. Returns [RecordLook.FITTING] if it is valid. */
     fun read(bytes: ByteArray, at: Int, until: Int): RecordLook {
         if (at >= until) return RecordLook.MORE
         val bits = bytes[at].toInt()
@@ -58,7 +58,7 @@ internal class RecordHead {
     }
 
     companion object {
-        /** No logger writes a larger payload at once; what says it has is damage. */
+        /** No logger writes a larger payload; a larger size is damage. */
         const val MAX_PAYLOAD_BYTES = 1 shl 24
     }
 }
@@ -72,7 +72,7 @@ internal object ControlKind {
     const val FINISH = 1
     const val SET_METADATA = 2
 
-    /** How many texts follow the head of a record of [kind]; -1 for a kind that does not exist. */
+    /** Returns how many texts follow the head of a record of [kind]; -1 for a kind that does not exist. */
     fun textsOf(kind: Int): Int = when (kind) {
         START -> 3
         FINISH -> 0
@@ -81,7 +81,7 @@ internal object ControlKind {
     }
 }
 
-/** Whether the bytes from [from] until [until] are exactly one control record's payload, without a NUL in its texts. */
+/** Returns whether the bytes from [from] until [until] are exactly one control record's payload, without a NUL in its texts. */
 internal fun isControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean {
     if (until - from < CONTROL_HEAD) return false
     val texts = ControlKind.textsOf(bytes[from].toInt())

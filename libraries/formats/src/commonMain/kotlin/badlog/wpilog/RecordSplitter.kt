@@ -1,28 +1,28 @@
 package badlog.wpilog
 
-/** Takes what a [RecordSplitter] finds. */
+/** Receives what a [RecordSplitter] finds. */
 internal interface RecordSink {
-    /** The twelve bytes of the header at [from] and the text after them, up to [until]; false when this is not a WPILOG. */
+    /** Receives the twelve bytes of the header at [from] and the text after them, up to [until]. Returns false if this is not a WPILOG. */
     fun header(bytes: ByteArray, from: Int, until: Int): Boolean
 
-    /** The entry that has the number [id] now, or null. */
+    /** Returns the entry that currently has the id [id], or null. */
     fun entryOf(id: Int): Entry?
 
-    /** Whether there were so many records of [id], which is no entry's number, that more are to be expected. */
+    /** Returns whether there were so many records of [id], which is not an entry's id, that more are to be expected. */
     fun isStranger(id: Int): Boolean
 
-    /** A record, whose bytes from [from] until [until] begin at [position] in the file. */
+    /** Receives a record, whose bytes from [from] until [until] begin at [position] in the file. */
     fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int)
 
-    /** The bytes of the file from [from] until [until] are not records; those after them are. */
+    /** Called if the bytes of the file from [from] until [until] are not records, but those after them are. */
     fun skipped(from: Long, until: Long)
 }
 
 /**
- * Cuts bytes that arrive in pieces into the records of a WPILOG, and finds them again after damage. Holds what has arrived of one
- * record, and about a megabyte where it is not sure.
+ * Splits bytes that arrive in pieces into the records of a WPILOG, and finds records again after damage. Holds the received part
+ * of one record, and about a megabyte in doubtful cases.
  *
- * A record is passed on when the next one looks like one, too: a wrong size is found out where the record ends.
+ * A record is passed on when the next one also looks like a record: a wrong size is discovered where the record ends.
  */
 internal class RecordSplitter(private val sink: RecordSink) {
     private val search = RecordSearch(sink)
@@ -30,35 +30,35 @@ internal class RecordSplitter(private val sink: RecordSink) {
     private var heldSize = 0
     private var isRefused = false
 
-    // What is read next, and what stands behind it.
+    // The head of the next record, and that of the one after it.
     private var head = RecordHead()
     private var nextHead = RecordHead()
     private var lastMicros = Double.NaN
 
-    // The last time that was near the one before: damage may bring any other.
+    // The last time that was near its predecessor: damage may contain any time.
     private var steadyMicros = Double.NaN
 
-    // The size of a payload that nobody wonders at.
+    // The size of an unsuspicious payload.
     private var usualSize = SMALL
 
-    // Where in the file the first byte of the array stands that is being read.
+    // The position in the file of the first byte of the array that is being read.
     private var base = 0L
 
-    // Where in the file the damage began, while the records after it are searched for.
+    // Where the damage began in the file, while searching for the records after it.
     private var gapFrom = -1L
 
-    // In what follows the place searchedFor, records go on nowhere before searchedUntil.
+    // After the place searchedFor, records do not continue anywhere before searchedUntil.
     private var searchedFor = -1L
     private var searchedUntil = -1L
 
-    /** How many bytes have arrived. */
+    /** The number of bytes received. */
     var total = 0L
         private set
 
-    /** From which byte on nothing can be read; -1 when all could be. To be asked after [finish], as what follows. */
+    /** The byte from which on nothing can be read; -1 if everything could be. Valid after [finish], like the following properties. */
     val readableEnd: Long get() = gapFrom
 
-    /** How many bytes of a record are there that is not whole. */
+    /** The number of bytes of an incomplete record. */
     var pendingBytes = 0
         private set
 
@@ -66,7 +66,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
     var isPastHeader = false
         private set
 
-    /** Whether a header may have begun that is not whole. */
+    /** Whether there may be an incomplete header. */
     val isInHeader: Boolean
         get() = !isPastHeader && !isRefused && MAGIC.indices.all { it >= heldSize || held[it].toInt() == MAGIC[it].code }
 
@@ -84,13 +84,13 @@ internal class RecordSplitter(private val sink: RecordSink) {
             at += size
             base = total - (until - at) - heldSize
             val left = heldSize - read(held, 0, heldSize, false)
-            // What is left may be read where it is instead of being copied.
+            // The rest can be read in place instead of being copied.
             if (left <= size) at -= left else held.copyInto(held, 0, heldSize - left, heldSize)
             heldSize = if (left <= size) 0 else left
         }
     }
 
-    /** Says that no more bytes come. */
+    /** Marks the end of the bytes. */
     fun finish() {
         base = total - heldSize
         if (!isInHeader && !isRefused) read(held, 0, heldSize, true) else pendingBytes = heldSize
@@ -103,7 +103,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         heldSize = size
     }
 
-    /** Reads what can be read of the bytes; returns where the rest begins. */
+    /** Reads as many of the bytes as possible. Returns where the rest begins. */
     private fun read(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): Int {
         var at = if (isPastHeader) from else readHeader(bytes, from, until)
         if (!isPastHeader || isRefused) return at
@@ -127,14 +127,14 @@ internal class RecordSplitter(private val sink: RecordSink) {
 
                 look != RecordLook.FITTING -> readOdd(bytes, at, until, look, isEnd)
 
-                // What a control record says is needed to know the next one.
+                // The content of a control record is needed to recognize the next record.
                 head.id == 0 || (isEnd && head.length == until - at) -> pass(bytes, at)
 
                 else -> {
                     val end = at + head.length
                     val nextLook = search.look(nextHead, bytes, end, until, head.micros)
                     isKnown = nextLook == RecordLook.FITTING
-                    // A small odd record is looked at whole.
+                    // A small odd record is examined as a whole.
                     val isPartly = nextLook == RecordLook.ODD && nextHead.length in until - end + 1..SMALL
                     when {
                         !isEnd && (isPartly || nextLook == RecordLook.MORE) -> WAIT
@@ -151,8 +151,8 @@ internal class RecordSplitter(private val sink: RecordSink) {
     }
 
     /**
-     * Passes on the record at [from], whose [head] fits, and those behind it, up to one that anything is odd about; returns where that
-     * one begins, whose head [head] is then. Nearly all records of a log pass here: what is rare stays outside of this loop.
+     * Passes on the record at [from], whose [head] fits, and those after it, up to one that is odd in any way. Returns where that one
+     * begins; [head] is then its head. Nearly all records of a log are handled here, so rare cases stay outside this loop.
      */
     private fun passFitting(bytes: ByteArray, from: Int, until: Int): Int {
         var at = from
@@ -182,7 +182,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return end
     }
 
-    /** A record that fits, but is larger than usual or stands before something that does not fit: its own size may be wrong. */
+    /** Reads a record that fits, but is larger than usual, or followed by something that does not fit: its own size may be wrong. */
     private fun readDoubtful(bytes: ByteArray, at: Int, until: Int, nextLook: RecordLook, isEnd: Boolean): Int {
         val end = at + head.length
         if (!head.hasOneSize) {
@@ -196,14 +196,14 @@ internal class RecordSplitter(private val sink: RecordSink) {
             if (found != RecordSearch.NOWHERE) return WAIT
         }
         usualSize = maxOf(usualSize, head.size * 2)
-        // A hole of zeros that begins inside a record leaves its head.
+        // A hole of zeros that begins inside a record leaves its head intact.
         val isTorn = nextLook == RecordLook.NONE && bytes[end].toInt() == 0 && bytes[end - 1].toInt() == 0
         if (!isTorn) return pass(bytes, at)
         gapFrom = base + at
         return end
     }
 
-    /** What does not fit. */
+    /** Reads something that does not fit. */
     private fun readOdd(bytes: ByteArray, at: Int, until: Int, look: RecordLook, isEnd: Boolean): Int {
         if (look == RecordLook.ODD) {
             val end = at + head.length
@@ -225,7 +225,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return at + 1
     }
 
-    /** A record that the file ends in, or whose size is damaged. */
+    /** Reads a record in which the file ends, or whose size is damaged. */
     private fun readCut(bytes: ByteArray, at: Int, until: Int): Int {
         val found = find(bytes, at, until, until, true)
         return if (found >= 0) skip(at, found) else cut(at, until)
@@ -236,7 +236,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return until
     }
 
-    /** Where records go on behind [at] and before [end]; as [RecordSearch.find] has it. */
+    /** Returns where records continue after [at] and before [end], see [RecordSearch.find]. */
     private fun find(bytes: ByteArray, at: Int, end: Int, until: Int, isEnd: Boolean): Int {
         val place = base + at
         val from = if (searchedFor == place) (searchedUntil - base).toInt() else at + 1
@@ -273,17 +273,17 @@ internal class RecordSplitter(private val sink: RecordSink) {
     }
 
     companion object {
-        /** How each WPILOG begins. */
+        /** The start of every WPILOG. */
         const val MAGIC = "WPILOG"
 
         /** The header without its text. */
         const val HEADER = 12
         private const val WAIT = -1
 
-        /** An odd record that is no larger may take a few others with it. */
+        /** An odd record up to this size may cost a few others. */
         private const val SMALL = 1000
 
-        /** So much of what arrives is put behind what is held. */
+        /** The number of received bytes that are appended to the held ones at a time. */
         private const val STEP = 1 shl 12
     }
 }

@@ -6,7 +6,7 @@ import badlog.recording.Topic
 import kotlin.math.abs
 import kotlin.math.round
 
-/** Turns places on [xAxis] into the times of records: whole µs, from 0 on. */
+/** Converts places on [xAxis] to the times of records: whole µs, from 0 on. */
 internal class RecordTimes(private val xAxis: XAxis) {
     private val scale = Units.microsIn(xAxis.unit)
     private val isTime = !xAxis.isIndex && (Units.secondsIn(xAxis.unit) != null || Units.isNone(xAxis.unit))
@@ -14,16 +14,16 @@ internal class RecordTimes(private val xAxis: XAxis) {
     /** What is added to every x, so that none is before 0. */
     private val shift = maxOf(0.0, -(xAxis.range?.start ?: 0.0))
 
-    /** How many times had to be rounded. */
+    /** The number of times that had to be rounded. */
     private var rounded = 0
 
     /** The time of the first sample, in µs. */
     val first: Double get() = xAxis.range?.let { micros(it.start) } ?: 0.0
 
-    /** Where each sample of [topic] stands on the x axis. */
+    /** Returns the place of each sample of [topic] on the x axis. */
     fun positionsOf(topic: Topic): DoubleArray = topic.times ?: xAxis.positions
 
-    /** The time, in µs, of what stands at [x]; NaN where that is nowhere, or later than a record can be. */
+    /** Returns the time, in µs, for the place [x]; NaN if it is not a place, or later than a record can be. */
     fun micros(x: Double): Double {
         val exact = (x + shift) * scale
         if (!(exact >= 0 && exact < MAX_MICROS)) return Double.NaN
@@ -32,7 +32,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
         return whole
     }
 
-    /** What the times do not say of x any more. */
+    /** Returns what the times no longer express of x. */
     fun omissions(): List<Omission> = buildList {
         if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit is written as one second."))
         if (shift > 0) add(Omission(null, "x starts at ${xAxis.range?.start}; $shift was added to all times."))

@@ -5,10 +5,10 @@ import badlog.column.SampleBlock
 import badlog.column.Timestamps
 
 /**
- * Payloads of a type that the file itself describes. Those that come before its schema wait for it, as far as there is room.
+ * Payloads of a type that the file itself describes. Payloads before its schema wait for it, if there is room.
  *
- * @param version grows with every schema that has come.
- * @param decoderNow the decoder for the type; null as long as a schema is missing, and where there is no room.
+ * @param version grows with every schema.
+ * @param decoderNow returns the decoder for the type; null while a schema is missing, and if there is no room.
  */
 internal class SchemaDecoder(
     private val source: ColumnSource,
@@ -68,7 +68,7 @@ internal class SchemaDecoder(
     private companion object {
         const val MAX_HELD = 1 shl 20
 
-        /** What holding a payload costs beside its bytes. */
+        /** The memory for holding a payload besides its bytes. */
         const val OVERHEAD = 64
     }
 }

@@ -1,10 +1,10 @@
 package badlog.wpilog
 
 /**
- * Gives the fields of a struct their places: one after another without padding. Bit-fields of one width share as many bytes
- * as they fit in, lowest bits first; a boolean one goes into the bytes of whatever bit-field stands before it.
+ * Assigns offsets to the fields of a struct: one after another without padding. Consecutive bit-fields of the same width
+ * share their bytes, lowest bits first; a boolean one shares the bytes of any preceding bit-field.
  *
- * The functions that add return false for a field that cannot be, or makes the struct too large.
+ * The functions that add return false for an impossible field, or if the struct becomes too large.
  */
 internal class StructPacking {
     private val leaves = ArrayList<Leaf>()
@@ -12,7 +12,7 @@ internal class StructPacking {
     private var openWidth = 0
     private var usedBits = 0
 
-    /** What was added. */
+    /** Returns the layout of the added fields. */
     fun layout() = ValueLayout(offset + openWidth, leaves)
 
     fun add(field: StructField, type: ValueType): Boolean {
@@ -70,7 +70,7 @@ internal class StructPacking {
     private companion object {
         const val BITS = 8
 
-        /** Each is a topic, and a graph. */
+        /** Each is a topic and a graph. */
         const val MAX_LEAVES = 1024
         const val MAX_WIDTH = 1 shl 16
     }

@@ -2,16 +2,16 @@ package badlog.wpilog
 
 import badlog.text.isLetterOrDigit
 
-/** The structs whose schemas a file has brought so far. */
+/** The structs whose schemas a file has provided so far. */
 internal class StructSchemas {
     private val fields = HashMap<String, List<StructField>>()
     private val layouts = HashMap<String, ValueLayout?>()
 
-    /** Grows with every schema, so that it is known when a layout may be asked for anew. */
+    /** Grows with every schema, to show when a layout is worth requesting again. */
     var version = 0
         private set
 
-    /** Takes the schema of struct [name]. Of two with one name the first counts, as for records that were read by then. */
+    /** Adds the schema of struct [name]. Of two with the same name, the first counts, since records may already have been read with it. */
     fun add(name: String, schema: String) {
         if (name in fields || fields.size == MAX_SCHEMAS) return
         fields[name] = SchemaReader.read(schema) ?: return
@@ -19,13 +19,13 @@ internal class StructSchemas {
         version++
     }
 
-    /** How struct [name] stands in bytes; null where a schema is missing, makes no sense, or is too large. */
+    /** Returns the layout of struct [name]; null if a schema is missing, invalid, or too large. */
     fun layoutOf(name: String): ValueLayout? = layoutOf(name, 0)
 
     private fun layoutOf(name: String, depth: Int): ValueLayout? {
         if (name in layouts) return layouts[name]
         val declared = fields[name] ?: return null
-        // A struct that has itself as a field never ends.
+        // A struct that contains itself would never end.
         val layout = if (depth < MAX_DEPTH) laidOut(declared, depth) else null
         if (depth == 0 || layout != null) layouts[name] = layout
         return layout
@@ -59,10 +59,10 @@ internal class StructSchemas {
 /**
  * One declaration of a struct's schema.
  *
- * @property type what stands there: the name of a [ValueType] or of another struct.
- * @property count how many of it there are, of an array; null of a single one.
- * @property bits how many bits it has, of a bit-field; else 0.
- * @property names what its numbers are called, of an enumeration; else null.
+ * @property type the name of a [ValueType] or of another struct.
+ * @property count for an array, the number of elements; otherwise null.
+ * @property bits for a bit-field, the number of bits; otherwise 0.
+ * @property names for an enumeration, the names of its numbers; otherwise null.
  */
 internal class StructField(val name: String, val type: String, val count: Int?, val bits: Int, val names: Map<Long, ByteArray>?)
 
@@ -150,7 +150,7 @@ internal class SchemaReader private constructor(private val text: String) {
         at++
     }
 
-    /** The next character that is not a blank, which is not passed; [END] without one. */
+    /** Returns the next character that is not a space, without consuming it; [END] if there is none. */
     private fun peek(): Char {
         while (at < text.length && text[at].isWhitespace()) at++
         return if (at < text.length) text[at] else END
@@ -159,7 +159,7 @@ internal class SchemaReader private constructor(private val text: String) {
     companion object {
         private const val END = '\u0000'
 
-        /** The declarations of [schema] in their order, or null when it is none. */
+        /** Returns the declarations of [schema], in order, or null if it is not a schema. */
         fun read(schema: String): List<StructField>? = try {
             SchemaReader(schema).fields()
         } catch (_: Malformed) {

@@ -1,8 +1,8 @@
 package badlog.wpilog
 
 /**
- * Finds the times from 0 on that most records of a file are near, in memory that does not grow: counts records in buckets of 19 hours.
- * What is a whole bucket away from the others does not belong to the same run of a robot.
+ * Finds the times, from 0 on, around which most records of a file are, in memory that does not grow: it counts records in buckets of
+ * 19 hours. Records a whole bucket away from the others do not belong to the same run of a robot.
  */
 internal class TimeHistogram {
     private val starts = DoubleArray(MAX_BUCKETS)
@@ -12,7 +12,7 @@ internal class TimeHistogram {
     private var current = -1
     private var currentFrom = 0.0
 
-    /** Counts a record at [micros]. False when it cannot be kept: a time that cannot be, or too many far apart. */
+    /** Counts a record at [micros]. Returns false if it must be dropped: its time is impossible, or there are too many times far apart. */
     fun add(micros: Double): Boolean {
         if (current < 0 || micros < currentFrom || micros >= currentFrom + WIDTH) {
             if (micros >= NEVER || !find(micros)) return false
@@ -37,7 +37,7 @@ internal class TimeHistogram {
         return true
     }
 
-    /** Where most records are; the last moment is not part of it any more. Null without any. */
+    /** Returns where most records are, with an exclusive end. Null if there are none. */
     fun largestCluster(): Cluster? {
         val order = (0 until size).sortedBy { starts[it] }
         var best: Cluster? = null
@@ -56,10 +56,10 @@ internal class TimeHistogram {
         return best
     }
 
-    /** How many records were counted. */
+    /** Returns the number of counted records. */
     fun total(): Double = counts.sum()
 
-    /** The times from [from] on and before [until], in µs, at which [records] stand. */
+    /** The times from [from] until before [until], in µs, which have [records] records. */
     class Cluster(val from: Double, val until: Double, val records: Double)
 
     companion object {
@@ -68,7 +68,7 @@ internal class TimeHistogram {
         /** 2^36 µs, 19 hours. */
         private const val WIDTH = 68719476736.0
 
-        /** 2^53 µs, 285 years: from there on µs are not exact, and no robot runs. */
+        /** 2^53 µs, 285 years: beyond that, µs are not exact, and no robot runs for so long. */
         const val NEVER = 9007199254740992.0
     }
 }

@@ -1,9 +1,9 @@
 package badlog.wpilog
 
 /**
- * How one value stands in bytes.
+ * The encoding of a single value.
  *
- * @property width in bytes; 1 for each of the characters of a text.
+ * @property width its size in bytes; for a text, 1 per character.
  * @property isSigned whether a bit-field of it has a sign.
  */
 internal enum class ValueType(val width: Int, val isSigned: Boolean = false) {
@@ -25,7 +25,7 @@ internal enum class ValueType(val width: Int, val isSigned: Boolean = false) {
     val isInteger: Boolean get() = this in INT8..UINT64
 
     companion object {
-        /** The type that a struct's schema calls [name], or null. */
+        /** Returns the type that a struct's schema calls [name], or null. */
         fun ofSchema(name: String): ValueType? = when (name) {
             "float32" -> FLOAT
             "float64" -> DOUBLE
@@ -35,10 +35,10 @@ internal enum class ValueType(val width: Int, val isSigned: Boolean = false) {
 }
 
 /**
- * What a record of one fixed size holds.
+ * The content of a record with a fixed size.
  *
- * @property width in bytes.
- * @property leaves its values, nested ones in the places of what they are nested in.
+ * @property width the size in bytes.
+ * @property leaves its values, nested ones in the place of their struct.
  */
 internal class ValueLayout(val width: Int, val leaves: List<Leaf>) {
     companion object {
@@ -49,7 +49,7 @@ internal class ValueLayout(val width: Int, val leaves: List<Leaf>) {
             "double" to ValueType.DOUBLE,
         ).mapValues { (_, type) -> ValueLayout(type.width, listOf(Leaf("", 0, type))) }
 
-        /** The layout of an entry's [type], where it is a simple one. */
+        /** Returns the layout of an entry's [type], if it is a simple one. */
         fun of(type: String): ValueLayout? = SIMPLE[type]
     }
 }

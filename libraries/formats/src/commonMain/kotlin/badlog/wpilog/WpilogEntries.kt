@@ -7,7 +7,7 @@ import badlog.protobuf.MessageTypes
 import badlog.recording.ProblemList
 import badlog.text.TextDecoder
 
-/** The entries of a file: which were begun, and what their records were turned into. */
+/** The entries of a file: which were started, and the samples of their records. */
 internal class WpilogEntries(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
     private val decoder = TextDecoder()
     private val structs = StructSchemas()
@@ -19,45 +19,45 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     /** Where most of the records are. */
     val histogram = TimeHistogram()
 
-    /** What some of them tell about the whole run. */
+    /** What some of them say about the whole run. */
     val match = MatchMetadata()
 
-    /** The entries, in the order in which they were first begun. */
+    /** The entries, in the order in which they were first started. */
     val all: Collection<Entry> get() = byName.values
 
     /** The text of the file's header. */
     var extraHeader = ""
         private set
 
-    /** Why this is not a WPILOG that can be read; null when it can. */
+    /** Why this is not a readable WPILOG; null if it is. */
     var refusal: String? = null
         private set
 
-    /** How many records there were, of whatever kind. */
+    /** The number of records of all kinds. */
     var recordCount = 0
         private set
 
-    /** How many had times that cannot be, and of which entry the first was. */
+    /** The number of records with impossible times, and the entry of the first one. */
     var wildCount = 0
         private set
     var firstWild: Entry? = null
         private set
 
-    /** How many had times before 0, and of which entry the first was. */
+    /** The number of records with times before 0, and the entry of the first one. */
     var earlyCount = 0
         private set
     var firstEarly: Entry? = null
         private set
 
-    /** How many records belong to no entry that was begun. */
+    /** The number of records that do not belong to a started entry. */
     var unknownCount = 0
         private set
 
-    /** The numbers of such entries, in the order in which they were met; not all, where damage made thousands. */
+    /** The ids in such records, in order of first appearance; not all, if damage produced thousands. */
     val unknownIds: Collection<Int> get() = unknownCounts.keys
     private val unknownCounts = LinkedHashMap<Int, Int>()
 
-    /** How many control records say nothing that can be understood. */
+    /** The number of control records that cannot be understood. */
     var badControlCount = 0
         private set
 
@@ -88,7 +88,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         read(head, bytes, until)
     }
 
-    /** Reads the record with [head] that ends at [until]; false where it is dropped. */
+    /** Reads the record with [head] that ends at [until]. Returns false if it is dropped. */
     fun read(head: RecordHead, bytes: ByteArray, until: Int): Boolean {
         recordCount++
         return if (head.id == 0) control(bytes, until - head.size, until) else take(head, bytes, until)
@@ -105,7 +105,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         val entry = head.entry
         if (entry == null) {
             unknownCount++
-            // Damage could make millions.
+            // A damaged file could contain millions.
             val id = head.id
             if (id in unknownCounts || unknownCounts.size < MAX_UNKNOWN) unknownCounts[id] = (unknownCounts[id] ?: 0) + 1
             return false
@@ -144,7 +144,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     }
 
     private fun start(id: Int, name: String, type: String, metadata: String) {
-        // A topic may be called like a value.
+        // A topic may have the same name as a value.
         val isValue = metadata == VALUE_METADATA && type == "string"
         val entry = byName.getOrPut(Triple(name, type, isValue)) {
             Entry(name, type, isValue, decoderFor(name, type)).also { entry ->
@@ -202,7 +202,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         byId[id] = entry
     }
 
-    /** Says that the file is over. */
+    /** Marks the end of the file. */
     fun finish() {
         for (entry in all) {
             entry.decoder.finish()
@@ -217,7 +217,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
         private const val STRANGERS = 1
         private const val MAX_UNKNOWN = 1000
 
-        /** Numbers up to here are found in an array; loggers count from 1. */
+        /** Ids up to this one are looked up in an array; loggers count from 1. */
         private const val MAX_LISTED_ID = 1 shl 16
         private const val STRUCT = "struct:"
         private const val SCHEMA = "structschema"

@@ -13,7 +13,7 @@ import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.recording.Value
 
-/** The WPILOG, the log of WPILib's DataLog. */
+/** WPILOG, the format of WPILib's DataLog. */
 public object WpilogFormat : LogFormat {
     override val signatureSize: Int get() = RecordSplitter.MAGIC.length
 
@@ -24,11 +24,11 @@ public object WpilogFormat : LogFormat {
 }
 
 /**
- * Reads a WPILOG, the log of WPILib's DataLog, that is pushed to it in pieces of any size. Nothing in the bytes makes it
- * throw: whatever is wrong becomes a problem of the recording, by the rules in `docs/wpilog.md`.
+ * Reads a WPILOG, the log of WPILib's DataLog, that is pushed to it in pieces of any size. It never throws because of the
+ * bytes: whatever is wrong becomes a problem of the recording, by the rules in `docs/wpilog.md`.
  *
- * Besides the samples, 16 bytes a number at most, it holds one record of the file, or a megabyte around damage, never the file.
- * Compressed files are to be inflated before. Not safe for use by several threads.
+ * Besides the samples, at most 16 bytes per number, it holds one record of the file in memory, or a megabyte around damage,
+ * never the whole file. Compressed files must be inflated first. Not thread-safe.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
@@ -37,7 +37,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     private val entries = WpilogEntries(ColumnSource(keepSamples), problems)
     private val splitter = RecordSplitter(entries)
 
-    /** How many records have been read so far, of whatever kind. */
+    /** The number of records of all kinds read so far. */
     override val rowCount: Int get() = entries.recordCount
 
     override var maxRows: Int = MAX_RECORDS
@@ -141,16 +141,16 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     }
 
     internal companion object {
-        /** The text that badlog's own writer leaves in the header, which says nothing to anyone. */
+        /** The text that badlog's own writer puts in the header, which is not worth showing. */
         const val OWN_HEADER = "{\"writer\":\"badlog\"}"
 
         /** A hundred entries of 1,000 samples a second for eight minutes. */
         private const val MAX_RECORDS = 50_000_000
 
-        /** After so many bytes it looks whether there are too many records. */
+        /** After this many bytes, it checks whether there are too many records. */
         private const val PIECE = 1 shl 20
 
-        /** So many entries are listed in a message. */
+        /** The maximum number of entries listed in a message. */
         private const val NAMED = 8
     }
 }

@@ -8,7 +8,7 @@ import badlog.recording.TextColumn
 import badlog.recording.Topic
 import badlog.text.UniqueNames
 
-/** Makes the topics of the entries, each with a name of its own. Keeps what lies in [span], in s. */
+/** Creates the topics of the entries, each with a unique name. Keeps samples within [span], in s. */
 internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, private val problems: ProblemList) {
     private val names = UniqueNames()
     private val topics = ArrayList<Topic>()
@@ -33,7 +33,7 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             entry.metadata,
             entry.wasXAxis,
         )
-        // An entry without records, or with nothing but empty arrays, is there all the same.
+        // An entry without records, or with only empty arrays, is still a topic.
         if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))
         for (block in decoder.blocks) {
             block.timestamps.finish(span)
@@ -46,7 +46,7 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
         }
     }
 
-    // Of a message that is an event, only its texts are; times and counts beside them are numbers.
+    // In an event message, only texts are events; times and counts beside them are numbers.
     private fun withoutLog(topic: Topic) =
         if (topic.counts.texts == 0 && topic.type.startsWith("proto:")) topic.copy(attributes = topic.attributes - LOG) else topic
 

@@ -7,23 +7,23 @@ import badlog.recording.Topic
 
 /**
  * Writes a recording of any format as a WPILOG: each topic as an entry, each sample as a record at its time, with units and
- * attributes in the entries' metadata, and each value as an entry of its own. [WpilogParser] reads all of that back.
+ * attributes in the entries' metadata, and each value as a separate entry. [WpilogParser] reads all of that back.
  *
- * Parts of arrays, structs and messages are entries of their own, of the names that they have as topics.
+ * Parts of arrays, structs and messages are separate entries with the names that they have as topics.
  *
- * @param recording what to write; read with its samples.
- * @param changesOnly true to leave out a sample that is the same as the one before it in its topic.
+ * @param recording what to write; it must have been read with its samples.
+ * @param changesOnly true to skip a sample that equals the previous one of its topic.
  */
 public class WpilogWriter(private val recording: Recording, private val changesOnly: Boolean = false) {
     /**
      * Writes all of it, in the order of time.
      *
-     * @param progress hears after each piece how many samples are done, and how many there are. What it throws stops the
-     *   writing and is passed on.
-     * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the
-     *   call. What it throws stops the writing and is passed on.
-     * @return what the file cannot carry.
-     * @throws IllegalArgumentException when the recording was read without its samples.
+     * @param progress called after each piece with the number of samples done so far, and the number of all. An
+     *   exception from it stops the writing and is passed on.
+     * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the
+     *   call. An exception from it stops the writing and is passed on.
+     * @return what the file cannot express.
+     * @throws IllegalArgumentException if the recording was read without its samples.
      */
     public fun write(
         progress: (doneSamples: Long, totalSamples: Long) -> Unit = { _, _ -> },
@@ -92,15 +92,15 @@ public class WpilogWriter(private val recording: Recording, private val changesO
 }
 
 /**
- * Something of a recording that a file of another format cannot carry.
+ * Something in a recording that a file of another format cannot express.
  *
- * @property topic the topic it belongs to, or null where it belongs to none or to many.
- * @property what one sentence that says what is missing, or what stands in its place.
- * @property count how many samples, topics or texts it concerns.
+ * @property topic the topic it belongs to, or null if it belongs to none or to many.
+ * @property what one sentence that says what is missing, or what replaces it.
+ * @property count the number of samples, topics or texts it concerns.
  */
 public data class Omission(public val topic: String?, public val what: String, public val count: Int = 1)
 
-/** Whether it tells only how many bytes the records had, which nothing here could decode. */
+/** Whether it only has the sizes of records, which could not be decoded. */
 public val Topic.isOfBytes: Boolean get() = unit == BYTE && (type == "raw" || type.startsWith("proto:"))
 
 /** The unit of a topic of which only the sizes are known. */

@@ -57,7 +57,7 @@ internal class TestDsevents(private val start: Long = STATION_START, version: In
         out += header(version, start).asList()
     }
 
-    /** An entry [millis] after the start of the file. */
+    /** Returns an entry [millis] after the start of the file. */
     fun entry(millis: Long, text: String): TestDsevents = entry(millis, text.encodeToByteArray())
 
     fun entry(millis: Long, text: ByteArray): TestDsevents {
@@ -73,7 +73,7 @@ private fun header(version: Int, start: Long) = big(version.toLong(), 4) + big(s
 
 internal fun big(value: Long, width: Int): ByteArray = ByteArray(width) { (value ushr 8 * (width - 1 - it)).toByte() }
 
-/** The block of a PDP whose channel `i` has `raw(i)` eighths of an ampere, bit by bit. */
+/** Returns the block of a PDP whose channel `i` has `raw(i)` eighths of an ampere, bit by bit. */
 internal fun pdp(voltage: Int = 164, temperature: Int = 88, raw: (Int) -> Int = { it }): ByteArray {
     val block = ByteArray(25)
     for (channel in 0 until 16) {
@@ -88,7 +88,7 @@ internal fun pdp(voltage: Int = 164, temperature: Int = 88, raw: (Int) -> Int = 
     return block
 }
 
-/** The block of a PDH whose channel `i` has `raw(i)`: eighths of an ampere, sixteenths from channel 20 on. */
+/** Returns the block of a PDH whose channel `i` has `raw(i)`: eighths of an ampere, sixteenths from channel 20 on. */
 internal fun pdh(raw: (Int) -> Int = { it }): ByteArray {
     val block = ByteArray(33)
     block[0] = 1

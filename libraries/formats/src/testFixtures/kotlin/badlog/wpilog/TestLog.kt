@@ -52,7 +52,7 @@ internal fun floats(vararg values: Float): ByteArray = values.fold(ByteArray(0))
 
 internal fun longs(vararg values: Long): ByteArray = values.fold(ByteArray(0)) { bytes, value -> bytes + number(value, 8) }
 
-/** A text with its length before it. */
+/** Returns a text with its length before it. */
 internal fun text(text: String): ByteArray = text.encodeToByteArray().let { number(it.size.toLong(), 4) + it }
 
 /** Reads [bytes] as one file that arrives in pieces of [piece] bytes. */

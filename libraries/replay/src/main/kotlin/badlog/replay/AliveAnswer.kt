@@ -11,8 +11,8 @@ import org.java_websocket.handshake.ServerHandshakeBuilder
 import java.nio.ByteBuffer
 
 /**
- * Says “here I am” to a plain HTTP request: AdvantageScope asks so before it connects. To the server it looks like a
- * connection, which is to be closed as soon as it is open.
+ * Answers a plain HTTP request, which AdvantageScope sends before it connects. The server sees it as a connection,
+ * which must be closed as soon as it is open.
  */
 internal class AliveAnswer : Draft_6455() {
     override fun acceptHandshakeAsServer(request: ClientHandshake): HandshakeState =
@@ -39,7 +39,7 @@ internal class AliveAnswer : Draft_6455() {
     private companion object {
         const val TEXT = "badlog replays a log here, for dashboards that speak NetworkTables 4.\n"
 
-        // Dashboards are web pages of another origin.
+        // Dashboards may be web pages of another origin.
         const val ANSWER = "HTTP/1.1 200 OK\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: ${TEXT.length}\r\n" +
             "Access-Control-Allow-Origin: *\r\nConnection: close\r\n\r\n$TEXT"
     }

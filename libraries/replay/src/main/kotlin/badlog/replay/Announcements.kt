@@ -5,13 +5,13 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
-/** The properties of a recording's topic. It stays as long as the server does, so it is retained. */
+/** Returns the properties of a recording's topic. It exists as long as the server, so it is retained. */
 internal fun propertiesOf(signal: Signal): JsonObject = buildJsonObject {
     signal.unit?.let { put("unit", it) }
     put("retained", true)
 }
 
-/** Announces that the topic [name] has the number [id]; as an answer to a publisher with its number. */
+/** Announces that the topic [name] has the id [id]; in an answer to a publisher, with the publisher's id. */
 internal fun announce(name: String, id: Int, type: String, properties: JsonObject, publisher: Long? = null): JsonObject =
     message("announce") {
         put("name", name)
@@ -21,7 +21,7 @@ internal fun announce(name: String, id: Int, type: String, properties: JsonObjec
         put("properties", properties)
     }
 
-/** Announces that the topic does not exist any more. */
+/** Announces that the topic no longer exists. */
 internal fun unannounce(name: String, id: Int): JsonObject = message("unannounce") {
     put("name", name)
     put("id", id)
@@ -39,7 +39,7 @@ private fun message(method: String, params: JsonObjectBuilder.() -> Unit) = buil
     put("params", buildJsonObject(params))
 }
 
-/** [messages] as text frames of bounded length, each a JSON list. */
+/** Returns [messages] as text frames of limited length, each a JSON list. */
 internal fun textFrames(messages: List<JsonObject>): List<String> {
     val frames = ArrayList<String>()
     val frame = StringBuilder()

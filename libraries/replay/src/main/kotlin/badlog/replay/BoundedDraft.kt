@@ -17,11 +17,11 @@ import java.net.URISyntaxException
 import java.nio.ByteBuffer
 
 /**
- * WebSockets of NT4, for programs of this computer: neither a handshake nor a message may go on without end, and no page of the
- * internet that somebody has open may connect.
+ * WebSockets of NT4, for programs on this computer: handshakes and messages are limited in length, and no web page from the
+ * internet may connect.
  *
- * @param ownHost the address at which the server listens, as pages of its own would name it.
- * @param refuse hears of what is refused: who it was, and what it sent, in half a sentence.
+ * @param ownHost the address at which the server listens, as pages on it would name it.
+ * @param refuse called for what is refused, with the client and what it sent, as part of a sentence.
  */
 internal class BoundedDraft(private val ownHost: String, private val refuse: (client: String, what: String) -> Unit) :
     Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, MAX_FRAME) {
@@ -53,11 +53,11 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
 
     override fun copyInstance(): Draft = BoundedDraft(ownHost, refuse)
 
-    /** Programs name no page, or one of theirs on the disk; pages that this computer serves itself are fine. */
+    /** Returns whether [origin] is foreign. Programs send no origin, or one on their own disk; pages served by this computer are fine. */
     private fun isForeign(origin: String): Boolean {
         if (origin.isBlank()) return false
         val scheme = origin.substringBefore("://", "")
-        // A page within a page can hide where it comes from.
+        // An embedded page can hide its origin.
         if (scheme.isEmpty()) return true
         if (scheme.lowercase() !in listOf("http", "https")) return false
         val host = try {
@@ -75,7 +75,7 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
         private const val NOBODY = "somebody"
         private val LOOPBACK = listOf("localhost", "127.0.0.1", "[::1]", "::1")
 
-        /** What [read] reads of a handshake of which [bytes] have arrived; tells [onEndless] of one that is too long to be any. */
+        /** Returns the result of [read] for a handshake of which [bytes] have arrived; calls [onEndless] if it is too long. */
         inline fun bounded(bytes: ByteBuffer, onEndless: () -> Unit, read: () -> Handshakedata): Handshakedata {
             val size = bytes.remaining()
             return try {

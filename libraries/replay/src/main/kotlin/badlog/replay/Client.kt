@@ -4,9 +4,9 @@ import kotlinx.serialization.json.JsonObject
 import java.util.BitSet
 
 /**
- * What one connected client wants and gets. To be used by one thread at a time.
+ * The subscriptions and pending values of one connected client. Use it on one thread at a time.
  *
- * @param ignore hears of what was not understood or not done, in half a sentence.
+ * @param ignore called for what was not understood or not done, as part of a sentence.
  */
 internal class Client(
     private val player: Player,
@@ -36,14 +36,14 @@ internal class Client(
 
                 is Request.Unpublish -> ownTopics.unpublish(request)?.let { answers += it }
 
-                // The recording's topics stay as they are.
+                // The recording's topics cannot be changed.
                 is Request.SetProperties -> ownTopics.setProperties(request)?.let { answers += it }
             }
         }
         textFrames(answers).forEach(wire::send)
     }
 
-    /** Keeps for sending what of [updates] is wanted. */
+    /** Queues those of [updates] that are wanted. */
     fun offer(updates: List<Update>) {
         for (update in updates) if (subscriptions.wantsValues(update.signal)) offer(update)
     }

@@ -8,7 +8,7 @@ import java.nio.ByteBuffer
 /**
  * A client's WebSocket.
  *
- * @property name what the client calls itself.
+ * @property name the client's own name.
  */
 internal class Connection(private val socket: WebSocket, val protocol: SubProtocol, path: String) : Wire {
     val name: String = nameIn(path)
@@ -25,10 +25,10 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
 
     fun ping() = whileOpen { socket.sendPing() }
 
-    /** Ends it at once, whatever is still to be sent. */
+    /** Ends it at once, even if there is more to send. */
     fun end(why: String) = socket.closeConnection(GOING_AWAY, why)
 
-    // It may be closed at any moment; whoever has to know hears of that elsewhere.
+    // It may be closed at any moment; that is reported elsewhere.
     private fun whileOpen(send: () -> Unit) = try {
         send()
     } catch (_: WebsocketNotConnectedException) {
@@ -51,9 +51,9 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
     }
 }
 
-/** The way to one client. Nothing here waits: what cannot go out at once is kept until it can. */
+/** The connection to one client. Nothing here blocks: data that cannot be sent at once is queued. */
 internal interface Wire {
-    /** Whether something is still kept, because the client reads more slowly than it is written to. */
+    /** Whether data is still queued, because the client reads too slowly. */
     val isBusy: Boolean
 
     fun send(text: String)
@@ -61,11 +61,11 @@ internal interface Wire {
     fun send(binary: ByteBuffer)
 }
 
-/** The subprotocols of NT4 that a client may ask for, the best one first. */
+/** The subprotocols of NT4 that a client may request, the best one first. */
 internal enum class SubProtocol(val id: String) {
     V4_1("v4.1.networktables.first.wpi.edu"),
     V4_0("networktables.first.wpi.edu"),
 
-    /** For nothing but questions for the time. */
+    /** Only for requests for the time. */
     TIME_ONLY("rtt.networktables.first.wpi.edu"),
 }

@@ -1,6 +1,6 @@
 package badlog.replay
 
-/** Counts what clients sent and nobody understood, and the connections that were too many. Safe for all threads. */
+/** Counts messages of clients that were not understood, and connections that were refused because there were too many. Thread-safe. */
 internal class IgnoredMessages {
     private var first: String? = null
     private var refused: String? = null
@@ -23,7 +23,7 @@ internal class IgnoredMessages {
             else -> "$count messages were ignored; the first: $first."
         }
 
-    /** [client] was not let in, as there were [most] connections. */
+    /** Records that [client] was refused because there were [most] connections. */
     @Synchronized
     fun refuse(client: String, most: Int) {
         refused = refused ?: "“$client” was refused: there are $most connections already; close another dashboard first."

@@ -1,14 +1,14 @@
 package badlog.replay
 
 /**
- * A topic whose values are sent as they stand in their log, to the byte.
+ * A topic whose values are sent exactly as logged, byte for byte.
  *
- * @property name what the log calls it.
- * @property type its type, as a WPILOG has it: `double`, `int64[]`, `struct:Pose2d`. What NetworkTables has no value for is sent as
- *   bytes of that type, which dashboards know how to read.
+ * @property name its name in the log.
+ * @property type its type in a WPILOG: `double`, `int64[]`, `struct:Pose2d`. Types without a value in NetworkTables are sent as
+ *   bytes of that type, which dashboards can read.
  * @property unit its unit, or empty.
  * @property times when each value was logged, on the recording's x axis; ascending.
- * @property payload gives the bytes of a value, as a record of a WPILOG has them; they are as many as the type asks for.
+ * @property payload returns the bytes of a value, as in a record of a WPILOG; they have the size that the type requires.
  */
 public class LoggedTopic(
     public val name: String,

@@ -1,30 +1,32 @@
 package badlog.replay
 
 /**
- * Values that one client still has to get, in bounded memory: where it is too slow for all of them, it gets only the latest of
- * each topic.
+ * Values still to be sent to one client, in limited memory: if it is too slow for all of them, it only gets the latest of each
+ * topic.
  */
 internal class Outbox(signalCount: Int, private val limit: Int) {
     private val waiting = ArrayDeque<Update>()
 
-    // Of the topics of which only the latest is wanted; in the order in which they became news.
+    // For topics of which only the latest value is wanted, in the order in which they changed.
     private val latest = LinkedHashMap<Int, Update>()
     private val dueMicros = LongArray(signalCount)
 
     val isEmpty: Boolean get() = waiting.isEmpty() && latest.isEmpty()
 
-    /** Puts in a value that is sent as soon as possible, and after all others that were put in like this. */
+    /** Adds a value that is sent as soon as possible, after all others that were added with this function. */
     fun add(update: Update) {
         waiting.addLast(update)
         if (waiting.size > limit) keepLast()
     }
 
-    /** Puts in a value that is sent when its topic is due, unless a newer one comes before. */
+    /** Adds a value that is sent when its topic is due, unless a newer one replaces it. */
     fun replace(update: Update) {
         latest[update.signal] = update
     }
 
-    /** Takes out what can be sent at [nowMicros], at most [most] values; [periodMicros] is how long a topic then rests. */
+    /**
+     * Removes and returns what can be sent at [nowMicros], at most [most] values; [periodMicros] is the time until a topic is due again.
+     */
     fun take(nowMicros: Long, most: Int, periodMicros: LongArray): List<Update> {
         val taken = ArrayList<Update>(minOf(most, waiting.size))
         while (taken.size < most && waiting.isNotEmpty()) taken += waiting.removeFirst()
@@ -39,7 +41,7 @@ internal class Outbox(signalCount: Int, private val limit: Int) {
         return taken
     }
 
-    /** Forgets the values of the topics that are not [wanted] any longer. */
+    /** Removes the values of topics that are no longer [wanted]. */
     fun retain(wanted: (signal: Int) -> Boolean) {
         waiting.removeAll { !wanted(it.signal) }
         latest.keys.removeAll { !wanted(it) }

@@ -3,10 +3,10 @@ package badlog.replay
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The topics that one client publishes and that are none of the recording's. It is answered as it expects; nobody else hears
- * of them, and their values are dropped.
+ * The topics that one client publishes besides those of the recording. The client gets the answers it expects; nobody else
+ * sees these topics, and their values are dropped.
  *
- * @param firstId the lowest number that no topic of the recording has.
+ * @param firstId the lowest id that no topic of the recording has.
  */
 internal class OwnTopics(firstId: Int) {
     private class Topic(val name: String, val id: Int, val type: String, val properties: JsonObject) {
@@ -27,7 +27,7 @@ internal class OwnTopics(firstId: Int) {
         return announce(topic.name, topic.id, topic.type, topic.properties, request.id)
     }
 
-    /** Null while somebody else publishes it, and for an unknown publisher. */
+    /** Returns null while somebody else publishes it, and for an unknown publisher. */
     fun unpublish(request: Request.Unpublish): JsonObject? {
         val topic = byPublisher.remove(request.id) ?: return null
         topic.publishers -= request.id
@@ -36,7 +36,7 @@ internal class OwnTopics(firstId: Int) {
         return unannounce(topic.name, topic.id)
     }
 
-    /** Null for a topic that is none of these. */
+    /** Returns null for a topic that is not one of these. */
     fun setProperties(request: Request.SetProperties): JsonObject? =
         if (request.name in byName) acknowledge(request.name, request.update) else null
 }

@@ -1,17 +1,17 @@
 package badlog.replay
 
 /**
- * Moves along [signals] as [playhead] does and knows what each of them is now.
+ * Follows [playhead] through [signals], and knows the current value of each.
  */
 internal class Player(val signals: List<Signal>, val playhead: Playhead) {
-    // For each signal, how many of its samples were played, and when the last of these began to hold.
+    // For each signal, the number of samples played, and when the last of these began to hold.
     private val played = IntArray(signals.size)
     private val sinceMicros = LongArray(signals.size)
 
-    /** What signal number [signal] is now; null before its first sample. */
+    /** Returns the current value of signal [signal]; null before its first sample. */
     fun current(signal: Int): Update? = if (played[signal] == 0) null else Update(signal, played[signal] - 1, sinceMicros[signal])
 
-    /** What changed until [nowNanos], in the order of time. After a jump that is every signal. */
+    /** Returns what changed until [nowNanos], in the order of time. After a jump, that is every signal. */
     fun advance(nowNanos: Long): List<Update> {
         val updates = ArrayList<Update>()
         playhead.advance(nowNanos) { stretch ->
@@ -48,13 +48,13 @@ internal class Player(val signals: List<Signal>, val playhead: Playhead) {
     private companion object {
         const val NANOS_PER_MICRO = 1000
 
-        /** More are not reported at once, as when a laptop wakes after an hour: the earliest are left out. */
+        /** The maximum reported at once, for example when a laptop wakes up after an hour: the earliest are skipped. */
         const val MAX_OF_A_SIGNAL = 10_000
     }
 }
 
 /**
- * A value that is to be sent: sample [index] of the signal numbered [signal].
+ * A value to send: sample [index] of signal [signal].
  *
  * @property micros when it began to hold, in the server's time.
  */

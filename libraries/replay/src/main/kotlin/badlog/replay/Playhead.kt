@@ -4,12 +4,12 @@ import kotlin.math.floor
 import kotlin.math.roundToLong
 
 /**
- * Where in a recording a replay is. It owns no clock: every function is given the time, in nanoseconds that never go
- * backwards. Positions are in the unit of the recording's x axis. Paused at the start of [range] at first.
+ * The position of a replay in a recording. It has no clock: every function receives the time, in nanoseconds that never
+ * go backwards. Positions are in the unit of the recording's x axis. Initially paused at the start of [range].
  *
- * @property range what is played.
- * @property unitsPerSecond how far x goes in a second of the recording.
- * @property isLooping whether it goes on at the start when it comes to the end; without effect on a range without length.
+ * @property range the range that is played.
+ * @property unitsPerSecond by how much x advances in a second of the recording.
+ * @property isLooping whether it continues at the start when it reaches the end; has no effect on a range without length.
  * @throws IllegalArgumentException when [range] is empty or not finite, or [speed] not above 0.
  */
 internal class Playhead(
@@ -19,7 +19,7 @@ internal class Playhead(
     isLooping: Boolean,
     nowNanos: Long,
 ) {
-    /** How many seconds of the recording pass in a second. */
+    /** The number of seconds of the recording that pass in a second. */
     var speed: Double = requireSpeed(speed)
         private set
 
@@ -28,7 +28,7 @@ internal class Playhead(
     var isPlaying: Boolean = false
         private set
 
-    // It was here, then; from there on it moves evenly.
+    // It was at this position at that time, and moves evenly from there.
     private var anchorPosition = range.start
     private var anchorNanos = nowNanos
     private var reported = range.start
@@ -61,7 +61,7 @@ internal class Playhead(
         isPlaying = false
     }
 
-    /** Jumps to [position], or to that end of the range which is nearer to it. */
+    /** Jumps to [position], or to the nearer end of the range. */
     fun seek(position: Double, nowNanos: Long) {
         require(!position.isNaN()) { "A replay needs a number as position." }
         anchor(position.coerceIn(range), nowNanos)
@@ -76,8 +76,8 @@ internal class Playhead(
     }
 
     /**
-     * Hands [visit] what was played since the last call, in order and nothing twice. Of laps that were begun and ended since
-     * then only the last is reported, as nobody could have seen the others.
+     * Passes what was played since the last call to [visit], in order and without repetition. Of laps that began and ended
+     * since then, only the last is reported, as nobody could have seen the others.
      */
     fun advance(nowNanos: Long, visit: (Stretch) -> Unit) {
         if (isPlaying && isLooping) {
@@ -85,7 +85,7 @@ internal class Playhead(
             if (laps >= 1) {
                 visit(stretchTo(range.endInclusive))
                 val lapBegan = anchorNanos + ((laps * length - (anchorPosition - range.start)) / unitsPerNano).roundToLong()
-                // Rounded up it might not have begun yet.
+                // Rounded up, it might not have begun yet.
                 seek(range.start, minOf(lapBegan, nowNanos))
             }
         }
@@ -114,9 +114,9 @@ internal fun requireSpeed(speed: Double): Double {
 }
 
 /**
- * A part of a recording that was played without a jump: what stands after [from] and not after [to].
+ * A part of a recording that was played without a jump: samples after [from] and not after [to].
  *
- * @property isFresh whether the playhead jumped to [from], so that what holds there is news.
+ * @property isFresh whether the playhead jumped to [from], so that values holding there are new.
  */
 internal class Stretch(
     val from: Double,
@@ -126,6 +126,6 @@ internal class Stretch(
     private val anchorNanos: Long,
     private val unitsPerNano: Double,
 ) {
-    /** When the playhead was at [position]. */
+    /** Returns when the playhead was at [position]. */
     fun nanosAt(position: Double): Long = anchorNanos + ((position - anchorPosition) / unitsPerNano).roundToLong()
 }

@@ -10,10 +10,11 @@ import badlog.recording.TopicKind
 import badlog.text.UniqueNames
 
 /**
- * The topics of [view]'s recording, then its values below `Values/`, as NetworkTables shows them, and when the robot was enabled where
- * no topic says so as dashboards know it.
+ * Returns the topics of [view]'s recording, then its values below `Values/`, in the form of NetworkTables, and when the robot was
+ * enabled, unless a topic shows it in the form that dashboards know.
  *
- * @param logged what is sent as it was logged; of the recording's topics then only those that have no type, which were calculated.
+ * @param logged the topics that are sent as logged; of the recording's topics, only those without a type, which are calculated, are
+ * then added.
  */
 internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> = emptyList()): List<Signal> {
     val names = TopicNames(prefix)
@@ -21,7 +22,7 @@ internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> 
     val signals = logged.map { signalOf(it, names.nameOf(it.name)) } +
         described.map { signalOf(it, view, names.nameOf(it.name)) } +
         view.recording.values.map { value ->
-            // Before every position, so it holds from the start on.
+            // Before every position, so that it holds from the start.
             val sample = Series(doubleArrayOf(Double.NEGATIVE_INFINITY), doubleArrayOf(0.0))
             val name = names.nameOf("Values/" + value.name.trimStart('/'))
             Signal(name, SignalType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
@@ -36,7 +37,7 @@ private fun signalOf(topic: LoggedTopic, name: String): Signal {
     return Signal(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
 }
 
-/** When the robot was enabled, and by what, in the bits of a robot's own topic for it; null where the log does not tell. */
+/** Returns when the robot was enabled, and in which mode, in the bits of a robot's own topic for it; null if the log does not show it. */
 private fun controlWordOf(view: LogView): Signal? {
     val spans = view.enabledSpans()
     val start = view.xAxis.range?.start ?: return null
@@ -54,7 +55,7 @@ private const val CONTROL_WORD = "/FMSControlData"
 private const val ENABLED = 1
 private const val AUTONOMOUS = 2
 
-/** The driver station is there. */
+/** The Driver Station is connected. */
 private const val ATTACHED = 32
 
 private fun signalOf(topic: Topic, view: LogView, name: String): Signal {
@@ -81,21 +82,21 @@ private fun eventsOf(topic: Topic, view: LogView, name: String): Signal {
     return Signal(name, SignalType.STRING, topic.unit, samples.ordered(), texts)
 }
 
-/** From the first sample of all to the last; 0 to 0 without any. */
+/** Returns the range from the first of all samples to the last; 0 to 0 if there are none. */
 internal fun rangeOf(signals: List<Signal>): ClosedFloatingPointRange<Double> {
     val ranges = signals.mapNotNull { it.samples.range }.filter { it.start.isFinite() }
     return if (ranges.isEmpty()) 0.0..0.0 else ranges.minOf { it.start }..ranges.maxOf { it.endInclusive }
 }
 
 /**
- * Names of a recording as NetworkTables has them: `/Folder/Name`, each once, all below [prefix] if there is one. Only what describes
- * types stays where dashboards look for it.
+ * Names of a recording in the form of NetworkTables: `/Folder/Name`, each unique, and all below [prefix] if there is one. Only type
+ * descriptions stay where dashboards look for them.
  */
 internal class TopicNames(prefix: String) {
     private val start = prefix.trim('/').let { if (it.isEmpty()) "/" else "/$it/" }
     private val names = UniqueNames()
 
-    /** A name that no other call gives. What a log took from NetworkTables, `NT:/…`, gets its name of then back. */
+    /** Returns a unique name. Topics that a log took from NetworkTables, `NT:/…`, get their original names back. */
     fun nameOf(name: String): String {
         val bare = name.removePrefix("NT:").trimStart('/')
         return names.give(if (bare.startsWith(SCHEMAS)) "/$bare" else start + bare)
@@ -106,8 +107,8 @@ internal class TopicNames(prefix: String) {
     }
 }
 
-/** A recording without a time is played as if its robot had logged every 20 ms, which is what robots do. */
+/** A recording without a time is played as if its robot had logged every 20 ms, as robots usually do. */
 private const val ROWS_PER_SECOND = 50.0
 
-/** How far [axis] goes in a second. An x that is neither time nor index is taken for seconds. */
+/** Returns by how much [axis] advances in a second. An x that is neither time nor index is taken for seconds. */
 internal fun unitsPerSecond(axis: XAxis): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: if (axis.isIndex) ROWS_PER_SECOND else 1.0

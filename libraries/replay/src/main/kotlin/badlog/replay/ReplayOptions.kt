@@ -5,13 +5,13 @@ import java.net.InetAddress
 /**
  * How a recording is replayed.
  *
- * @property port where dashboards connect; 0 for any that is free. Most dashboards know only [DEFAULT_PORT].
- * @property address the network at which dashboards may connect: default: this computer only.
- * @property speed how many seconds of the recording pass in a second; above 0.
- * @property isLooping whether it begins anew when it has come to the end.
- * @property range what is replayed, on the recording's x axis and in its unit; null for all.
- * @property prefix what stands before each topic's name, such as `/badlog`; empty for the names that the robot gave.
- * @throws IllegalArgumentException when one of them is out of its range.
+ * @property port the port to which dashboards connect; 0 for any free one. Most dashboards only know [DEFAULT_PORT].
+ * @property address the address at which dashboards can connect. Default: this computer only.
+ * @property speed the number of seconds of the recording that pass in a second; above 0.
+ * @property isLooping whether it starts over when it reaches the end.
+ * @property range the range to replay, on the recording's x axis and in its unit; null for all.
+ * @property prefix the prefix of each topic's name, such as `/badlog`; empty for the robot's own names.
+ * @throws IllegalArgumentException if one of them is out of range.
  */
 public class ReplayOptions(
     public val port: Int = DEFAULT_PORT,

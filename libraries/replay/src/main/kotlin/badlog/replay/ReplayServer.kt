@@ -7,16 +7,15 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Shows a recording again in its own time, to dashboards that speak WPILib's NetworkTables 4: it is a server of that protocol,
- * whose topics are those of the recording. Numbers are `double`, truth values `boolean`, states and events `string`, and the
- * header's values are strings below `/Values/`. The unit is the property `unit`. When the robot was enabled stands in
- * `/FMSInfo/FMSControlData`, as a robot has it.
+ * Replays a recording in real time to dashboards that use WPILib's NetworkTables 4: it is a server of that protocol with the topics
+ * of the recording. Numbers are `double`, truth values `boolean`, states and events `string`, and the header's values are strings
+ * below `/Values/`. The unit is the property `unit`. `/FMSInfo/FMSControlData` shows when the robot was enabled, as on a robot.
  *
- * Safe for all threads. Its own threads end with [close] and keep no program running.
+ * Thread-safe. Its own threads end with [close], and do not keep a program running.
  *
  * @property options how it is replayed.
- * @param logged topics that are sent as they were logged, with the types they have there, instead of the recording's; of those only
- *   calculated ones are left.
+ * @param logged topics that are sent as logged, with their original types, instead of the recording's; of those, only calculated
+ *   ones remain.
  */
 public class ReplayServer(view: LogView, public val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) :
     Closeable {
@@ -51,10 +50,10 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     /** The part of the x axis that is replayed. */
     public val range: ClosedFloatingPointRange<Double> get() = playhead.range
 
-    /** Where it is, on the x axis. */
+    /** The current position on the x axis. */
     public val position: Double get() = synchronized(lock) { playhead.position(serverNanos()) }
 
-    /** Whether it is under way; at the end it still is until [pause]. */
+    /** Whether it is playing; at the end, it still is until [pause]. */
     public val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
 
     /** Whether there is nothing left to play. Dashboards still see the last values. Never while looping. */
@@ -63,27 +62,27 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     /** The port at which dashboards connect. */
     public val port: Int get() = sockets.port
 
-    /** What the connected dashboards call themselves, in the order in which they came. */
+    /** The names of the connected dashboards, in the order in which they connected. */
     public val clientNames: List<String> get() = synchronized(lock) { clients.keys.map { it.name } }
 
-    /** A sentence about what dashboards sent and was not understood; null when all was. */
+    /** A sentence about messages of dashboards that were not understood; null if there were none. */
     public val note: String? get() = ignored.note
 
-    /** A sentence about the first dashboard that was not let in because there were too many; null when all were. */
+    /** A sentence about the first dashboard that was refused because there were too many; null if there was none. */
     public val refusal: String? get() = ignored.refusal
 
-    /** How many messages of dashboards were not understood. */
+    /** The number of messages of dashboards that were not understood. */
     public val ignoredMessages: Int get() = ignored.count
 
-    /** How many seconds of the recording pass in a second; above 0. */
+    /** The number of seconds of the recording that pass in a second; above 0. */
     public var speed: Double
         get() = synchronized(lock) { playhead.speed }
         set(value) = change { playhead.changeSpeed(value, it) }
 
     /**
-     * Lets dashboards connect. They see the first values until [start], which also does this itself.
+     * Lets dashboards connect. They see the first values until [start], which also opens it.
      *
-     * @throws UnavailablePortException when the port is taken or not to be had.
+     * @throws UnavailablePortException if the port is in use or unavailable.
      * @throws IllegalStateException after [close].
      */
     public fun open() {
@@ -97,7 +96,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
         ticks.scheduleAtFixedRate(::checkAlive, PING_SECONDS, PING_SECONDS, TimeUnit.SECONDS)
     }
 
-    /** Plays on from where it is, or from the start when it is at the end. Errors as [open]. */
+    /** Continues from the current position, or from the start if it is at the end. Throws the same exceptions as [open]. */
     public fun start() {
         open()
         change {
@@ -106,13 +105,13 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
         }
     }
 
-    /** Stays where it is. */
+    /** Pauses at the current position. */
     public fun pause(): Unit = change { playhead.pause(it) }
 
     /**
-     * Jumps to [position], or to that end of [range] which is nearer to it; dashboards get what holds there.
+     * Jumps to [position], or to the nearer end of [range]; dashboards receive the values that hold there.
      *
-     * @throws IllegalArgumentException when it is NaN.
+     * @throws IllegalArgumentException if it is NaN.
      */
     public fun seek(position: Double): Unit = change { playhead.seek(position, it) }
 
@@ -122,7 +121,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
         sockets.stop(CLOSING_MILLIS)
     }
 
-    /** What was played under the old rules goes out before [action] changes them. */
+    /** Sends what was played with the old settings before [action] changes them. */
     private fun change(action: (nowNanos: Long) -> Unit) = synchronized(lock) {
         val now = serverNanos()
         offer(player.advance(now))
@@ -147,7 +146,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
         }
     }
 
-    // A robot's clock is never at 0 when it sends; a value of that time would count as a mere default.
+    // A robot's clock is never at 0 when it sends; a value with that time would count as a default.
     private fun serverNanos() = System.nanoTime() - startNanos + FIRST_NANOS
 
     private inner class Connections : Listener {

@@ -10,7 +10,7 @@ import kotlinx.serialization.json.booleanOrNull
 import kotlinx.serialization.json.doubleOrNull
 import kotlinx.serialization.json.longOrNull
 
-/** Reads a client's text frames. Whatever is not understood is reported to [ignore], in half a sentence, and left out. */
+/** Reads a client's text frames. Anything not understood is passed to [ignore], as part of a sentence, and skipped. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
         if (isDeep(text)) return nothing("JSON that is nested too deeply")
@@ -78,12 +78,12 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
     private fun refuse(why: String): Request? = null.also { ignore(why) }
 
     private companion object {
-        /** How often a value is sent to a client that does not say. */
+        /** The default period of a client's values, in s. */
         const val DEFAULT_SECONDS = 0.1
     }
 }
 
-/** No client nests deeply; one that does means to overflow the stack. */
+/** No client nests deeply, except to overflow the stack. */
 private fun isDeep(json: String): Boolean {
     var depth = 0
     var inString = false
@@ -100,11 +100,11 @@ private fun isDeep(json: String): Boolean {
     return false
 }
 
-/** What a client asks for. */
+/** A request of a client. */
 internal sealed interface Request {
     /**
-     * @property names whole names, or how names begin where [isPrefix].
-     * @property periodMicros how often a value may be sent at most.
+     * @property names full names, or prefixes of names if [isPrefix].
+     * @property periodMicros the minimum time between values.
      * @property isAll whether every sample is wanted, not only the latest of each period.
      * @property isTopicsOnly whether no values are wanted.
      */

@@ -4,15 +4,15 @@ import badlog.analysis.Series
 import badlog.analysis.Units
 
 /**
- * What is shown as one topic of NetworkTables.
+ * One topic of NetworkTables.
  *
- * @property name its whole name there; begins with `/`.
+ * @property name its full name there; begins with `/`.
  * @property unit its unit, or null for none.
- * @property samples its values; ordered, and without gaps but for a [SignalType.DOUBLE], of which NaN says that there is
- *   no number from then on.
- * @property texts what the samples of a [SignalType.STRING] stand for, in UTF-8; else empty.
- * @property typeName what its announcement calls the type.
- * @property payload gives the bytes of a sample, as a WPILOG has them, where these count and not the samples' numbers; else null.
+ * @property samples its values; ordered, and without gaps, except for a [SignalType.DOUBLE], for which NaN means that there is no
+ *   number from then on.
+ * @property texts what the samples of a [SignalType.STRING] stand for, in UTF-8; otherwise empty.
+ * @property typeName the name of the type in its announcement.
+ * @property payload returns the bytes of a sample, as in a WPILOG, if these are sent rather than numbers; otherwise null.
  */
 internal class Signal(
     val name: String,
@@ -25,15 +25,15 @@ internal class Signal(
 ) {
     val unit: String? = unit.takeUnless(Units::isNone)
 
-    /** How many samples stand at or before [position]. */
+    /** Returns the number of samples at or before [position]. */
     fun countUntil(position: Double): Int = samples.firstAtOrAfter(Math.nextUp(position))
 }
 
 /**
- * What kind of value a topic of NetworkTables has.
+ * The kind of value of a topic of NetworkTables.
  *
- * @property typeName what an announcement calls it.
- * @property code what a value's message calls it.
+ * @property typeName its name in an announcement.
+ * @property code its code in a value's message.
  */
 internal enum class SignalType(val typeName: String, val code: Int) {
     BOOLEAN("boolean", 0),
@@ -52,7 +52,7 @@ internal enum class SignalType(val typeName: String, val code: Int) {
     ;
 
     companion object {
-        /** What values of a WPILOG's type [name] are here. */
+        /** Returns the type for values of the WPILOG type [name]. */
         fun of(name: String): SignalType = when (name) {
             "int64" -> INT
             "int64[]" -> INTS
@@ -62,14 +62,16 @@ internal enum class SignalType(val typeName: String, val code: Int) {
     }
 }
 
-/** These samples in the order of x; those of one x keep their order. */
+/** Returns these samples in the order of x; samples with equal x keep their order. */
 internal fun Series.ordered(): Series {
     if (isOrdered) return this
     val order = (0 until size).sortedBy { x[it] }
     return Series(DoubleArray(size) { x[order[it]] }, DoubleArray(size) { y[order[it]] })
 }
 
-/** These samples with at most the first of each gap's, and not even that when [keepsFirst] is false or nothing was before. */
+/**
+ * Returns these samples with at most the first NaN of each gap, and not even that if [keepsFirst] is false or there is nothing before it.
+ */
 internal fun Series.withoutGaps(keepsFirst: Boolean): Series {
     fun isKept(i: Int) = !y[i].isNaN() || (keepsFirst && i > 0 && !y[i - 1].isNaN())
     val kept = (0 until size).count(::isKept)

@@ -16,7 +16,7 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 
 /**
- * Keeps the connections and answers questions for the time, at once and on the thread that reads them.
+ * Manages the connections, and answers requests for the time immediately on the thread that reads them.
  *
  * @param micros the server's time.
  */
@@ -32,11 +32,11 @@ internal class SocketServer(
         isDaemon = true
         isReuseAddr = true
         isTcpNoDelay = true
-        // A 4.0 client must not be pinged, so that is done by whoever knows which ones are.
+        // A 4.0 client must not be pinged, so pinging is left to code that knows the versions.
         connectionLostTimeout = 0
     }
 
-    /** Opens the port. Throws [UnavailablePortException] when it cannot be had. */
+    /** Opens the port. Throws [UnavailablePortException] if it is unavailable. */
     fun open() {
         start()
         try {
@@ -62,7 +62,7 @@ internal class SocketServer(
         }
         socket.setAttachment(connection)
         listener.opened(connection)
-        // Another thread may have closed it before it was known here, and then nobody says so again.
+        // Another thread may have closed it before it was registered here, and that is not reported again.
         if (!(socket as WebSocketImpl).channel.isOpen) listener.closed(connection)
     }
 
@@ -90,14 +90,14 @@ internal class SocketServer(
         heard(socket)?.let { endIfFlooded(socket, it) }
     }
 
-    /** One whose handshake was refused is left open by the library, which waits for it to take what it never was promised. */
+    /** The library leaves a connection with a refused handshake open, waiting for it to read data that was never sent. */
     override fun onClosing(socket: WebSocket, code: Int, reason: String?, isRemote: Boolean) {
         val refused = socket as WebSocketImpl
         if (refused.draft != null) return
         try {
             generateSequence { refused.outQueue.poll() }.forEach { refused.channel.write(it) }
         } catch (_: IOException) {
-            // It has gone by itself.
+            // It has already been closed.
         }
         refused.closeConnection(code, reason.orEmpty())
     }
@@ -116,7 +116,7 @@ internal class SocketServer(
 
     private fun heard(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also { it.heardNanos = System.nanoTime() }
 
-    /** A client that asks and asks and never reads the answers would fill the memory. */
+    /** Ends a client that sends requests without reading the answers, which would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {
         if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read what is sent to it.")
     }
@@ -125,12 +125,12 @@ internal class SocketServer(
         const val BINDING_SECONDS = 10L
         const val MAX_FRAMES = 4_000
 
-        /** Of a dashboard there are one or two. */
+        /** Usually one or two dashboards are connected. */
         const val MAX_CONNECTIONS = 64
     }
 }
 
-/** What a [SocketServer] reports of its connections; of one connection nothing at the same time. */
+/** Receives events of a [SocketServer]'s connections; for one connection, never concurrently. */
 internal interface Listener {
     fun opened(connection: Connection)
 
@@ -139,7 +139,7 @@ internal interface Listener {
     fun closed(connection: Connection)
 }
 
-/** The port of a replay cannot be opened. The message is one sentence that says why and what to do. */
+/** Thrown if the port of a replay cannot be opened. The message is one sentence that says why and what to do. */
 public class UnavailablePortException internal constructor(address: InetSocketAddress, cause: Exception) :
     IOException(
         if (cause is BindException && "in use" in cause.message.orEmpty()) {

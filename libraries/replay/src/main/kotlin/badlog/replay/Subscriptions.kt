@@ -8,20 +8,20 @@ internal class Subscriptions(private val signals: List<Signal>) {
     private val subscriptions = HashMap<Long, Subscription>()
     private val wantsAll = BooleanArray(signals.size)
 
-    /** For each signal, how often its latest value is sent; [NEVER] when its values are not wanted. */
+    /** For each signal, the period with which its latest value is sent; [NEVER] if its values are not wanted. */
     val periodMicros = LongArray(signals.size) { NEVER }
 
-    /** How many names all of it has. */
+    /** The number of names in all subscriptions. */
     val nameCount: Int get() = subscriptions.values.sumOf { it.request.names.size }
 
     fun idOf(name: String): Int? = idOfName[name]
 
     fun wantsValues(signal: Int): Boolean = periodMicros[signal] != NEVER
 
-    /** Whether every value is wanted and not only the latest. */
+    /** Returns whether every value is wanted, not only the latest. */
     fun wantsAll(signal: Int): Boolean = wantsAll[signal]
 
-    /** Adds what [request] asks for, in place of what its number asked for before; returns the signals that it means. */
+    /** Adds [request], replacing an earlier one with the same id. Returns the signals that it selects. */
     fun add(request: Request.Subscribe): IntArray {
         val subscription = Subscription(request, matches(request))
         if (subscriptions.put(request.id, subscription) == null) apply(subscription) else applyAll()

@@ -4,13 +4,13 @@ import badlog.file.FolderRun
 import badlog.file.LogFile
 import badlog.report.hook.withShutdownHook
 
-/** What was found out about a file; [isLasting] when it stays so as long as the file is the same. */
+/** A result for a file; [isLasting] says whether it stays valid until the file changes. */
 internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
- * Does [work], with so many cores, on those of [files] that [cache] does not know, and gives all results in the order of the files to
- * [each] on this thread. What lasts is in the cache's file afterwards, also when [each] throws, the thread is interrupted, or the
- * program is asked to end.
+ * Does [work], which receives a number of cores, on those of [files] that are not in [cache], and passes all results in the order of
+ * the files to [each] on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is
+ * interrupted, or the program is asked to end.
  */
 internal fun <R : Any> runCached(
     files: List<LogFile>,

@@ -15,13 +15,13 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
- * A question to many logs: an expression, see `docs/expressions.md`.
+ * A question about many logs: an expression, see `docs/expressions.md`.
  *
  * @param question the expression.
  * @param virtualTopics definitions of topics that the question may use beside the log's own, such as `Power = Voltage * Current`.
- * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none.
- * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
- * @param signals what topics are called that the question names by their meaning.
+ * @param cache a folder for cached results, so that an unchanged file is not read again; null for none.
+ * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
+ * @param signals the names of topics that the question refers to by their meaning.
  */
 public class Find(
     private val question: String,
@@ -40,7 +40,7 @@ public class Find(
         val question: ParsedQuestion = Question.parse(clauses.question, names.vocabulary)
     }
 
-    /** What is wrong with the question whatever a log has, such as a parenthesis that is never closed; null when nothing seems to be. */
+    /** What is wrong with the question regardless of the log, such as an unclosed parenthesis; null if nothing seems wrong. */
     public val mistake: Reply.NotAsked? =
         listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
@@ -53,13 +53,14 @@ public class Find(
     )
 
     /**
-     * Asks each of [files], on all cores. With a [mistake] in the question that is the reply of each, and none is read.
+     * Evaluates the question for each of [files], on all cores. If the question has a [mistake], that is the reply for each, and
+     * no file is read.
      *
-     * @param progress hears on this thread how many files are done.
-     * @param each gets each result on this thread, as soon as it and those before it are there. What it or [progress] throws stops
-     *   the work and is passed on.
+     * @param progress called on this thread with the number of files done.
+     * @param each receives each result on this thread, as soon as it and all previous ones are available. An exception from it or
+     *   from [progress] stops the work and is passed on.
      * @return all results, in the order of [files].
-     * @throws InterruptedException when the thread was interrupted.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun over(
         files: List<LogFile>,
@@ -80,7 +81,7 @@ public class Find(
         return ranked
     }
 
-    /** The [count] lowest or highest of [results], in this order, then all that has no answer, and the others as left out. */
+    /** Returns the [count] lowest or highest of [results], in this order, then all without an answer, and the others as left out. */
     private fun ranked(results: List<FindResult>, count: Int): List<FindResult> {
         val (found, others) = results.partition { isFound(it) && !valueOf(it).isNaN() }
         val sorted = found.sortedBy { if (clauses.isLowest) valueOf(it) else -valueOf(it) }

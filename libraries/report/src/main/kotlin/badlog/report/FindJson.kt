@@ -5,7 +5,7 @@ import badlog.expression.ExpressionError
 import badlog.expression.Quantity
 import kotlinx.serialization.Serializable
 
-/** What came of a question to a log that can be read, as other programs get it. What is not known, or not finite, is null. */
+/** The result of a question for a readable log, in the form for other programs. Unknown and non-finite numbers are null. */
 @Serializable
 public class FindJson private constructor(
     private val match: String?,
@@ -44,7 +44,7 @@ internal class QuantityJson(private val name: String, private val value: Double?
     constructor(quantity: Quantity) : this(quantity.name, finite(quantity.value), quantity.unit, finite(quantity.time))
 }
 
-/** One time that something happened, as other programs get it. */
+/** One occurrence of something, in the form for other programs. */
 @Serializable
 internal class OccurrenceJson private constructor(
     private val from: Double?,
@@ -60,7 +60,7 @@ internal class SpanJson(private val from: Double?, private val to: Double?) {
     constructor(span: Span) : this(finite(span.from), finite(span.to))
 }
 
-/** A virtual topic that a log could not be given, as other programs get it. */
+/** A virtual topic that could not be calculated for a log, in the form for other programs. */
 @Serializable
 public class UndefinedJson private constructor(private val definition: String, private val message: String) {
     public constructor(topic: UndefinedTopic) : this(topic.definition, topic.message)
@@ -68,5 +68,5 @@ public class UndefinedJson private constructor(private val definition: String, p
     public constructor(error: ExpressionError) : this(UndefinedTopic(error))
 }
 
-/** JSON has no number for what is not finite. */
+/** JSON has only finite numbers. */
 internal fun finite(value: Double?): Double? = value?.takeIf { it.isFinite() }

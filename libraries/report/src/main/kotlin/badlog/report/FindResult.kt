@@ -9,13 +9,13 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
 /**
- * What came of a question to one file.
+ * The result of a question for one file.
  *
  * @property file the file.
- * @property title what match it is, from its values; null when they do not say or it cannot be read.
- * @property reply what came of it.
- * @property undefined the virtual topics that the log could not be given.
- * @property isSalvaged whether the log lost something, so that the answer is about what is left.
+ * @property title the match, from its values; null if they do not have it, or the file cannot be read.
+ * @property reply the reply.
+ * @property undefined the virtual topics that could not be calculated.
+ * @property isSalvaged whether data of the log is lost, so that the answer is about the rest.
  */
 public class FindResult internal constructor(
     public val file: LogFile,
@@ -26,8 +26,8 @@ public class FindResult internal constructor(
 )
 
 /**
- * What is wrong with the question itself, of which [results] came; a topic that a log lacks is not a mistake as long as another has it.
- * Where several logs refused it, the one that understood most of it tells.
+ * Returns what is wrong with the question itself that led to [results]; a missing topic is not a mistake if another log has it. If the
+ * question failed for several logs, the one that understood most of it decides.
  */
 public fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
@@ -35,7 +35,7 @@ public fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     return refusals.filter { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC }.ifEmpty { refusals }.maxByOrNull { it.place }
 }
 
-/** What a question to a file may come to. */
+/** The possible replies to a question for a file. */
 @Serializable
 public sealed interface Reply {
     /**
@@ -45,10 +45,10 @@ public sealed interface Reply {
      * @property spans when it holds, at most the first hundred.
      * @property spanCount how often it holds.
      * @property quantities the numbers that were compared.
-     * @property time where to look first; NaN when unknown.
-     * @property timeUnit the unit of all times, empty where x has none.
-     * @property reason why it is not known, as a sentence; null where it is known, or where samples are missing.
-     * @property occurrences each time that it happened, with what was just before, where the question asks for that; at most the first hundred.
+     * @property time where to look first; NaN if unknown.
+     * @property timeUnit the unit of all times; empty if x has none.
+     * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
+     * @property occurrences each occurrence, with the values just before, if the question asks for them; at most the first hundred.
      */
     @Serializable
     public class Answered internal constructor(
@@ -69,7 +69,7 @@ public sealed interface Reply {
         public val occurrences: List<Occurrence> = emptyList(),
     ) : Reply
 
-    /** One time that something happened, see [badlog.expression.Occurrence]. */
+    /** One occurrence of something, see [badlog.expression.Occurrence]. */
     @Serializable
     public class Occurrence internal constructor(
         @Serializable(with = SpanSerializer::class)
@@ -77,18 +77,18 @@ public sealed interface Reply {
         public val before: List<Pair<String, String>>,
     )
 
-    /** The question leaves the log out, by its header values or its rank. */
+    /** The question excludes the log, by its header values or its rank. */
     @Serializable
     public object LeftOut : Reply
 
     /**
-     * The question could not be asked of this log.
+     * The question could not be evaluated for this log.
      *
-     * @property kind why: [UNKNOWN_TOPIC][ExpressionErrorKind.UNKNOWN_TOPIC] when the log lacks the topic.
-     * @property topic what was found wrong in the question: the name of the missing topic.
+     * @property kind why: [UNKNOWN_TOPIC][ExpressionErrorKind.UNKNOWN_TOPIC] if the log lacks the topic.
+     * @property topic the part of the question that is wrong: the name of the missing topic.
      * @property message what is wrong, as a sentence.
      * @property pointed the message, the question, and carets below it.
-     * @property isOfHeader whether the header values were asked, rather than topics.
+     * @property isOfHeader whether it concerns the header values, rather than topics.
      */
     @Serializable
     public class NotAsked internal constructor(
@@ -98,7 +98,7 @@ public sealed interface Reply {
         public val pointed: String,
         public val isOfHeader: Boolean = false,
     ) : Reply {
-        /** How far the log understood the question. */
+        /** How much of the question the log understood. */
         internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')
     }
 
@@ -106,7 +106,7 @@ public sealed interface Reply {
      * The file cannot be read, or is not a log.
      *
      * @property message why, as a sentence.
-     * @property isNoLog whether it is something else than a log.
+     * @property isNoLog whether it is something other than a log.
      */
     @Serializable
     public class Unreadable internal constructor(public val message: String, public val isNoLog: Boolean) : Reply

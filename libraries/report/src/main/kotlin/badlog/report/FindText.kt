@@ -6,8 +6,9 @@ import badlog.rules.timeText
 import badlog.terminal.TextTable
 
 /**
- * The logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it how many
- * others there were and why, apart from those that cannot be read. Of a question that asks for a number, all logs that have it.
+ * Returns the logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it
+ * how many others there were and why, except for those that cannot be read. For a question that asks for a number, all logs that
+ * have it.
  */
 public fun findText(results: List<FindResult>): String {
     val found = results.filter(::isFound)
@@ -27,12 +28,12 @@ public fun findText(results: List<FindResult>): String {
     return lines.joinToString("\n")
 }
 
-/** How wide texts for a terminal are at most. */
+/** The maximum width of texts for a terminal. */
 internal const val TEXT_WIDTH = 100
 
 private val TABLE = TextTable(listOf("Match", "File", "Time", "Value").map { TextTable.Column(it) }, TEXT_WIDTH)
 
-/** Whether the question holds there, or there is the number it asks for. */
+/** Returns whether the question holds there, or there is the number it asks for. */
 internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
     is Reply.Answered -> when (reply.outcome) {
         Outcome.HOLDS -> true
@@ -55,7 +56,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
-    // Where a name is missing, what is left of it may read as anything; but what is right for one log is not a mistake for another.
+    // If a name is missing, the rest of it may be read as anything; but a question that is valid for one log is not a mistake for another.
     val (lacking, mistaken) = others.partition { isAnswered && it.kind == ExpressionErrorKind.SYNTAX }
     missing.groupBy { it.topic to it.isOfHeader }.forEach { (what, replies) ->
         val (name, isOfHeader) = what
@@ -64,7 +65,7 @@ private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
     if (lacking.isNotEmpty()) {
         lines += "${count(lacking.size, "log")} ${if (lacking.size == 1) "lacks" else "lack"} some topics of the question."
     }
-    // Where no log has the topic it may be misspelt, and the message says more.
+    // If no log has the topic, it may be misspelled, and the message says more.
     if (missing.isNotEmpty() && !isAnswered) lines += missing.maxBy { it.place }.pointed
     mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })

@@ -12,22 +12,22 @@ import badlog.rules.signal.SignalVocabulary
 import badlog.rules.withSignals
 import badlog.rules.withVirtualTopics
 
-/** What a file turned out to hold. */
+/** The content of a file. */
 internal sealed interface LogContent {
     /**
      * A log.
      *
-     * @property recording what the file holds.
-     * @property view what there is to ask, virtual topics too.
-     * @property undefined the virtual topics that it cannot be given.
+     * @property recording the content of the file.
+     * @property view what can be asked about, including virtual topics.
+     * @property undefined the virtual topics that cannot be calculated.
      */
     class Log(val recording: Recording, val view: LogView, val undefined: List<UndefinedTopic>) : LogContent
 
     /**
-     * Nothing to ask.
+     * No content to ask about.
      *
      * @property message why, as a sentence.
-     * @property isNoLog whether the file is something else than a log, which stays so as long as it is the same.
+     * @property isNoLog whether the file is something other than a log, which stays so until it changes.
      */
     class None(val message: String, val isNoLog: Boolean) : LogContent
 
@@ -65,11 +65,11 @@ internal sealed interface LogContent {
         }
 
         /**
-         * What [work] makes of [file], read on [cores] cores with the topics of [definitions], which may name [signals], and with [xTopic]
-         * as x axis if it is not null; [sinks] says which numbers are needed, and [beside] puts another log beside its view.
-         * Whatever fails, fails for this file alone: [work] is then given a [None] that says so.
+         * Returns the result of [work] for [file], read on [cores] cores with the topics of [definitions], which may name [signals], and
+         * with [xTopic] as x axis unless it is null. [sinks] decides which numbers are needed, and [beside] adds another log to its view.
+         * A failure affects only this file: [work] then receives a [None] that describes it.
          *
-         * @throws InterruptedException when the thread was interrupted.
+         * @throws InterruptedException if the thread was interrupted.
          */
         fun <R> examined(
             file: LogFile,

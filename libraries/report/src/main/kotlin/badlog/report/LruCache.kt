@@ -1,6 +1,6 @@
 package badlog.report
 
-/** What [make] makes, kept for the [max] keys that were used last. Safe for several threads; may make the same twice. */
+/** Caches the results of [make] for the [max] most recently used keys. Thread-safe; may make the same result twice. */
 internal class LruCache<K : Any, V : Any>(private val max: Int, private val make: (K) -> V) {
     private val kept = object : LinkedHashMap<K, V>(16, 0.75f, true) {
         override fun removeEldestEntry(eldest: Map.Entry<K, V>) = size > max

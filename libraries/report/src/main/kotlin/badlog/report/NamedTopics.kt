@@ -5,13 +5,13 @@ import badlog.recording.NumberSinks
 import badlog.rules.signal.SignalVocabulary
 
 /**
- * Drops the numbers of topics that none of some expressions can name, so that a question costs no memory for them. What stays is
- * rather too much: each topic whose path ends in something that the expressions hold in any case of letters, the x axis, and
- * what may be one of the signals.
+ * Drops the numbers of topics that none of some expressions can name, so that a question needs no memory for them. It keeps too
+ * much rather than too little: each topic whose path ends in something that occurs in the expressions, regardless of case, the x
+ * axis, and possible signals.
  *
  * @param expressions questions, and definitions of virtual topics.
- * @param xTopic the topic to take as x axis, or null.
- * @param signals the signals that the expressions name, and those that tell of every log when the robot was enabled.
+ * @param xTopic the topic to use as x axis, or null.
+ * @param signals the signals that the expressions name, and those that show when the robot was enabled.
  */
 public class NamedTopics(
     expressions: List<String>,
@@ -20,7 +20,7 @@ public class NamedTopics(
 ) : NumberSinks {
     private val text = expressions.joinToString("\n", transform = ::folded)
 
-    // Those of “by topic”.
+    // The patterns of “by topic”.
     private val patterns = Regex("\"([^\"]*\\*[^\"]*)\"").findAll(text).map { found ->
         Regex(found.groupValues[1].split('*').joinToString(".*") { Regex.escape(it).replace("?", "\\E.\\Q") })
     }.toList()
@@ -31,7 +31,7 @@ public class NamedTopics(
         isNamed(name) || signals.mayBe(name) || attributes.any { it.contains(X_AXIS, ignoreCase = true) } ||
             name.equals(xTopic, ignoreCase = true)
 
-    /** By the last part of its path, which every way to write it holds; a quote in it would be written twice. */
+    /** Checks the last part of its path, which every spelling contains; a quote in it would be doubled. */
     private fun isNamed(name: String): Boolean {
         val end = name.substring(name.lastIndexOf('/', name.length - 2) + 1)
         return folded(end) in text || end.any { it in QUOTES } || patterns.any { it.containsMatchIn(folded(name)) }

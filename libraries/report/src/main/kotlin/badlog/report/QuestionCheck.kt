@@ -9,8 +9,8 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
 
 /**
- * What is wrong with [question] whatever topics a log has, or null. What topics might be called is guessed, so some mistakes still
- * only show when a log is asked; but none is reported that a usual name could make right.
+ * Returns what is wrong with [question] regardless of a log's topics, or null. Names of topics are guessed, so some mistakes only
+ * show for an actual log; but nothing is reported that a usual name could make valid.
  */
 internal fun errorForEveryLog(question: String): ExpressionError? {
     val guessed = ArrayList<Signal>()
@@ -24,7 +24,7 @@ internal fun errorForEveryLog(question: String): ExpressionError? {
 
 private fun read(question: String, signals: List<Signal>): ParsedQuestion = Question.parse(question, Vocabulary(signals.toList()))
 
-/** A name may have words, operators, and parentheses or quotes in pairs in it; only what is left of those is beyond doubt. */
+/** A name may contain words, operators, and pairs of parentheses or quotes; only errors in the rest are certain. */
 private fun isForAnyLog(error: ExpressionError, guessed: List<Signal>): Boolean = when (error.kind) {
     ExpressionErrorKind.LIMIT -> true
 
@@ -45,5 +45,5 @@ private fun nameIn(error: ExpressionError): String {
 
 private const val QUOTES = "\"'`"
 
-/** Far more than a question asks about. */
+/** Far more names than a question has. */
 private const val MAX_NAMES = 100

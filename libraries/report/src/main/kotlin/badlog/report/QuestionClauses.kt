@@ -12,12 +12,12 @@ import badlog.expression.signals.Vocabulary
 import badlog.recording.Value
 
 /**
- * What a question says of the logs that it is asked of: `min(battery) where Match Type = 'Playoff' lowest 3`.
+ * The clauses of a question that select logs: `min(battery) where Match Type = 'Playoff' lowest 3`.
  *
- * @property question what each log is asked.
+ * @property question the question for each log.
  * @property condition what must be true of a log's header values, as an expression; null for no condition.
- * @property count of how many logs the answers are wanted; null for all.
- * @property isLowest whether those with the lowest numbers, rather than the highest.
+ * @property count the number of logs whose answers are wanted; null for all.
+ * @property isLowest whether to select the lowest numbers, rather than the highest.
  */
 internal class QuestionClauses private constructor(val question: String, val condition: String?, val count: Int?, val isLowest: Boolean) {
     companion object {
@@ -37,7 +37,7 @@ internal class QuestionClauses private constructor(val question: String, val con
             )
         }
 
-        /** Where the word stands outside of quotes and parentheses. */
+        /** Returns where the word is outside quotes and parentheses. */
         private fun whereIn(text: String): Int {
             var quote = ' '
             var depth = 0
@@ -55,7 +55,10 @@ internal class QuestionClauses private constructor(val question: String, val con
     }
 }
 
-/** Whether [condition] is true of a log with the header values [values]; why it could not be asked where it makes no sense for them. */
+/**
+ * Returns whether [condition] is true for a log with the header values [values], and why it could not be evaluated if it is invalid for
+ * them.
+ */
 internal fun holdsFor(values: List<Value>, condition: String): Pair<Boolean, Reply.NotAsked?> {
     val signals = HeaderSignals(values)
     return when (val parsed = Expression.parse(condition, signals.vocabulary)) {

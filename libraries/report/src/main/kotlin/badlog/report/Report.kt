@@ -27,16 +27,16 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Runs rules, and programs of the user's, over many logs.
+ * Runs rules, and hooks of the user, over many logs.
  *
  * @param rules what to look for.
  * @param hooks programs to run for each log; what they find joins what the rules find.
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
- * @param cache a folder for what was found out before, so that a file that did not change is not read again; null for none. What
- *   hooks return is not kept there: nobody knows what it depends on.
- * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
- * @param beside gives what rules are asked of the view of a log: mostly itself, or that with another log beside it. Called on many
- *   threads; what is found so is not kept in the cache.
+ * @param cache a folder for cached results, so that an unchanged file is not read again; null for none. Results of hooks are not
+ *   cached, because their dependencies are unknown.
+ * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
+ * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
+ *   threads; such findings are not cached.
  */
 public class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,
@@ -71,10 +71,10 @@ public class Report(
     /**
      * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
      *
-     * @param progress hears on this thread how many files are done.
-     * @param each gets each result on this thread, once all logs were compared, with all that the hooks returned, which is not held
-     *   any longer. What it or [progress] throws stops the work and is passed on.
-     * @throws InterruptedException when the thread was interrupted.
+     * @param progress called on this thread with the number of files done.
+     * @param each receives each result on this thread, once all logs were compared, with everything that the hooks returned, which
+     *   is not kept in memory afterwards. An exception from it or from [progress] stops the work and is passed on.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun over(
         files: List<LogFile>,
@@ -103,7 +103,7 @@ public class Report(
         return ReportResult(logs, skipped.ofAll(examined.map { it.asked }, logs.count { it.unreadable == null }))
     }
 
-    /** Gives [each] of [files], which were [examined], with what the hooks return for it and find there. */
+    /** Passes each of [files], which were [examined], to [each] with the results and findings of the hooks. */
     private fun withHooks(files: List<LogFile>, examined: List<Stored>, each: (LogFile, List<Pair<HookOutcome, List<Finding>>>) -> Unit) {
         if (hooks.isEmpty()) return files.forEach { each(it, emptyList()) }
         val unreadable = files.zip(examined).filter { (_, stored) -> stored.unreadable != null }.mapTo(HashSet()) { (file, _) -> file }
@@ -178,7 +178,7 @@ public class Report(
     }
 
     private companion object {
-        // Each knows all names of its logs several times over.
+        // A limit, because each holds all names of its logs several times.
         const val MAX_PROGRAMS = 16
         val NO_FIGURES = LogFigures.NONE.toText()
     }

@@ -5,10 +5,10 @@ import badlog.rules.incident.Incident
 import badlog.terminal.printable
 
 /**
- * All incidents and findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic, the text,
- * the time to look at first, the end of the first span, how many spans there are, the unit of the times, the incident that a finding is
- * part of, and what to look at next. An incident has the rule `incident` and stands before the findings of its log. A log that cannot be
- * read has a line too, with the rule `unreadable`; what is not a log has none.
+ * Returns all incidents and findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic,
+ * the text, the time to look at first, the end of the first span, how many spans there are, the unit of the times, the incident that a
+ * finding is part of, and what to look at next. An incident has the rule `incident`, and comes before the findings of its log. A log that
+ * cannot be read also has a line, with the rule `unreadable`; a file that is not a log has none.
  */
 public fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()
@@ -37,15 +37,15 @@ private fun cellsOf(finding: Finding, log: LogReport) = listOf(
     log.incidents.find { finding in it.causes || finding in it.effects }?.name.orEmpty(), finding.next,
 )
 
-/** So many cells of an unreadable log are empty. */
+/** The number of empty cells for an unreadable log. */
 private const val NOTHING = 6
 
-/** [number] with all its digits; empty where it is not finite. */
+/** Returns [number] with all its digits; empty if it is not finite. */
 internal fun plain(number: Double) = if (number.isFinite()) number.toBigDecimal().stripTrailingZeros().toPlainString() else ""
 
-/** [text] as a cell of CSV that no spreadsheet takes for a formula. */
+/** Returns [text] as a cell of CSV that no spreadsheet takes for a formula. */
 internal fun cell(text: String): String {
-    // A spreadsheet would calculate what begins so; names and texts come from files.
+    // A spreadsheet would evaluate text that begins like this; names and texts come from files.
     val shown = text.lines().joinToString("\n", transform = ::printable)
     val safe = if (shown.isNotEmpty() && shown[0] in "=+-@" && shown.toDoubleOrNull() == null) "'$shown" else shown
     val needsQuotes = safe.any { it in "\",\r\n" } || safe != safe.trim()

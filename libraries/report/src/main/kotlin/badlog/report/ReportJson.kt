@@ -5,7 +5,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import kotlinx.serialization.Serializable
 
-/** What was found in a log that can be read, and what was skipped there, as other programs get it. Unknown numbers are null. */
+/** What was found in a readable log, and what was skipped, in the form for other programs. Unknown numbers are null. */
 @Serializable
 public class ReportJson private constructor(
     private val match: String?,
@@ -27,7 +27,7 @@ public class ReportJson private constructor(
     )
 }
 
-/** The resistance of battery and wiring, and within what it is known (95 %). */
+/** The resistance of battery and wiring, and its uncertainty (95 %). */
 @Serializable
 internal class ResistanceJson(private val milliohms: Double, private val uncertainty: Double)
 
@@ -60,7 +60,7 @@ internal class FindingJson(
     )
 }
 
-/** What belongs together: what came first, and what followed, each as a sentence with its evidence. */
+/** An incident: what came first, and what followed, each as a sentence with its evidence. */
 @Serializable
 internal class IncidentJson(
     private val name: String,
@@ -97,12 +97,12 @@ internal class SentenceJson(
         this(sentence.text, sentence.finding.rule, finite(sentence.finding.time), sentence.finding.evidence)
 }
 
-/** A rule that was skipped, as other programs get it. */
+/** A skipped rule, in the form for other programs. */
 @Serializable
 public class SkippedJson private constructor(private val rule: String, private val message: String, private val isMistake: Boolean) {
     public constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
 }
 
-/** A hook that failed for a log, and why, as other programs get it. */
+/** A hook that failed for a log, and why, in the form for other programs. */
 @Serializable
 public class HookFailureJson(private val hook: String, private val message: String)

@@ -10,8 +10,8 @@ import badlog.terminal.TextTable.Column
 import badlog.terminal.printable
 
 /**
- * All incidents and findings match by match with time, severity and text, at most 100 columns wide, and below it what was not looked
- * for. Logs that cannot be read are only counted, and what is not a log not even that.
+ * Returns all incidents and findings, match by match, with time, severity and text, at most 100 columns wide, and below them what
+ * was skipped. Logs that cannot be read are only counted; files that are not logs are not mentioned.
  */
 public fun reportText(result: ReportResult): String {
     val names = shortNames(result.logs.map { it.file })
@@ -24,7 +24,7 @@ public fun reportText(result: ReportResult): String {
         val rows =
             incidents +
                 log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
-        // Times of all logs stand below each other.
+        // The times of all logs are aligned.
         lines += TABLE.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
         lines += ""
     }
@@ -33,7 +33,7 @@ public fun reportText(result: ReportResult): String {
     return lines.joinToString("\n")
 }
 
-/** What came first, what followed, and where to look next. */
+/** Returns what came first, what followed, and what to look at next. */
 private fun rowsOf(incident: Incident): List<List<String>> {
     val told = incident.sentences.mapIndexed { index, sentence ->
         val label = when {
@@ -46,7 +46,7 @@ private fun rowsOf(incident: Incident): List<List<String>> {
     return if (incident.next.isEmpty()) told else told + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))
 }
 
-/** What was not looked for, and why: rules, virtual topics and hooks, each as a sentence or more. */
+/** Returns what was skipped, and why: rules, virtual topics and hooks, each as a sentence or more. */
 public fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
@@ -54,7 +54,7 @@ public fun notesOf(result: ReportResult): List<String> {
         hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
 
-/** No log has all topics that the built-in rules know. */
+/** No log has all topics of the built-in rules. */
 private fun builtInText(skipped: Int): String? = if (skipped == 0) {
     null
 } else {
@@ -64,7 +64,7 @@ private fun builtInText(skipped: Int): String? = if (skipped == 0) {
     )} ${if (skipped == 1) "was" else "were"} skipped for logs without their topics; see badlog info --signals."
 }
 
-/** Each hook of [failures] with what went wrong: what fails in one log mostly does in all. */
+/** Returns each hook in [failures] with what went wrong: a hook that fails for one log usually fails for all. */
 internal fun hookTexts(failures: List<Pair<HookFailure, LogFile>>): List<String> =
     failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
         val (failure, file) = alike[0]
@@ -73,7 +73,7 @@ internal fun hookTexts(failures: List<Pair<HookFailure, LogFile>>): List<String>
         "$place, hook “$hook”$first: ${failure.message}"
     }
 
-/** Such as `2 errors, 1 warning and 0 notes in 3 of 12 logs.` */
+/** Returns a summary, such as `2 errors, 1 warning and 0 notes in 3 of 12 logs.` */
 internal fun summary(result: ReportResult): String {
     val counts = ORDER.map { count(result.count(it), it.name.lowercase()) }
     val found = result.logs.count { it.findings.isNotEmpty() }

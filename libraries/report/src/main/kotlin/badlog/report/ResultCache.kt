@@ -17,11 +17,12 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * What came of a question to each of many files, kept in one file of [folder], which may be deleted at any time. What is damaged,
- * or of another version, is as nothing. A failure to write costs only time, so it is not reported. Safe for several threads.
+ * The results of a question for many files, stored in one file in [folder], which may be deleted at any time. A damaged file, or
+ * one of another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
  *
- * @param question what was asked, whatever changes the results; another question has another file, and so has another program.
- * @param pause how long [saveNowAndThen] waits from one time to the next.
+ * @param question the question, with everything that affects the results; a different question, or a different program, has a
+ * different file.
+ * @param pause the time that [saveNowAndThen] waits between saves.
  */
 internal class ResultCache<R : Any>(
     private val folder: Path,
@@ -39,7 +40,7 @@ internal class ResultCache<R : Any>(
     @Serializable
     private class Entry<R>(val path: String, val size: Long, val modified: Long, val result: R)
 
-    // Two questions may have a file of the same name.
+    // Two questions may have files with the same name.
     @Serializable
     private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
 
@@ -47,26 +48,26 @@ internal class ResultCache<R : Any>(
         load()
     }
 
-    /** What is known of [file] as it is now, or null. */
+    /** Returns the cached result for [file] in its current state, or null. */
     @Synchronized
     operator fun get(file: LogFile): R? = known[keyOf(file)]?.takeIf { it.size == file.size && it.modified == file.modified }?.result
 
     @Synchronized
     operator fun set(file: LogFile, result: R) {
         val key = keyOf(file)
-        // At the end, so that the oldest are first.
+        // Moved to the end, so that the oldest are first.
         known.remove(key)
         known[key] = Entry(key, file.size, file.modified, result)
         isChanged = true
     }
 
-    /** Keeps everything for the next time, if it was not done lately. */
+    /** Saves everything, unless that was done recently. */
     @Synchronized
     fun saveNowAndThen() {
         if (saved.elapsedNow() >= pause) save()
     }
 
-    /** Keeps everything for the next time. */
+    /** Saves everything. */
     @Synchronized
     fun save() {
         if (!isChanged) return
@@ -97,7 +98,7 @@ internal class ResultCache<R : Any>(
         } catch (_: IOException) {
             return
         } catch (_: OutOfMemoryError) {
-            // The logs under way have it all; there is a next time.
+            // Nothing is lost: the logs can be read again next time.
             return
         }
     }
@@ -117,14 +118,14 @@ internal class ResultCache<R : Any>(
         }
     }
 
-    /** So that not every question ever asked stays. */
+    /** Limits the number of stored questions. */
     private fun dropOldest() {
         val files = Files.newDirectoryStream(folder, "$PREFIX*$SUFFIX").use { it.toList() }
         files.sortedByDescending { Files.getLastModifiedTime(it) }.drop(MAX_QUESTIONS).forEach(Files::deleteIfExists)
     }
 
     private companion object {
-        /** To be raised when the same file and question may come to something else than before. */
+        /** Increase it if the same file and question may have a different result than before. */
         const val VERSION = 16
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
@@ -136,7 +137,7 @@ internal class ResultCache<R : Any>(
         const val MAX_QUESTIONS = 100
         fun keyOf(file: LogFile) = file.path.toAbsolutePath().normalize().toString()
 
-        /** Damage shows in it. */
+        /** Reveals damage. */
         fun checkOf(bytes: ByteArray, from: Int): Long = CRC32().apply { update(bytes, from, bytes.size - from) }.value
     }
 }

@@ -3,8 +3,7 @@ package badlog.report
 import badlog.file.LogFile
 
 /**
- * What each of [files] is called in a table: its name, and where several have the same name, its path in the folder that is common to
- * these.
+ * Returns the name of each of [files] in a table: its file name or, if several have the same, its path in their common folder.
  */
 internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.groupBy { it.name }.values.flatMap { alike ->
     if (alike.size == 1) return@flatMap listOf(alike[0] to alike[0].name)
@@ -14,7 +13,7 @@ internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.grou
     alike.mapIndexed { index, file -> file to common.relativize(paths[index]).toString() }
 }.toMap()
 
-/** The longest beginning of [text] that takes at most [bytes] bytes, as in a file's name. */
+/** Returns the longest beginning of [text] that takes at most [bytes] bytes, for a file name. */
 public fun startOfBytes(text: String, bytes: Int): String {
     var end = minOf(text.length, bytes)
     while (text.substring(0, end).encodeToByteArray().size > bytes || (end > 0 && text[end - 1].isHighSurrogate())) end--

@@ -8,24 +8,24 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.builtins.ListSerializer
 import java.util.IdentityHashMap
 
-/** What came of asking [rule] of a log: why it was refused, and what seems to be wrong with it; both null where it was asked. */
+/** The outcome of [rule] for a log: why it was skipped, and what seems to be wrong with it; both null if it ran. */
 @Serializable
 internal data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null)
 
-/** What came of asking all rules of a log is mostly the same for its team's others. */
+/** The outcomes of all rules are usually the same for all logs of a team. */
 internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))
 
-/** Says which of [rules] were skipped. Looks once at what is the same list for many logs. Not safe for several threads. */
+/** Determines which of [rules] were skipped. A list shared by many logs is examined once. Not thread-safe. */
 internal class SkippedRules(private val rules: RuleSet) {
     private val ruleOf = rules.rules.associateBy { it.name }
     private val known = IdentityHashMap<List<RuleOutcome>, List<SkippedRule>>()
 
-    /** Those skipped for a log. */
+    /** Returns the rules skipped for a log. */
     fun of(asked: List<RuleOutcome>): List<SkippedRule> = known.getOrPut(asked) {
         asked.mapNotNull { skipped(ruleOf.getValue(it.rule), listOf(it to 1)) }
     }
 
-    /** Those skipped for some of [logs], in the order of the rules; [readable] of them could be asked. */
+    /** Returns the rules skipped for some of [logs], in the order of the rules; [readable] of them could be read. */
     fun ofAll(logs: List<List<RuleOutcome>>, readable: Int): List<SkippedRule> {
         val times = IdentityHashMap<List<RuleOutcome>, Int>()
         for (asked in logs) times.merge(asked, 1, Int::plus)
@@ -42,12 +42,12 @@ internal class SkippedRules(private val rules: RuleSet) {
         return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
     }
 
-    /** What came of asking [rule], each with the number of logs. */
+    /** Combines the outcomes of [rule], each with its number of logs. */
     private fun skipped(rule: Rule, asked: List<Pair<RuleOutcome, Int>>): SkippedRule? {
         val refused = asked.filter { (told, _) -> told.refusal != null }
         val mistaken = refused.find { (told, _) -> told.mistake != null }
         val first = (mistaken ?: refused.firstOrNull() ?: return null).first
-        // A rule that can be asked of one log is right; another log only lacks its topics.
+        // A rule that can run for one log is valid; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }
         return SkippedRule(rule.name, logs, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn)

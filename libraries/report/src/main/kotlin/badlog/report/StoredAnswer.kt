@@ -10,7 +10,7 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** [Span], [Quantity] and [Finding] as a cache keeps them: their own modules do without a library for it. */
+/** [Span], [Quantity] and [Finding] in the form stored in a cache: their own modules do not depend on a serialization library. */
 internal object SpanSerializer : KSerializer<Span> {
     @Serializable
     private class Stored(val from: Double, val to: Double)

@@ -5,13 +5,14 @@ import badlog.recording.RecordingFormat
 import badlog.recording.Topic
 import java.nio.file.Path
 
-/** A log has not the topic that was asked for. The message is one sentence for a person. */
+/** Thrown if a log does not have the requested topic. The message is one sentence for the user. */
 public class TopicException internal constructor(override val message: String) : Exception(message)
 
 /**
- * This recording with the topic [name] as its x axis, which plain CSV does not name.
+ * Returns this recording with the topic [name] as its x axis, which plain CSV does not name.
  *
- * @throws TopicException when it has no such topic, or topics with times of their own, with [file], from which it was read.
+ * @throws TopicException if it has no such topic, or has topics with times of their own; its message names [file], from
+ * which it was read.
  */
 public fun Recording.withX(name: String, file: Path): Recording {
     if (!format.hasRows) {
@@ -23,10 +24,9 @@ public fun Recording.withX(name: String, file: Path): Recording {
 }
 
 /**
- * The topic of this recording that is called [name]: known by its full name, and where that is the only one, by its name in
- * other cases of letters.
+ * Returns the topic of this recording called [name]: by its full name or, if that is unambiguous, regardless of case.
  *
- * @throws TopicException when there is none, with [file], from which this was read, and [purpose].
+ * @throws TopicException if there is none; its message names [file], from which this was read, and [purpose].
  */
 public fun Recording.topicCalled(name: String, file: Path, purpose: () -> String): Topic =
     topics.find { it.name == name } ?: topics.singleOrNull { it.name.equals(name, ignoreCase = true) }

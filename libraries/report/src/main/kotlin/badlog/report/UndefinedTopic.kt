@@ -5,10 +5,11 @@ import badlog.expression.syntax.ExpressionErrorKind
 import kotlinx.serialization.Serializable
 
 /**
- * A virtual topic that a log could not be given.
+ * A virtual topic that could not be calculated for a log.
  *
- * @property definition what was to define it.
- * @property isMissing whether the log only lacks what another log may have: a topic, or an x axis that is a time.
+ * @property definition its definition.
+ * @property isMissing whether the log only lacks something that another log may have: a topic, or an x axis that
+ * is a time.
  * @property message what is wrong, as a sentence.
  * @property pointed the message, the definition, and carets below it.
  */
@@ -30,8 +31,8 @@ public class UndefinedTopic internal constructor(
 }
 
 /**
- * What to say about the virtual topics in [undefined], listed per log: once for each definition, and with all there is to
- * know where no log could be given it.
+ * Returns the messages about the virtual topics in [undefined], listed per log: one for each definition, with all details
+ * if it failed for every log.
  */
 public fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
     val ofDefinition = undefined.flatten().groupBy { it.definition }

@@ -37,7 +37,7 @@ internal fun Path.put(name: String, bytes: ByteArray): Path = resolve(name).also
 
 internal fun Path.put(name: String, text: String): Path = put(name, text.encodeToByteArray())
 
-/** A bag of match [number] with the voltages [volts], a row each 0.1 s. */
+/** Returns a bag of match [number] with the voltages [volts], a row each 0.1 s. */
 internal fun matchBag(number: Int, vararg volts: Double, event: String = "Mill Creek", start: String = "2025-03-14 10:00:00 UTC"): String = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"System/Battery Voltage","unit":"V","attrs":["zero"]}],""")
     append(""""values":[{"name":"Event Name","value":"$event"},{"name":"Match Type","value":"Qualification"},""")
@@ -46,14 +46,14 @@ internal fun matchBag(number: Int, vararg volts: Double, event: String = "Mill C
     volts.forEachIndexed { row, volt -> append("${row / 10.0},$volt\n") }
 }
 
-/** The files of [logs] as a lake wants them. */
+/** Returns the files of [logs] as a lake wants them. */
 internal fun lakeLogs(logs: Path): List<LakeLog> = FolderScan.of(logs).files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
     .map { LakeLog(it, logs.relativize(it.path).invariantSeparatorsPathString) }
 
 /** Makes the lake [lake] of the folder [logs]. */
 internal fun refresh(logs: Path, lake: Path, batch: Int = 500, progress: (Int, Int) -> Unit = { _, _ -> }): LakeResult = Lake(lake).refresh(lakeLogs(logs), listOf(logs), RuleSet.BUILT_IN, batch, progress)
 
-/** The rows that [sql] selects from the lake [lake]. */
+/** Returns the rows that [sql] selects from the lake [lake]. */
 internal fun rowsOf(lake: Path, sql: String): List<List<JsonElement>> = LakeDatabase.open(Lake(lake)).use { database ->
     buildList {
         database.query(sql, {}) {
@@ -63,7 +63,7 @@ internal fun rowsOf(lake: Path, sql: String): List<List<JsonElement>> = LakeData
     }
 }
 
-/** The same as a text: cells between bars, a row per line. */
+/** Returns the same as a text: cells between bars, a row per line. */
 internal fun answerOf(lake: Path, sql: String): String = rowsOf(lake, sql).joinToString("\n") { row -> row.joinToString("|") }
 
 /** All files below this folder but those that say who writes, with when they were written and their sizes. */
@@ -72,5 +72,5 @@ internal fun Path.written(): Map<String, Pair<Long, Long>> = Files.walk(this).us
         .associate { relativize(it).invariantSeparatorsPathString to (Files.getLastModifiedTime(it).toMillis() to Files.size(it)) }
 }
 
-/** The text of a sample. */
+/** Returns the text of a sample. */
 internal fun sampleText(name: String): String = SAMPLE_LOGS.resolve(name).readText()

@@ -1,6 +1,6 @@
 package badlog.terminal
 
-/** How many columns of a terminal [text] takes: wide characters, as Chinese has, take two, and combining marks none. */
+/** Returns how many columns of a terminal [text] takes: wide characters, such as Chinese ones, take two, and combining marks none. */
 public fun displayWidth(text: String): Int {
     var width = 0
     var at = 0
@@ -12,7 +12,7 @@ public fun displayWidth(text: String): Int {
     return width
 }
 
-/** The longest beginning of [text] that takes at most [width] columns; no character is parted from its marks. */
+/** Returns the longest beginning of [text] that takes at most [width] columns; no character is separated from its marks. */
 public fun startOf(text: String, width: Int): String {
     var room = width
     var end = 0
@@ -25,7 +25,7 @@ public fun startOf(text: String, width: Int): String {
     return text.substring(0, end)
 }
 
-/** The longest end of [text] that takes at most [width] columns. */
+/** Returns the longest end of [text] that takes at most [width] columns. */
 public fun endOf(text: String, width: Int): String {
     var room = width
     var start = text.length
@@ -47,7 +47,7 @@ private fun widthOf(character: Int): Int = when {
 
 private val MARKS = setOf(Character.NON_SPACING_MARK, Character.ENCLOSING_MARK)
 
-/** Those of East Asia, and pictures. */
+/** East Asian characters, and emoji. */
 private val WIDE = listOf(
     0x1100..0x115F, 0x2E80..0x303E, 0x3041..0xA4CF, 0xA960..0xA97F, 0xAC00..0xD7A3, 0xF900..0xFAFF, 0xFE30..0xFE6F, 0xFF00..0xFF60,
     0xFFE0..0xFFE6, 0x1F300..0x1F64F, 0x1F680..0x1F6FF, 0x1F900..0x1FAFF, 0x20000..0x3FFFD,

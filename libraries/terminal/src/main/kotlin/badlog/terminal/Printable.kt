@@ -1,8 +1,8 @@
 package badlog.terminal
 
 /**
- * [text] on one line, without what would move a terminal's cursor, change its colors or turn the direction of writing: names and texts
- * come from files. Control characters become blanks. What nobody would see, such as characters without width, becomes `�`.
+ * Returns [text] on one line, without anything that would move a terminal's cursor, change its colors or the text direction, since
+ * names and texts come from files. Control characters become spaces. Invisible characters, such as those without width, become `�`.
  */
 public fun printable(text: String): String {
     if (isPrintable(text)) return text
@@ -21,7 +21,7 @@ private fun isPrintable(text: String): Boolean {
     var at = 0
     while (at < text.length) {
         val character = text.codePointAt(at)
-        // Nearly all are letters, which need no look at their type.
+        // Nearly all are letters, whose type need not be checked.
         if (character !in ' '.code..'~'.code && (isControl(character) || isUnseen(character))) return false
         at += Character.charCount(character)
     }

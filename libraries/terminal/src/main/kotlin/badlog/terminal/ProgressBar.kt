@@ -5,21 +5,21 @@ import kotlin.math.ceil
 import kotlin.math.roundToInt
 
 /**
- * Receives how far a piece of work is. Called on the thread that works; what it throws stops the work, which then leaves nothing
- * behind and passes the exception on.
+ * Receives the progress of a piece of work. Called on the working thread; an exception from it stops the work, which then leaves
+ * nothing behind and passes the exception on.
  */
 public fun interface Progress {
-    /** [done] of [total] bytes, or other units, are done; [total] is an estimate where the input is still being written. */
+    /** Called when [done] of [total] bytes, or other units, are done; [total] is an estimate if the input is still being written. */
     public fun advanced(done: Long, total: Long)
 }
 
 /**
- * Shows on a terminal how far a piece of work is and how long it will still take, once it has taken a while. Closing it removes it from the
+ * Shows on a terminal the progress of a piece of work and the remaining time, once it has taken a while. Closing it removes it from the
  * terminal.
  *
- * @param label what is worked on.
+ * @param label what is being processed.
  * @param delay nanoseconds before the bar appears.
- * @param clock nanoseconds since any moment.
+ * @param clock returns nanoseconds since an arbitrary moment.
  */
 public class ProgressBar(
     label: String,
@@ -51,7 +51,7 @@ public class ProgressBar(
     override fun close(): Unit = line.close()
 
     private companion object {
-        // Together with the time that is left they fit 80 columns.
+        // Together with the remaining time, this fits in 80 columns.
         const val LABEL = 34
         const val BAR = 20
 
@@ -60,7 +60,10 @@ public class ProgressBar(
     }
 }
 
-/** [seconds] as rough as an estimate is: `12 s left`, from a minute and a half on `3 min left`, from an hour and a half on `2 h left`. */
+/**
+ * Returns [seconds] with the precision of an estimate: `12 s left`, from a minute and a half on `3 min left`, from an hour and a half on `2
+ * h left`.
+ */
 internal fun timeLeft(seconds: Double): String = when {
     seconds < LEAST_MINUTES -> "${ceil(seconds).toInt()} s left"
     seconds < LEAST_HOURS -> "${(seconds / MINUTE).roundToInt()} min left"

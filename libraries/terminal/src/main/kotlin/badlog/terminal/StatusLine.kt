@@ -2,11 +2,11 @@ package badlog.terminal
 
 import java.io.PrintStream
 
-/** One line of the terminal [err] that is written anew again and again. Closing it removes it. */
+/** One line of the terminal [err] that is rewritten repeatedly. Closing it removes it. */
 public class StatusLine(private val err: PrintStream) : AutoCloseable {
     private var width = 0
 
-    /** Shows [text], which has no line break, instead of what was there. */
+    /** Replaces the line by [text], which must have no line break. */
     public fun show(text: String) {
         err.print("\r" + text.padEnd(width))
         err.flush()

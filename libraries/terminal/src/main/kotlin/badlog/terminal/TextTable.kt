@@ -1,24 +1,24 @@
 package badlog.terminal
 
 /**
- * Lines of cells in aligned columns, two blanks apart, for a terminal.
+ * Lines of cells in aligned columns, two spaces apart, for a terminal.
  *
- * @param columns the columns, in their order; without any title, no titles stand above the lines.
- * @param width how wide a line may be, in columns of the terminal: the last cell is broken into lines, and where that leaves it too
- *   narrow the widest others are shortened.
- * @param shortens false for whoever reads all of each cell, as another program does: columns are then no narrower for it.
+ * @param columns the columns, in order; if none has a title, there is no line of titles.
+ * @param width the maximum width of a line, in columns of the terminal: the last cell is broken into lines, and if that leaves it
+ *   too narrow, the widest others are shortened.
+ * @param shortens false for readers that need all of each cell, such as other programs: columns are then never shortened.
  */
 public class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE, private val shortens: Boolean = true) {
     /**
-     * How a column is set.
+     * The format of a column.
      *
-     * @property title what stands above it.
-     * @property most the widest it may be; what is longer loses its middle.
-     * @property isNumber whether it is set to the right.
+     * @property title its heading.
+     * @property most its maximum width; longer cells lose their middle.
+     * @property isNumber whether it is aligned to the right.
      */
     public class Column(public val title: String, public val most: Int = Int.MAX_VALUE, public val isNumber: Boolean = false)
 
-    /** The titles, then the lines of each of [rows]; columns are as wide as their widest cell. */
+    /** Returns the titles, then the lines of each of [rows]; columns are as wide as their widest cell. */
     public fun lines(rows: List<List<String>>): List<List<String>> {
         val titles = columns.map { it.title }
         val all = (if (titles.all { it.isEmpty() }) emptyList() else listOf(titles)) + rows.map { cells -> cells.map(::printable) }
@@ -27,10 +27,10 @@ public class TextTable(private val columns: List<Column>, private val width: Int
         return all.map { lines(it, fitting(widths)) }
     }
 
-    /** One line where the others are not known yet: columns are as wide as they may be. */
+    /** Returns a single line when the others are not known yet: columns have their maximum width. */
     public fun line(cells: List<String>): String = lines(cells.map(::printable), columns.map { it.most }).single()
 
-    /** The titles, for lines that [line] sets. */
+    /** Returns the titles, for lines made by [line]. */
     public fun titles(): String = line(columns.map { it.title })
 
     private fun fitting(wanted: List<Int>): List<Int> {
@@ -60,7 +60,7 @@ public class TextTable(private val columns: List<Column>, private val width: Int
     }
 
     public companion object {
-        /** [text] without so much of its middle that it takes [most] columns of a terminal. */
+        /** Returns [text] shortened in the middle so that it takes [most] columns of a terminal. */
         public fun shortened(text: String, most: Int): String {
             if (displayWidth(text) <= most) return text
             val end = (most - 1) * 3 / 4
@@ -76,7 +76,7 @@ private fun broken(text: String, width: Int): List<String> {
     val lines = ArrayList<String>()
     var rest = text
     while (displayWidth(rest) > width) {
-        // A character that is wider than the line stands on one of its own all the same.
+        // A character that is wider than the line still gets its own line.
         val most = startOf(rest, width).ifEmpty { rest.take(Character.charCount(rest.codePointAt(0))) }
         val space = rest.lastIndexOf(' ', most.length)
         val end = if (space > most.length / 2) space else most.length

@@ -10,16 +10,16 @@ import badlog.viewer.recording.OpenRecording
 import kotlin.math.floor
 
 /**
- * What a cut takes.
+ * A part to cut out of a recording.
  *
- * @property rows those of [recording] that belong to it; empty for nothing.
- * @property remark how the rows came about, to follow a sentence; empty where they are those of the file.
+ * @property rows the rows of [recording] in it; empty for nothing.
+ * @property remark how the rows were made, to append to a sentence; empty if they are those of the file.
  */
 internal class Cut(val recording: Recording, val rows: IntRange, val remark: String = "")
 
 /**
- * The part of [recording] that lies in [span]. Of topics that have times of their own it makes rows: one every 20 ms, as often as
- * a robot's program runs, or one at each sample of the topic that has more than that.
+ * Returns the part of [recording] in [span]. For topics with times of their own, it makes rows: one every 20 ms, as often as a
+ * robot's program runs, or one at each sample of a topic that has more.
  */
 internal fun partOf(recording: OpenRecording, span: Span): Cut {
     // What the Driver Station logged stays in its own file.
@@ -62,16 +62,16 @@ private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.c
 
 private const val HELD = ", each with the last values before it"
 
-/** In s. */
+/** In seconds. */
 private const val PERIOD = 0.02
 private const val MAX_CELLS = 40e6
 
-// Of the last step of a period that divides the range.
+// The tolerance, in periods, for the last step of a period that divides the range.
 private const val ROUNDING = 1e-9
 
 /**
- * The rows of [recording] from the first to the last whose x lies in [span]; empty when there is none. Where x is missing or
- * goes backwards, rows between them belong to it too: a cut keeps the file's order and leaves nothing out.
+ * Returns the rows of [recording] from the first to the last whose x is in [span]; empty if there is none. If x is missing
+ * or goes backwards, the rows in between are included: a cut keeps the file's order and all of its rows.
  */
 internal fun rowsWithin(recording: OpenRecording, span: Span): IntRange {
     val positions = recording.view.xAxis.positions

@@ -20,11 +20,11 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Writes the rows of [recording] that lie in [span] to [target], as a bag, which keeps the values and the attributes. Where
- * there are no rows they are made, with the last values at their times.
+ * Writes the rows of [recording] in [span] to [target], as a bag, which keeps the values and the attributes. If there are no
+ * rows, they are made, with the last values at their times.
  *
- * @return what was written, in a sentence.
- * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
+ * @return what was written, as a sentence.
+ * @throws IOException with a sentence for the user, if there is nothing to write or [target] is the recording's own file.
  */
 internal fun cutFile(recording: OpenRecording, span: Span, target: Path, progress: (Float) -> Unit = {}): String {
     val part = partOf(recording, span)
@@ -58,12 +58,12 @@ internal class CutSaver(
     /** Asks for a file, and writes the selection or else the visible range to it as a bag. */
     fun save() = ask("part", ".bag") { recording, span, target, progress -> cutFile(recording, span, target, progress) }
 
-    /** The same for a spreadsheet. */
+    /** Saves the same for a spreadsheet. */
     fun saveTable() = ask("part", ".csv") { recording, span, target, progress ->
         tableFile(recording, CsvTable.ofAll(recording.view, span), target, progress)
     }
 
-    /** The same with the lines of [graphs] alone. */
+    /** Saves the same with only the lines of [graphs]. */
     fun saveTable(graphs: List<BoardGraph>) = ask("board", ".csv") { recording, span, target, progress ->
         val lines = graphs.flatMap { it.lines }.distinct().mapNotNull { recording.signal(it)?.line }
         tableFile(recording, CsvTable.of(recording.view, span, lines), target, progress)

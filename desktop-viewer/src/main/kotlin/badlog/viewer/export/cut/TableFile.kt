@@ -10,8 +10,8 @@ import java.nio.file.Path
 /**
  * Writes [table], a part of [recording] for a spreadsheet, to [target].
  *
- * @return what was written, in a sentence.
- * @throws IOException with a sentence for the person, when there is nothing to write or [target] is the recording's own file.
+ * @return what was written, as a sentence.
+ * @throws IOException with a sentence for the user, if there is nothing to write or [target] is the recording's own file.
  */
 internal fun tableFile(recording: OpenRecording, table: CsvTable, target: Path, progress: (Float) -> Unit = {}): String {
     requireOther(recording, table.rowCount, target)
@@ -26,7 +26,7 @@ internal fun tableFile(recording: OpenRecording, table: CsvTable, target: Path, 
     return "Wrote ${table.rowCount} rows to $target${table.remark}."
 }
 
-/** @throws IOException with a sentence for the person, when there is no row, or [target] is the file of [recording] itself. */
+/** @throws IOException with a sentence for the user, if there is no row, or [target] is the file of [recording] itself. */
 internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
     if (rows == 0) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {

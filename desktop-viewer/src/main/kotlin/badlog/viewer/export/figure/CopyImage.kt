@@ -12,16 +12,16 @@ import java.awt.datatransfer.UnsupportedFlavorException
 import java.io.IOException
 
 /**
- * Puts [bitmap] onto the [clipboard], the system's.
+ * Copies [bitmap] to the system's [clipboard].
  *
- * @throws IOException with a sentence for the person, when there is none or another program holds it.
+ * @throws IOException with a sentence for the user, if there is none or another program holds it.
  */
 internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) = copyImage(bitmap.toAwtImage(), clipboard)
 
-/** The system's clipboard. */
+/** Returns the system's clipboard. */
 internal fun systemClipboard() = Toolkit.getDefaultToolkit().systemClipboard
 
-/** Puts [image] onto the [clipboard] likewise. */
+/** Copies [image] to the [clipboard] likewise. */
 internal fun copyImage(image: Image, clipboard: () -> Clipboard) {
     try {
         clipboard().setContents(Picture(image), null)

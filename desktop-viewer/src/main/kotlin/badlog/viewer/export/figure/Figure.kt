@@ -5,15 +5,15 @@ import badlog.plot.curve.Strokes
 import badlog.plot.figure.FigureNotes
 
 /**
- * A picture of graphs below one another over the same x, with all that is to be read in it. Holds as many points as its
- * width can show, whatever the recording's length.
+ * A picture of graphs below one another over the same x, with everything that can be read in it. It has as many points
+ * as its width can show, however long the recording is.
  *
- * @property title what stands above it.
- * @property xTitle what stands below it.
+ * @property title its heading.
+ * @property xTitle the text below it.
  * @property x the part of x that it shows.
  * @property frames its graphs, from top to bottom.
- * @property marks what every frame shows of the whole recording.
- * @property notes what stands below it in words; null for nothing.
+ * @property marks the marks in every frame.
+ * @property notes the text below it; null for nothing.
  */
 internal class Figure(
     val title: String,
@@ -27,14 +27,14 @@ internal class Figure(
 /**
  * One frame of a [Figure]: lines over a y axis of one unit, or lanes of states.
  *
- * @property title what stands above it.
- * @property yTitle what stands beside its y axis; empty for nothing.
+ * @property title its heading.
+ * @property yTitle the text beside its y axis; empty for nothing.
  * @property y the part of y that it shows.
  * @property isFilled whether the area between its lines and 0 is filled.
  * @property hasLegend whether its lines need more than its title.
- * @property lines its lines; empty where it has [lanes].
- * @property lanes its lanes, from top to bottom; empty where it has [lines].
- * @property plane what it shows, where its lines are not over the figure's x; else null.
+ * @property lines its lines; empty if it has [lanes].
+ * @property lanes its lanes, from top to bottom; empty if it has [lines].
+ * @property plane what it shows if its lines are not over the figure's x; otherwise null.
  */
 internal class FigureFrame(
     val title: String,
@@ -53,18 +53,18 @@ internal class FigureFrame(
 /**
  * A line of a [FigureFrame].
  *
- * @property label what the legend calls it.
+ * @property label its name in the legend.
  * @property color its color, as `#rrggbb`.
- * @property strokes its points, x and y as they were logged, but x moved by the recording's offset.
- * @property isDashed whether it is what was planned, beside what was driven.
+ * @property strokes its points, x and y as logged, but with x moved by the recording's offset.
+ * @property isDashed whether it is planned, rather than driven.
  */
 internal class FigureLine(val label: String, val color: String, val strokes: Strokes, val isDashed: Boolean = false)
 
 /**
  * A lane of a [FigureFrame].
  *
- * @property label what stands beside it.
- * @property blocks the states it shows, in the order in which they are drawn: the short ones last.
+ * @property label the text beside it.
+ * @property blocks the states it shows, in drawing order: the short ones last.
  */
 internal class FigureLane(val label: String, val blocks: List<FigureBlock>)
 
@@ -75,15 +75,15 @@ internal class FigureBlock(val from: Double, val to: Double, val name: String, v
  * What a person may select for a figure.
  *
  * @property width its width, in points of SVG.
- * @property graphHeight how high one graph's frame is, in points of SVG; lanes take what they need.
- * @property format what kind of file it becomes.
+ * @property graphHeight the height of one graph's frame, in points of SVG; lanes take what they need.
+ * @property format the kind of file.
  */
 internal data class FigureOptions(val width: Int = 900, val graphHeight: Int = 150, val format: FigureFormat = FigureFormat.PNG)
 
 /**
  * The kinds of file that a figure can be.
  *
- * @property ending how the names of such files end.
+ * @property ending the ending of such files' names.
  * @property meaning what it is good for.
  */
 internal enum class FigureFormat(val ending: String, val meaning: String) {

@@ -26,16 +26,16 @@ import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette
 
 /**
- * Makes a [Figure] of what [recordings] have between [x], each moved by its offset: the first is the open one. What the
- * recordings lack is left out. Reads samples, so it is not for the window's thread; interrupting its thread
- * stops it.
+ * Makes a [Figure] of [recordings] in the range [x], each moved by its offset: the first is the open one. What the
+ * recordings lack is omitted. It reads samples, so do not use it on the window's thread; interrupting its thread stops
+ * it.
  *
- * @param width how many pixels wide the figure will be.
- * @param events those of the open recording that are marked.
- * @param findings what rules found in it, if that is known.
+ * @param width the width of the figure in pixels.
+ * @param events the events of the open recording to mark.
+ * @param findings its findings, if known.
  * @param notes where a person wrote a note, on its x.
- * @param board all graphs of the screen: some may share the limits of y with those that are drawn.
- * @param cursors where on the open recording's x values are read, which the legends then have.
+ * @param board all graphs of the screen: some may share y limits with those in the figure.
+ * @param cursors where on the open recording's x values are read for the legends.
  */
 internal class FigureBuilder(
     private val recordings: List<DrawnRecording>,
@@ -55,7 +55,7 @@ internal class FigureBuilder(
 
     private class GraphSources(val graph: BoardGraph, val sources: List<Source>)
 
-    /** The figure of [graphs]; a graph without any line in any of the recordings has no frame. */
+    /** Returns the figure of [graphs]; a graph without any line in any of the recordings has no frame. */
     fun build(graphs: List<BoardGraph>): Figure {
         val sources = graphs.map { GraphSources(it, sourcesOf(it)) }.filter { it.sources.isNotEmpty() }
         val axis = recordings.first().recording.view.xAxis
@@ -76,14 +76,14 @@ internal class FigureBuilder(
 
     private fun shareOf(all: Int, count: Int) = (all / maxOf(count, 1)).coerceIn(MIN_COLUMNS, maxOf(width, MIN_COLUMNS))
 
-    // The colors are those of the window, and so is what a person has hidden.
+    // Colors and hidden lines are the same as in the window.
     private fun sourcesOf(graph: BoardGraph): List<Source> =
         drawnLines(graph, recordings).filter { it.signal.name !in graph.hidden }.map { line ->
             val place = recordings.indexOfFirst { it.recording === line.recording && it.offset == line.offset }
             Source(recordings[place], line.signal, line.title, labelOf(line.title, names[place], graph), line.color)
         }
 
-    /** [label] in at most [letters] letters, with the value at the cursor where that is placed. */
+    /** Returns [label] in at most [letters] letters, with the value at the cursor where that is placed. */
     private fun labelOf(label: String, source: Source, letters: Int): String {
         val x = cursors.x ?: return plainLine(label, letters)
         val line = source.signal.line
@@ -102,7 +102,7 @@ internal class FigureBuilder(
         }
     }
 
-    /** What is to be seen of each unit in all graphs that share the limits of y, where one of [graphs] does. */
+    /** Returns what is visible of each unit in all graphs that share y limits, if one of [graphs] does. */
     private fun sharedBy(graphs: List<BoardGraph>, columns: PixelColumns): Map<String, SeenOfUnit> {
         if (graphs.none { it.sharesY }) return emptyMap()
         val sharing = (graphs + board).distinctBy { it.id }.filter { it.sharesY && !it.isXy }
@@ -111,7 +111,7 @@ internal class FigureBuilder(
 
     private fun numbersOf(sources: List<Source>) = sources.filter { it.signal.states == null }
 
-    /** States have a frame of their own, and so has each unit: an axis shows one. */
+    /** States have a separate frame, and so has each unit, since an axis shows only one. */
     private fun framesOf(
         graph: GraphSources,
         columns: PixelColumns,
@@ -130,7 +130,7 @@ internal class FigureBuilder(
             laneFrames(if (numbers.isEmpty()) graph.graph else graph.graph.copy(title = namesIn(states)), states, laneColumns)
     }
 
-    /** The lines of one unit, and what is to be seen of them. */
+    /** The lines of one unit, and what is visible of them. */
     private class LinesOfUnit(val axis: GraphAxis, val sources: List<Source>, val lines: List<FigureLine>, val seen: SeenOfUnit)
 
     private fun linesOfUnits(numbers: List<Source>, columns: PixelColumns): List<LinesOfUnit> =
@@ -151,7 +151,7 @@ internal class FigureBuilder(
             LinesOfUnit(axis, sources, lines, SeenOfUnit(axis.unit, least, most))
         }
 
-    /** What stands above a frame that is not the first of its graph, whose title was read already. */
+    /** Returns the heading of a frame that is not the first of its graph, whose title is above. */
     private fun namesIn(sources: List<Source>) = sources.map { it.title }.distinct().joinToString()
 
     private fun lineFrame(graph: BoardGraph, lines: LinesOfUnit, y: Span, isFirst: Boolean): FigureFrame {
@@ -169,7 +169,7 @@ internal class FigureBuilder(
         )
     }
 
-    /** Of several recordings the lanes of one signal stand together, as they are to be compared. */
+    /** With several recordings, the lanes of a signal are together, for comparison. */
     private fun laneFrames(graph: BoardGraph, sources: List<Source>, columns: Int): List<FigureFrame> = when {
         sources.isEmpty() -> emptyList()
 
@@ -195,7 +195,7 @@ internal class FigureBuilder(
     private fun isNamed(graph: BoardGraph, signal: Signal) = graph.title == signal.name || PathName.baseNameOf(graph.title) == signal.title
 
     private companion object {
-        /** So many points make about one megabyte of SVG. */
+        /** This many points are about one megabyte of SVG. */
         const val MAX_POINTS = 70_000
         const val POINTS_PER_COLUMN = 4
         const val MAX_BLOCKS = 4_000

@@ -25,7 +25,7 @@ import org.jetbrains.letsPlot.scale.scaleXContinuous
 import org.jetbrains.letsPlot.scale.scaleYContinuous
 import org.jetbrains.letsPlot.Figure as LetsPlotFigure
 
-/** What lets-plot draws for [figure], in the sizes of [options]; always in the colors for bright rooms, as paper is. */
+/** Returns the drawing of [figure] by lets-plot, in the sizes of [options]; always in the light theme, as for paper. */
 internal fun drawingOf(figure: Figure, options: FigureOptions): LetsPlotFigure {
     val sizes = figure.frames.indices.map { FrameSize.of(figure, it, options) }
     val plots = figure.frames.mapIndexed { i, frame -> plotOf(figure, frame, sizes[i]) }
@@ -55,7 +55,7 @@ private fun plotOf(figure: Figure, frame: FigureFrame, size: FrameSize): Plot {
     return base + figureTheme(size, hasLanes = frame.lanes.isNotEmpty())
 }
 
-/** An empty frame with what lies behind its lines: when the robot was enabled, and where something happened. */
+/** Returns an empty frame with what is behind its lines: when the robot was enabled, and where something happened. */
 private fun behind(marks: FigureMarks, frame: FigureFrame): Plot {
     var plot = letsPlot()
     for ((color, bands) in marks.bands.groupBy { it.color }) {
@@ -78,7 +78,7 @@ private fun behind(marks: FigureMarks, frame: FigureFrame): Plot {
     return plot.withLinesAt(marks.events, hexOf(Palette.LIGHT.event), EVENT).withLinesAt(marks.notes, hexOf(Palette.LIGHT.accent), NOTE)
 }
 
-/** It with a line from bottom to top at each of [places]. */
+/** Returns it with a vertical line at each of [places]. */
 private fun Plot.withLinesAt(places: List<Double>, color: String, opacity: Double): Plot {
     if (places.isEmpty()) return this
     return this +
@@ -87,7 +87,7 @@ private fun Plot.withLinesAt(places: List<Double>, color: String, opacity: Doubl
         }
 }
 
-/** [plot] with the cursors, and the marks of findings along its bottom. */
+/** Returns [plot] with the cursors, and the marks of findings along its bottom. */
 private fun above(plot: Plot, marks: FigureMarks, frame: FigureFrame): Plot = marks.findings.groupBy {
     it.color
 }.entries.fold(plot.withLinesAt(marks.cursors, hexOf(Palette.LIGHT.accent), CURSOR)) { drawn, (color, points) ->
@@ -180,7 +180,7 @@ private fun drawLanes(behind: Plot, figure: Figure, frame: FigureFrame, size: Fr
     return behind + rects + names + scaleFillIdentity()
 }
 
-// A legend breaks long labels at their spaces, for which it has no room.
+// A legend would break long labels at their spaces, without room for the lines.
 private fun unbroken(label: String) = label.replace(' ', NO_BREAK)
 
 private val NO_MARGIN = listOf(0, 0)
@@ -195,21 +195,21 @@ private const val NOTE = 1.0
 private const val CURSOR = 1.0
 private const val FINDING = 3.4
 
-/** How far above the frame's bottom a finding's mark stands, as a share of its height. */
+/** The distance of a finding's mark from the frame's bottom, as a fraction of its height. */
 private const val FINDING_PLACE = 0.03
 private const val DIAMOND = 18
 private const val LANE_GAP = 0.06
 private const val NAME_SIZE = 4.6
 
-/** How wide a letter of a state's name is on average, in pixels. */
+/** The average width of a letter in a state's name, in pixels. */
 private const val LETTER_WIDTH = 6.2
 private const val MIN_LETTERS = 5
 
 /**
  * The points of [frame]'s lines as columns: `x`, `y`, the number of their `line` as a text, and of their `piece`.
  *
- * @property strokes what is joined.
- * @property dots what deserves a dot.
+ * @property strokes the joined points.
+ * @property dots the points with a dot.
  */
 internal class LinePoints(frame: FigureFrame) {
     private val joined = Columns()

@@ -16,14 +16,14 @@ import java.io.IOException
 import java.io.StringReader
 import java.util.Locale
 
-/** [figure] as a document of SVG in the sizes of [options], with its notes below and a white margin around it. */
+/** Returns [figure] as a document of SVG in the sizes of [options], with its notes below and a white margin around it. */
 internal fun svgOf(figure: Figure, options: FigureOptions): String {
     val drawing = drawingOf(figure, options.copy(width = options.width - 2 * MARGIN)).toSpec()
     val svg = PlotSvgExport.buildSvgImageFromRawSpecs(drawing, useCssPixelatedImageRendering = false)
     return withMargin(PATH.replace(svg) { path -> LONG_NUMBER.replace(path.value, ::shortened) }, figure.notes)
 }
 
-// A hundredth of a point is nothing to see, and the other digits are two thirds of the file.
+// A hundredth of a point is invisible, and further digits would be two thirds of the file.
 private fun shortened(number: MatchResult) = "%.2f".format(Locale.ROOT, number.value.toDouble())
 
 private fun withMargin(svg: String, notes: FigureNotes?): String {
@@ -39,7 +39,7 @@ private fun withMargin(svg: String, notes: FigureNotes?): String {
     return svg.replaceRange(root.range, tag + paper).replaceAfterLast("</svg>", "").removeSuffix("</svg>") + "$texts</svg>"
 }
 
-/** What [notes] say, each line as an element of SVG of at most so many letters. */
+/** Returns what [notes] say, each line as an element of SVG of at most so many letters. */
 private fun noteLines(notes: FigureNotes, letters: Int): List<String> {
     fun text(color: String, content: String) = "<text fill=\"$color\" font-family=\"sans-serif\" font-size=\"12\">$content</text>"
     val muted = hexOf(Palette.LIGHT.muted)
@@ -52,9 +52,9 @@ private fun noteLines(notes: FigureNotes, letters: Int): List<String> {
 }
 
 /**
- * The picture that [svg], of [width] points, describes, with [scale] pixels for each of them.
+ * Returns the picture of [svg], which is [width] points wide, with [scale] pixels per point.
  *
- * @throws IOException with a sentence for the person, when it would be too large.
+ * @throws IOException with a sentence for the user, if it would be too large.
  */
 internal fun imageOf(svg: String, width: Int, scale: Int): BufferedImage {
     val height = ROOT.find(svg)?.groupValues?.get(3)?.toDouble() ?: 0.0
@@ -79,7 +79,7 @@ private class Rendering : ImageTranscoder() {
     }
 }
 
-/** [text], which [plainLine] made, between tags. */
+/** Returns [text], which [plainLine] made, between tags. */
 private fun escaped(text: String) = text.replace("&", "&amp;").replace("<", "&lt;")
 
 private const val MARGIN = 14

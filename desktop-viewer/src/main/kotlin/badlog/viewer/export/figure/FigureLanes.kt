@@ -9,7 +9,7 @@ import badlog.viewer.graph.plot.laneColor
 import badlog.viewer.recording.Signal
 import badlog.viewer.theme.Palette
 
-/** The states of [signal] in [drawn] within [x], as the screen would show them in a lane of [columns] pixels. */
+/** Returns the states of [signal] in [drawn] within [x], as the screen would show them in a lane of [columns] pixels. */
 internal fun figureBlocks(signal: Signal, drawn: DrawnRecording, x: Span, columns: Int): List<FigureBlock> {
     val names = signal.states.orEmpty()
     val runs = StateRuns(signal.series, drawn.recording.span.to)

@@ -34,7 +34,7 @@ internal class FigureBand(val from: Double, val to: Double, val color: String)
 /** A mark at [x]; [color] as `#rrggbb`. */
 internal class FigurePoint(val x: Double, val color: String)
 
-/** The marks of a figure of [x], [width] pixels wide; what crowds there is left out, as on the screen. */
+/** Returns the marks of a figure of [x], [width] pixels wide; crowded ones are omitted, as on the screen. */
 internal fun figureMarks(
     x: Span,
     width: Int,

@@ -30,7 +30,7 @@ import badlog.plot.board.BoardGraph
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What a person selects before a figure is saved: which graphs, how large, and as what. */
+/** The panel for saving a figure: which graphs, what size, and which format. */
 @Composable
 internal fun FigurePanel(graphs: List<BoardGraph>, save: (List<BoardGraph>, FigureOptions) -> Unit, close: () -> Unit) {
     var selected by remember { mutableStateOf(graphs.take(SELECTED_FIRST).map { it.id }.toSet()) }
@@ -89,8 +89,8 @@ private fun <T> Choice(title: String, all: List<T>, selected: T, name: (T) -> St
 private val WIDTHS = listOf(600, 900, 1400)
 private val HEIGHTS = listOf(100, 150, 240)
 
-/** More graphs fit no page of a report. */
+/** More graphs do not fit on a page of a report. */
 private const val SELECTED_FIRST = 6
 
-/** A list of more is not to be read; who wants others takes graphs away in the window first. */
+/** Nobody reads a longer list; for others, remove graphs in the window first. */
 private const val MAX_OFFERED = 200

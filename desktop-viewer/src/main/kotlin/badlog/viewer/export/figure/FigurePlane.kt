@@ -8,11 +8,11 @@ import badlog.plot.path.Plane
  * The x axis of a frame that has one of its own, and what is on the plane besides the frame's lines.
  *
  * @property x the part of it that it shows.
- * @property xTitle what stands below it.
+ * @property xTitle the text below it.
  * @property field the field that it is, whose meters are as long along x as along y; null for another plane.
  * @property picture the picture of the field, below all else; null for none.
- * @property shapes what is drawn above the lines, as the robot at the cursor, in the order in which it is drawn.
- * @property labels what stands above those in words.
+ * @property shapes what is drawn above the lines, such as the robot at the cursor, in drawing order.
+ * @property labels the texts above those.
  */
 internal class FigurePlane(
     val x: Span,
@@ -31,9 +31,9 @@ internal class FigurePicture(val source: String, val plane: Plane)
 /**
  * Lines between places of a [FigurePlane], or a dot.
  *
- * @property places x and y in turn; a single place is a dot.
- * @property color as `#rrggbb`.
- * @property isFilled whether what it encloses is filled as well.
+ * @property places alternating x and y; a single place is a dot.
+ * @property color its color, as `#rrggbb`.
+ * @property isFilled whether its inside is filled.
  * @property isRing whether the dot is a ring.
  */
 internal class FigureShape(
@@ -54,8 +54,8 @@ internal class FigureShape(
 /**
  * A text at a place of a [FigurePlane].
  *
- * @property isLeft whether it goes to the left from [x], else to the right.
- * @property isAbove whether it stands above [y], else below it.
+ * @property isLeft whether it extends to the left of [x], rather than to the right.
+ * @property isAbove whether it is above [y], rather than below.
  * @property color as `#rrggbb`.
  */
 internal class FigureLabel(val text: String, val x: Double, val y: Double, val isLeft: Boolean, val isAbove: Boolean, val color: String)

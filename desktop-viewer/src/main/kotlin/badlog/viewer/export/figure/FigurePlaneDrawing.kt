@@ -18,7 +18,7 @@ import org.jetbrains.letsPlot.letsPlot
 import org.jetbrains.letsPlot.pos.positionIdentity
 import org.jetbrains.letsPlot.sampling.samplingNone
 
-/** An empty frame with what is behind the lines of [plane]: the field with its picture, its middle line and the alliances' walls. */
+/** An empty frame with what is behind the lines of [plane]: the field with its picture, its center line and the alliances' walls. */
 internal fun ground(plane: FigurePlane): Plot {
     val field = plane.field ?: return letsPlot()
     val picture = plane.picture?.let { letsPlot() + PictureLayer(it) + veil(it) } ?: letsPlot()
@@ -94,7 +94,7 @@ private fun Plot.withLabel(label: FigureLabel): Plot = this + geomLabel(
     this.label = "text"
 }
 
-/** Lets-plot draws such a layer, but makes the picture of it from numbers: here it is the file's very bytes. */
+/** Lets-plot has such a layer, but creates its picture from numbers: here it is the file's own bytes. */
 private class PictureLayer(private val picture: FigurePicture) :
     Layer(Options.empty(), geom = GeomOptions(GeomKind.IMAGE), stat = Stat.identity, position = positionIdentity, showLegend = false) {
     override fun seal(): Options = with(picture.plane) {
@@ -102,7 +102,7 @@ private class PictureLayer(private val picture: FigurePicture) :
     }
 }
 
-/** What makes a picture as quiet as on the screen. */
+/** Returns the layer that mutes a picture as on the screen. */
 private fun veil(picture: FigurePicture) = with(picture.plane) {
     geomRect(
         mapOf("from" to listOf(x.from), "to" to listOf(x.to), "low" to listOf(y.from), "high" to listOf(y.to)),

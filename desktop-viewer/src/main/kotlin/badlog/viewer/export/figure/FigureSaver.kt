@@ -74,19 +74,19 @@ internal class FigureSaver(
         findings.state.list?.timeline,
         notes.state.notes.map { it.x },
         board.state.graphs,
-        // Where the pointer happened to be is nothing to report.
+        // The pointer's accidental place does not belong in a figure.
         view.cursors.copy(hover = null),
     )
 
     private companion object {
         const val LONE_HEIGHT = 320
 
-        /** More graphs than these make a picture that nobody can read. */
+        /** More graphs than this make an unreadable picture. */
         const val MAX_COPIED = 8
     }
 }
 
-/** [figure], where there is anything in it to draw. */
+/** Returns [figure], where there is anything in it to draw. */
 internal fun drawable(figure: Figure): Figure =
     if (figure.frames.isEmpty()) throw IOException("None of the selected graphs has a line in this log; select others.") else figure
 

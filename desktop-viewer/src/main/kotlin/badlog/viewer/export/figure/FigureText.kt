@@ -3,7 +3,7 @@ package badlog.viewer.export.figure
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
 
-/** [text] in one line of at most [longest] letters, without what no file of XML may hold. */
+/** Returns [text] as one line of at most [longest] characters, without those that XML does not allow. */
 internal fun plainLine(text: String, longest: Int): String {
     val line = StringBuilder()
     var i = 0
@@ -20,7 +20,7 @@ internal fun plainLine(text: String, longest: Int): String {
     return "$head…$tail"
 }
 
-/** [color] as SVG writes it: `#rrggbb`. */
+/** Returns [color] as SVG writes it: `#rrggbb`. */
 internal fun hexOf(color: Color): String = "#%06x".format(color.toArgb() and 0xFFFFFF)
 
 private val SURROGATES = 0xD800..0xDFFF

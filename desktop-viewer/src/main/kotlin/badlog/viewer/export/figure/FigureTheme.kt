@@ -8,7 +8,7 @@ import org.jetbrains.letsPlot.themes.elementRect
 import org.jetbrains.letsPlot.themes.elementText
 import org.jetbrains.letsPlot.themes.theme
 
-/** How a frame of [size] looks: the first has the figure's title, the last the texts of the x axis. */
+/** Returns the theme of a frame of [size]: the first has the figure's title, the last the texts of the x axis. */
 internal fun figureTheme(size: FrameSize, hasLanes: Boolean): OptionsMap {
     val text = hexOf(Palette.LIGHT.text)
     val muted = hexOf(Palette.LIGHT.muted)
@@ -36,17 +36,17 @@ internal fun figureTheme(size: FrameSize, hasLanes: Boolean): OptionsMap {
 }
 
 /**
- * How much room one frame of a figure takes, with its texts, in points of SVG.
+ * The size of one frame of a figure, with its texts, in points of SVG.
  *
- * @property isFirst whether the figure's title stands above it.
- * @property isLast whether its x axis stands below it.
- * @property legendRows how many rows its legend has; 0 where the title, or the legend of a frame above, says it all.
- * @property plotWidth about how wide the part with the lines is.
- * @property height how high it is in all.
+ * @property isFirst whether the figure's title is above it.
+ * @property isLast whether its x axis is below it.
+ * @property legendRows the number of rows of its legend; 0 if the title, or the legend of a frame above, is enough.
+ * @property plotWidth the approximate width of the part with the lines.
+ * @property height the total height.
  */
 internal class FrameSize(val isFirst: Boolean, val isLast: Boolean, val legendRows: Int, val plotWidth: Int, val height: Int) {
     companion object {
-        /** The size of frame [index] of [figure]. */
+        /** Returns the size of frame [index] of [figure]. */
         fun of(figure: Figure, index: Int, options: FigureOptions): FrameSize {
             val frame = figure.frames[index]
             val isFirst = index == 0

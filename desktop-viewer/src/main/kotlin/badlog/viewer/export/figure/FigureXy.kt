@@ -19,8 +19,8 @@ import badlog.viewer.graph.xy.seenOf
 import badlog.viewer.theme.Palette
 
 /**
- * The frame of [graph], whose lines are drawn over each other: what the [recordings] have in [visible], and where everything is at the
- * [cursors]; null for nothing.
+ * Returns the frame of [graph], whose lines are drawn over each other: what the [recordings] have in [visible], and where everything
+ * is at the [cursors]; null for nothing.
  */
 internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visible: Span, width: Int, cursors: Cursors): FigureFrame? {
     val xys = drawnXys(graph, recordings)
@@ -57,14 +57,14 @@ internal fun xyFrame(graph: BoardGraph, recordings: List<DrawnRecording>, visibl
     )
 }
 
-/** What a legend calls [trace], with where it is at the cursor. */
+/** Returns the legend's text for [trace], with its place at the cursor. */
 private fun labelOf(xy: DrawnXy, trace: XyTrace, cursors: Cursors, isCompared: Boolean): String {
     val name = if (isCompared) "${trace.name}, ${xy.drawn.name}" else trace.name
     val place = cursors.x?.let { trace.textAt(it - xy.drawn.offset, xy.plot.isField) }.orEmpty()
     return if (place.isEmpty()) plainLine(name, LABEL_LETTERS) else "${plainLine(name, LABEL_LETTERS - place.length - 1)} $place"
 }
 
-/** The picture of the field of [xy]; null for none. */
+/** Returns the picture of the field of [xy]; null for none. */
 private fun pictureOf(xy: DrawnXy): FigurePicture? {
     val field = xy.plot.field.takeIf { xy.plot.isField } ?: return null
     val image = field.image ?: return null
@@ -72,7 +72,7 @@ private fun pictureOf(xy: DrawnXy): FigurePicture? {
     return FigurePicture(image.source, image.plane(field, drawn.width, drawn.height))
 }
 
-/** Where everything is at the second cursor, as rings and outlines, and then at the first. */
+/** Returns where everything is at the second cursor, as rings and outlines, and then at the first. */
 private fun marksOf(xy: DrawnXy, graph: BoardGraph, cursors: Cursors): List<FigureShape> =
     listOfNotNull(cursors.second?.let { it to true }, cursors.x?.let { it to false }).flatMap { (x, isSecond) ->
         xy.plot.marksAt(x - xy.drawn.offset, graph.hidden).map { mark ->
@@ -81,7 +81,7 @@ private fun marksOf(xy: DrawnXy, graph: BoardGraph, cursors: Cursors): List<Figu
         }
     }
 
-/** Where the robot left its plan, as a ring; or the straight line through the samples. */
+/** Returns where the robot left its plan, as a ring; or the line fitted to the samples. */
 private fun notesOf(xy: DrawnXy, plane: Plane, visible: Span): List<FigureShape> {
     val left = placeOfDeparture(xy)?.let { FigureShape(it, hexOf(Palette.LIGHT.warning), isRing = true) }
     val fit = xy.plot.lineFit(xy.own(visible))?.let { fit ->
@@ -91,7 +91,7 @@ private fun notesOf(xy: DrawnXy, plane: Plane, visible: Span): List<FigureShape>
     return listOfNotNull(fit, left)
 }
 
-/** What [notesOf] says in words. */
+/** Returns the text for [notesOf]. */
 private fun labelOf(xy: DrawnXy, plane: Plane, visible: Span): FigureLabel? {
     val (x, y) = placeOfDeparture(xy)?.toList() ?: return xy.plot.lineFit(xy.own(visible))?.let { fit ->
         FigureLabel(xy.plot.textOf(fit), plane.x.to, plane.y.to, isLeft = true, isAbove = false, hexOf(Palette.LIGHT.text))
@@ -112,7 +112,7 @@ private fun labelOf(xy: DrawnXy, plane: Plane, visible: Span): FigureLabel? {
     )
 }
 
-/** Where the robot of [xy] left its plan, x and y; null for nowhere. */
+/** Returns where the robot of [xy] left its plan, x and y; null for nowhere. */
 private fun placeOfDeparture(xy: DrawnXy): DoubleArray? {
     val index = xy.departure?.index ?: return null
     return xy.plot.driven?.trail?.let { doubleArrayOf(it.x[index], it.y[index]) }
@@ -121,5 +121,5 @@ private fun placeOfDeparture(xy: DrawnXy): DoubleArray? {
 private const val LABEL_LETTERS = 30
 private const val HALF = 0.5
 
-/** So far beside the ring its text stands, as a share of the width. */
+/** The distance of the text from the ring, as a fraction of the width. */
 private const val GAP = 0.012

@@ -27,29 +27,29 @@ import java.nio.file.Path
 internal data class PageJob(val log: Path, val page: Path)
 
 /**
- * What became of several [PageJob]s.
+ * The result of several [PageJob]s.
  *
  * @property made the pages.
- * @property failures a sentence for each log of which none could be made.
+ * @property failures a sentence for each log whose page could not be made.
  */
 internal class PagesMade(val made: List<Path>, val failures: List<String>)
 
-/** The pages of [logs] in [folder], each with a name of its own. */
+/** Returns the pages of [logs] in [folder], each with a unique name. */
 internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
     val taken = HashSet<String>()
     return logs.distinct().map { log ->
         val name = log.fileName.toString()
-        // Most disks of laptops do not distinguish upper from lower case.
+        // Most laptops' file systems do not distinguish upper from lower case.
         val page = freeName(name, ".html") { taken.add(it.lowercase()) }
         PageJob(log, folder.resolve(page))
     }
 }
 
 /**
- * Makes the pages of [jobs]; one that fails does not keep the others from being made. Interrupting the thread gives up.
+ * Makes the pages of [jobs]; a failing one does not affect the others. Interrupting the thread cancels.
  *
- * @param additions what each shows besides.
- * @param progress hears how much of all is done, from 0 to 1.
+ * @param additions what each page also shows.
+ * @param progress receives the fraction done, 0 to 1.
  */
 internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): PagesMade {
     val exporter = HtmlExporter()
@@ -72,13 +72,13 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
 }
 
 /**
- * What the pages show besides the recordings: the formulas that make a topic there, and the rules for their folder.
+ * What the pages show besides the recordings: the formulas that work there, and the rules for their folder.
  *
- * @param known recordings that are read already.
+ * @param known recordings that were already read.
  * @param definitions the formulas.
  * @param library the folder of logs, whose rules count.
- * @param field gives the field of each log.
- * @param board the graphs with which they begin; null for those of the folder, or of the log.
+ * @param field returns the field of each log.
+ * @param board the initial graphs; null for those of the folder, or of the log.
  */
 internal class Additions(
     known: List<OpenRecording>,
@@ -96,7 +96,7 @@ internal class Additions(
         return PageAdditions(workingIn(log), rules.rules, rules.problem, layout = layout, field = field(log).json)
     }
 
-    /** The formulas that make a topic in [log]; none where it cannot be read, which whoever makes the page reports. */
+    /** Returns the formulas that work in [log]; none if it cannot be read, which the export then reports. */
     private fun workingIn(log: Path): List<String> {
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }

@@ -80,5 +80,5 @@ internal class PageSaver(
     }
 }
 
-/** What may be logs in [folder] and the folders in it, in the order of their paths. */
+/** Returns what may be logs in [folder] and the folders in it, in the order of their paths. */
 internal fun logsIn(folder: Path): List<Path> = reading(folder) { FolderScan.of(folder) }.files.map { it.path }.sorted()

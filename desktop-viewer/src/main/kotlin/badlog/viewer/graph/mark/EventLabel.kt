@@ -20,8 +20,7 @@ import badlog.viewer.theme.labelFrame
 import kotlin.math.abs
 
 /**
- * The text of the note or the event that the pointer is near to, or else the cursor, at its place above the graphs: what it is about is seen
- * in them.
+ * The text of the note or event near the pointer, or else near the cursor, at its place above the graphs, which stay visible.
  */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
@@ -37,7 +36,7 @@ internal fun EventLabel(scene: GraphScene) {
                     layout(constraints.maxWidth, label.height) {
                         val x = pixelOf(shown.x, scene.view.viewport.visible, constraints.maxWidth.toFloat())
                         val beside = SIDE.dp.roundToPx()
-                        // At the other side where there is no room.
+                        // On the other side if there is no room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
                         label.place(left.toInt().coerceAtLeast(0), -label.height)
                     }
@@ -59,7 +58,7 @@ private fun saidNear(scene: GraphScene, cursor: Double): Said? {
     return scene.events.matching.nearest(cursor, reach)?.let { Said(it.x, it.text) }
 }
 
-/** Which part of the screen's width may lie between the cursor and the event it reads. */
+/** The maximum distance between the cursor and the event it reads, as a fraction of the screen's width. */
 private const val REACH = 0.008
 private const val SIDE = 8
 private const val MAX_LETTERS = 400

@@ -65,8 +65,8 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
 }
 
 /**
- * How wide a label may be that does not cover what lies from pixel [from] to [to] of [room]: at most [most], and as wide as the wider side where
- * that is at least [least].
+ * Returns the width of a label that does not cover pixels [from] to [to] of [room]: at most [most], and as wide as the wider side if that
+ * is at least [least].
  */
 internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, most: Int): Int {
     val wider = maxOf(minOf(from, room), room - maxOf(to, 0)) - gap
@@ -74,8 +74,8 @@ internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, mo
 }
 
 /**
- * Where a label of [width] begins that does not cover what lies from pixel [from] to [to] of [room]: at its right, else at its left; where
- * neither has room, on the side that has more.
+ * Returns where a label of [width] begins that does not cover pixels [from] to [to] of [room]: to the right, or else to the left; if
+ * neither has room, on the side with more.
  */
 internal fun besides(from: Int, to: Int, width: Int, room: Int, gap: Int): Int {
     val left = from - gap - width
@@ -92,7 +92,7 @@ internal fun besides(from: Int, to: Int, width: Int, room: Int, gap: Int): Int {
     }
 }
 
-/** The place of [finding] that is meant: that under the pointer, or that at which the cursor stands. */
+/** Returns the relevant place of [finding]: the one under the pointer, or the one at the cursor. */
 private fun placeOf(finding: Finding, scene: GraphScene): Span {
     val state = scene.findings.state
     val at = (if (finding == state.pointed) state.pointedPlace.takeIf { it.isFinite() } else scene.view.cursor) ?: finding.time
@@ -103,7 +103,7 @@ private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || 
 
 private const val MAX_WIDTH = 340
 
-/** A narrower label would be all height. */
+/** A narrower label would become too high. */
 private const val MIN_WIDTH = 150
 private const val GAP = 8
 private const val MAX_LETTERS = 600

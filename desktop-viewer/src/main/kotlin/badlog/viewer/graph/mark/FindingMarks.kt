@@ -19,7 +19,7 @@ import badlog.viewer.theme.Palette
 /**
  * Draws the marks of [findings] along the bottom, where [visible] is seen: a bar while one lasts, and a glyph where it begins.
  *
- * @param marks are placed anew; remembered by whoever draws again and again.
+ * @param marks are recalculated; callers that draw repeatedly should reuse them.
  */
 internal fun DrawScope.drawFindings(findings: FindingTimeline<Finding>?, marks: FindingMarks, visible: Span, palette: Palette) {
     if (findings == null) return
@@ -57,7 +57,7 @@ private fun DrawScope.drawGlyph(x: Float, severity: Severity, palette: Palette) 
     drawPath(path, palette.surface, style = Stroke(density))
 }
 
-/** Shades when [finding] holds over the whole height, between broken lines where there is room for them. */
+/** Shades the time when [finding] holds over the whole height, between dashed lines if there is room for them. */
 internal fun DrawScope.drawShownFinding(finding: Finding, visible: Span, palette: Palette) {
     val color = palette.findingColor(finding.severity)
     val broken = PathEffect.dashPathEffect(floatArrayOf(4 * density, 3 * density))

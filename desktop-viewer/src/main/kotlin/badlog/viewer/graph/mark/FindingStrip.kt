@@ -20,8 +20,8 @@ import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.theme.LocalPalette
 
 /**
- * The marks of the findings on the time axis. The pointer on one shades its time and shows its text, a click goes there. Its room
- * is there without findings, too: graphs that become lower while one looks would be drawn twice.
+ * The marks of the findings on the time axis. The pointer on one shades its time and shows its text, a click goes there. It also
+ * takes its space without findings, because graphs that shrink later would be drawn twice.
  */
 @Composable
 internal fun FindingStrip(scene: GraphScene) {

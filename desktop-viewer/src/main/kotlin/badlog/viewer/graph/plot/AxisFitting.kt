@@ -7,7 +7,7 @@ import badlog.plot.axis.axisLimits
 import badlog.plot.axis.limitsFor
 import badlog.plot.curve.Strokes
 
-/** The scales of y for [axes], of which [seen] is to be seen, on a plot [height] pixels high. */
+/** Returns the y scales for [axes], of which [seen] is visible, on a plot [height] pixels high. */
 internal fun yAxesOf(request: PlotRequest, axes: List<GraphAxis>, seen: List<SeenOfUnit>, height: Float): List<YAxis> {
     val spec = request.spec
     val wholes = seen.map { limitsFor(it.least, it.most, spec.includesZero) }
@@ -15,7 +15,7 @@ internal fun yAxesOf(request: PlotRequest, axes: List<GraphAxis>, seen: List<See
     return axes.mapIndexed { i, axis -> YAxis(axis, wholes[i], shown[i], Ticks.ofY(shown[i], (height / request.density).toDouble())) }
 }
 
-/** What is to be seen of lines of one [unit], whose [strokes] these are. */
+/** Returns what is visible of the lines of one [unit] with these [strokes]. */
 internal fun seenOf(unit: String, strokes: List<Strokes>): SeenOfUnit {
     val seen = strokes.filter { !it.min.isNaN() }
     return SeenOfUnit(unit, seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN)

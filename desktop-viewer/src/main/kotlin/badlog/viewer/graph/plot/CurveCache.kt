@@ -7,8 +7,8 @@ import java.util.WeakHashMap
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * What is found out once for each signal and then serves every zoom. Goes with its recording. May be used by any thread; not by
- * the window's, as the first use of a signal takes a while.
+ * What is calculated once for each signal and then used for every zoom. It is released with its recording. Use it on any thread
+ * except the window's, because the first use of a signal takes a while.
  */
 internal class CurveCache {
     private class OfRecording {
@@ -18,12 +18,12 @@ internal class CurveCache {
 
     private val byRecording = WeakHashMap<OpenRecording, OfRecording>()
 
-    /** The curve of [signal], one of [recording]'s. */
+    /** Returns the curve of [signal], one of [recording]'s. */
     fun curve(recording: OpenRecording, signal: Signal): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
         SharedCurve(signal.series, recording.holdsUntil(signal))
     }
 
-    /** The states of [signal], one of [recording]'s. */
+    /** Returns the states of [signal], one of [recording]'s. */
     fun runs(recording: OpenRecording, signal: Signal): StateRuns =
         of(recording).runs.computeIfAbsent(signal.name) { StateRuns(signal.series, recording.span.to) }
 

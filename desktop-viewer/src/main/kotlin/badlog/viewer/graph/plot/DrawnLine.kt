@@ -9,10 +9,11 @@ import badlog.viewer.recording.Signal
 /**
  * One line on the screen: a signal of a recording.
  *
- * @property offset what is added to the recording's x to stand in the window's.
- * @property color which of the palette's colors it has, from 0.
- * @property title what the graph calls it: no more of its path than tells it from the other lines; in brackets where it was calculated.
- * @property label what the legend calls it beside the signal's name, where that is not enough; else null.
+ * @property offset what is added to the recording's x to get the window's x.
+ * @property color the index of its color in the palette, from 0.
+ * @property title its name in the graph: only as much of its path as distinguishes it from the other lines; in brackets if it was
+ * calculated.
+ * @property label an addition to the signal's name in the legend, if that is not enough; otherwise null.
  */
 internal data class DrawnLine(
     val signal: Signal,
@@ -24,8 +25,8 @@ internal data class DrawnLine(
 )
 
 /**
- * The lines of [spec] in every one of [recordings] that has them. Of one recording each line has a color; of several the
- * color shows the recording in the first place, the same in all graphs, and further lines have colors of their own.
+ * Returns the lines of [spec] in each of [recordings] that has them. With one recording, each line has a color; with
+ * several, the color primarily shows the recording, the same in all graphs, and further lines have other colors.
  */
 internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1

@@ -39,13 +39,13 @@ internal fun DrawScope.drawLanes(picture: PlotPicture, visible: Span, palette: P
     }
 }
 
-/** How high a lane is, in pixels, with the room to the next. */
+/** The height of a lane in pixels, with the space to the next. */
 internal val PlotPicture.laneHeight: Float get() = (request.height - plotHeight) / maxOf(lanes.size, 1)
 
-/** Where lane [index] begins, in pixels from the graph's top. */
+/** Returns where lane [index] begins, in pixels from the graph's top. */
 internal fun PlotPicture.laneTop(index: Int): Float = plotHeight + index * laneHeight
 
-/** The color of a block in [state] that has [tone]. */
+/** Returns the color of a block in [state] that has [tone]. */
 internal fun laneColor(tone: LaneTone, state: Int, palette: Palette): Color = when (tone) {
     LaneTone.OFF -> palette.stateOff
     LaneTone.QUIET -> palette.state(state)

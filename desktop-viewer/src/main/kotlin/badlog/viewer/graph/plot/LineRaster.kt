@@ -11,8 +11,8 @@ import org.jetbrains.skia.PathBuilder
 import org.jetbrains.skia.Surface
 
 /**
- * An image of [lines], [height] pixels high; null without any. Long strokes are most of the work of a frame where there is no
- * graphics card, so they are drawn here, on whatever thread makes the picture, and the window only lays the image down.
+ * Returns an image of [lines], [height] pixels high; null if there are none. Without a graphics card, long strokes are most
+ * of the work of a frame, so they are drawn here, on the thread that makes the picture, and the window only copies the image.
  */
 internal fun rasterOf(request: PlotRequest, axes: List<YAxis>, lines: List<LinePicture>, height: Float): Image? {
     val rows = height.toInt()
@@ -33,12 +33,12 @@ private fun drawLine(canvas: Canvas, line: LinePicture, request: PlotRequest, ba
         paint.color = color.toArgb()
         paint.isAntiAlias = true
         paint.mode = PaintMode.STROKE
-        // A hairline is many times as fast as any other stroke.
+        // A hairline is many times faster than any other stroke.
         paint.strokeWidth = if (strokes.isDense) 0f else LINE_WIDTH * density
         for (i in 0 until strokes.count) {
             val stroke = floats(strokes.points, strokes.startOf(i), strokes.endOf(i))
             if (request.spec.isFilled) fill(canvas, stroke, base, color)
-            // What stands alone between gaps is a dot.
+            // An isolated sample between gaps is a dot.
             if (stroke.size > 2) canvas.drawPolygon(stroke, paint)
         }
         paint.strokeCap = PaintStrokeCap.ROUND

@@ -10,10 +10,10 @@ import badlog.plot.lane.LaneBlocks
 import badlog.plot.lane.LaneLook
 import kotlin.math.ceil
 
-/** How many lines and lanes one graph draws; nobody can tell more apart. */
+/** The maximum number of lines and lanes in a graph; nobody can distinguish more. */
 internal const val MAX_LINES = 64
 
-/** Finds out all that is to be drawn for [request]. Takes a while: not for the window's thread. */
+/** Returns everything to be drawn for [request]. It takes a while, so do not use it on the window's thread. */
 internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
     val (states, numbers) = shownLines(request.spec, request).partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
@@ -45,7 +45,7 @@ private fun shownLines(spec: BoardGraph, request: PlotRequest) = drawnLines(spec
 private fun strokesOf(numbers: List<DrawnLine>, request: PlotRequest, curves: CurveCache) =
     numbers.map { curves.curve(it.recording, it.signal).trace(visibleOf(it, request), request.width) }
 
-/** What is to be seen of each unit in [spec], another graph that shares the limits of y. */
+/** Returns what is visible of each unit in [spec], another graph that shares the y limits. */
 private fun seenIn(spec: BoardGraph, request: PlotRequest, curves: CurveCache): List<SeenOfUnit> {
     val numbers = shownLines(spec, request).filter { it.signal.states == null }
     val strokes = strokesOf(numbers, request, curves)
@@ -61,7 +61,7 @@ private fun lanesHeight(request: PlotRequest, lanes: Int, hasLines: Boolean): Fl
     }
 }
 
-/** What of the line's own x is visible. */
+/** Returns the visible part of the line's own x. */
 private fun visibleOf(line: DrawnLine, request: PlotRequest) = Span(request.visible.from - line.offset, request.visible.to - line.offset)
 
 private fun lanePicture(line: DrawnLine, request: PlotRequest, curves: CurveCache): LanePicture {

@@ -8,14 +8,14 @@ import badlog.plot.lane.LaneBlocks
 import org.jetbrains.skia.Image
 
 /**
- * A graph ready to be drawn: only pixels, nothing to be found out any more.
+ * A graph ready to be drawn: only pixels, with nothing left to calculate.
  *
  * @property request what it was made for.
  * @property axes the scales of y, one for each unit.
  * @property lines the lines of numbers.
  * @property lanes the lanes of states, below the lines.
- * @property image the lines as they are to be seen; null without any.
- * @property plotHeight how much of the height the lines have, in pixels; the lanes have the rest.
+ * @property image the drawn lines; null if there are none.
+ * @property plotHeight the height of the lines, in pixels; the lanes have the rest.
  */
 internal class PlotPicture(
     val request: PlotRequest,
@@ -29,20 +29,20 @@ internal class PlotPicture(
 /**
  * A scale of y.
  *
- * @property axis its unit, and where it stands.
- * @property fitted what the visible samples need.
- * @property shown what is seen of it.
- * @property ticks the places that are labeled.
+ * @property axis its unit and side.
+ * @property fitted the range that the visible samples need.
+ * @property shown the displayed range.
+ * @property ticks the labeled places.
  */
 internal class YAxis(val axis: GraphAxis, val fitted: Span, val shown: Span, val ticks: Ticks) {
-    /** Where [value] stands on a plot [height] pixels high, from its top. */
+    /** Returns where [value] is on a plot [height] pixels high, from its top. */
     fun pixelOf(value: Double, height: Float): Float {
         val pixel = (shown.to - value) / shown.width * height
-        // Numbers far out of sight would be too large to draw with.
+        // Coordinates far outside the plot would be too large for drawing.
         return pixel.coerceIn(-MAX_DISTANCE * height, MAX_DISTANCE * height).toFloat()
     }
 
-    /** The value at [pixel] from the top of a plot [height] pixels high. */
+    /** Returns the value at [pixel] from the top of a plot [height] pixels high. */
     fun valueAt(pixel: Float, height: Float): Double = shown.to - pixel / height * shown.width
 
     private companion object {

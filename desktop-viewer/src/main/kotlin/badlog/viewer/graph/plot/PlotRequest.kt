@@ -9,13 +9,13 @@ import badlog.viewer.theme.Palette
  * What a graph's picture is to show.
  *
  * @property spec the graph.
- * @property recordings those it is drawn of.
- * @property visible the part of x.
- * @property width how many physical pixels that part takes; above 0.
- * @property height how many physical pixels y takes; above 0.
+ * @property recordings the recordings it shows.
+ * @property visible the visible part of x.
+ * @property width the width of that part in physical pixels; above 0.
+ * @property height the height of y in physical pixels; above 0.
  * @property palette the colors.
- * @property sharing the other graphs that share their limits of y with it.
- * @property density how many physical pixels a dp has.
+ * @property sharing the other graphs that share their y limits with it.
+ * @property density the number of physical pixels per dp.
  */
 internal data class PlotRequest(
     val spec: BoardGraph,

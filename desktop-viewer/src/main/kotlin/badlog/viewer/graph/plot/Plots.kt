@@ -9,34 +9,34 @@ import badlog.viewer.compare.DrawnRecording
 
 /** What a graph on the screen has: its size, and its latest picture. */
 internal class PlotState {
-    /** The room for lines and lanes, in physical pixels; zero before it is known. */
+    /** The size for lines and lanes, in physical pixels; zero until it is known. */
     var size: IntSize by mutableStateOf(IntSize.Zero)
 
-    /** What is drawn; null before the first is there. */
+    /** The drawn picture; null until there is one. */
     var picture: PlotPicture? by mutableStateOf(null)
 }
 
-/** The pictures of all graphs of a window. To be used on the window's thread only. */
+/** The pictures of all graphs of a window. Use it only on the window's thread. */
 internal class Plots {
     private val states = HashMap<Int, PlotState>()
     private var onScreen by mutableStateOf(emptySet<Int>())
     private var needNone by mutableStateOf(emptySet<Int>())
 
-    /** What serves all pictures. */
+    /** The data shared by all pictures. */
     val curves = CurveCache()
 
-    /** What graph [id] has; kept while it is out of sight, so that it is there at once when it comes back. */
+    /** Returns the state of graph [id]; kept while it is invisible, so that it can be shown at once later. */
     fun state(id: Int): PlotState = states.getOrPut(id, ::PlotState)
 
-    /** Graph [id] comes into sight, or goes; it waits for a picture where it [needsPicture]. */
+    /** Records whether graph [id] is visible; if [needsPicture], it counts as ready only with a picture. */
     fun show(id: Int, isOnScreen: Boolean, needsPicture: Boolean = true) {
         onScreen = if (isOnScreen) onScreen + id else onScreen - id
         needNone = if (isOnScreen && !needsPicture) needNone + id else needNone - id
     }
 
     /**
-     * Forgets the graphs that are not among [ids], and what those out of sight show of others than [recordings]: it would keep all
-     * their samples in memory.
+     * Removes graphs that are not among [ids], and pictures of invisible graphs that show recordings other than [recordings],
+     * which would keep all their samples in memory.
      */
     fun keep(ids: Set<Int>, recordings: List<DrawnRecording>) {
         states.keys.retainAll(ids)
@@ -48,7 +48,7 @@ internal class Plots {
         }
     }
 
-    /** Whether every graph in sight has the picture of [recordings] for [visible]; false when none is in sight. */
+    /** Returns whether every visible graph has its picture of [recordings] for [visible]; false if no graph is visible. */
     fun areReady(recordings: List<DrawnRecording>, visible: Span): Boolean = onScreen.isNotEmpty() && onScreen.all { id ->
         id in needNone || state(id).picture?.request?.let { it.visible == visible && it.recordings == recordings } == true
     }

@@ -8,7 +8,8 @@ import badlog.plot.curve.Scale
 import badlog.plot.curve.Strokes
 
 /**
- * The curve of a series, for whoever draws it: graphs are computed on several threads, a curve can be used by one at a time.
+ * The curve of a series, shared by threads: graphs are computed on several threads, but a curve can be used by only one at a
+ * time.
  *
  * @param holdsUntil until where the last value holds, if values do; see [Curve].
  */
@@ -16,7 +17,7 @@ internal class SharedCurve(series: Series, holdsUntil: Double?) {
     private val curve = Curve(series, holdsUntil)
     private var columns = PixelColumns(0)
 
-    /** The strokes for [visible] on [width] pixels, y still as it was logged: its scale is known only when all lines of a graph are. */
+    /** Returns the strokes for [visible] on [width] pixels, with y as logged: its scale is known only when all lines of a graph are. */
     @Synchronized
     fun trace(visible: Span, width: Int): Strokes {
         if (columns.count != width) columns = PixelColumns(width)

@@ -6,7 +6,7 @@ import badlog.viewer.keyboard.KeyPress
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
 
-/** What the keyboard does with the graphs besides what it does on an exported page. */
+/** Returns the keys for graphs that exported pages do not have. */
 internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit): List<Command> = listOf(
     Command("Graphs", "Scroll the graphs up", listOf(KeyPress(Key.DirectionUp, "↑"))) { scroll(-SCROLLED) },
     Command("Graphs", "Scroll the graphs down", listOf(KeyPress(Key.DirectionDown, "↓"))) { scroll(SCROLLED) },
@@ -15,13 +15,13 @@ internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit): Lis
 
 private const val SCROLLED = 0.25
 
-/** Shows what is selected. */
+/** Zooms to the selection. */
 internal fun zoomToSelection(view: AxisView) {
     val selection = view.selection ?: return
     view.change { showing(selection.from, selection.to) }
 }
 
-/** Moves a cursor by [samples] of the open recording, or to the one in the middle of the view, and shows where it is then. */
+/** Moves a cursor by [samples] of the open recording, or to the sample in the middle of the view, and makes it visible. */
 internal fun stepCursor(current: CurrentRecording, view: AxisView, samples: Int) {
     val steps = current.recording?.cursorSteps ?: return
     val visible = view.viewport.visible

@@ -11,37 +11,37 @@ import badlog.plot.board.dropped
 import badlog.viewer.board.GraphBoard
 
 /**
- * A graph that is dragged by its title: to another place of the board, or into another graph. To be used on the window's thread only.
+ * A graph dragged by its title: to another place on the board, or into another graph. Use it only on the window's thread.
  *
- * @param list the graphs as they are scrolled.
+ * @param list the scroll state of the graphs.
  */
 internal class GraphDrag(private val board: GraphBoard, private val list: LazyListState) {
     private var pressed: Int? = null
     private var start = Offset.Zero
     private var id: Int? by mutableStateOf(null)
 
-    /** Where the pointer is, in pixels from the top left corner of what is seen of the graphs. */
+    /** The pointer's place, in pixels from the top left corner of the visible part of the graphs. */
     var pointer: Offset by mutableStateOf(Offset.Zero)
         private set
 
     /** The graph that is dragged; null for none. */
     val graph: BoardGraph? get() = id?.let { dragged -> board.state.graphs.find { it.id == dragged } }
 
-    /** Over which graph it is, beyond the first and the last that of them; null while nothing is dragged. */
+    /** The graph it is over; before the first or after the last, that one; null while nothing is dragged. */
     val target: DropTarget? by derivedStateOf { if (id == null) null else targetAt(pointer.y) }
 
-    /** The pointer is pressed at [place]. */
+    /** Handles a press at [place]. */
     fun pressAt(place: Offset) {
         pressed = null
         start = place
     }
 
-    /** The title of graph [id] is what it was pressed on. */
+    /** Records that the press was on the title of graph [id]. */
     fun take(id: Int) {
         pressed = id
     }
 
-    /** The pointer goes to [place], while it is pressed; a drag is what goes further than [reach]. Returns whether it is one. */
+    /** Handles a move of the pressed pointer to [place]. Returns whether it is a drag: farther than [reach]. */
     fun move(place: Offset, reach: Float): Boolean {
         val taken = pressed ?: return false
         if (id == null && (place - start).getDistance() < reach) return false
@@ -50,7 +50,7 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
         return true
     }
 
-    /** The pointer is let go. Returns whether something was dragged. */
+    /** Handles the release of the pointer. Returns whether something was dragged. */
     fun release(): Boolean {
         val dragged = id
         val onto = target
@@ -75,8 +75,8 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
 /**
  * A graph over which another one is dragged.
  *
- * @property top where it begins, in pixels from the top of what is seen of the graphs.
- * @property height how many pixels high it is.
- * @property share how far below its top the pointer is, from 0 to 1.
+ * @property top where it begins, in pixels from the top of the visible part of the graphs.
+ * @property height its height in pixels.
+ * @property share how far below its top the pointer is, 0 to 1.
  */
 internal class DropTarget(val id: Int, val top: Int, val height: Int, val share: Double)

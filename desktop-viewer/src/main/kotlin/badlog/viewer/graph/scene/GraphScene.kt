@@ -35,7 +35,7 @@ import kotlinx.coroutines.flow.first
 /**
  * What all graphs of a window share.
  *
- * @property copy puts the picture of graphs onto the clipboard.
+ * @property copy copies the picture of graphs to the clipboard.
  * @property addTopics asks for topics to draw in the graph with this id.
  */
 internal class GraphScene(
@@ -58,27 +58,27 @@ internal class GraphScene(
     val plots = Plots()
     val gestures = PlotGestures(view, board, player)
 
-    /** How far the graphs are scrolled. */
+    /** The scroll state of the graphs. */
     val list = LazyListState()
 
     /** The graph that is dragged to another place, if any. */
     val drag = GraphDrag(board, list)
 
-    /** What is drawn. */
+    /** The drawn recordings. */
     val recordings: List<DrawnRecording> get() = compared.drawn
 
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
-    /** The parts of their planes that graphs of y over x show, by their ids; all of it where there is none. */
+    /** The visible parts of the planes of graphs of y over x, by id; all of it if there is none. */
     val planes = mutableStateMapOf<Int, Plane>()
 
     private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }
 
-    /** The room at the right of all graphs: for the second axis, where any has one, and the scroll bar. */
+    /** The room to the right of all graphs: for the second axis, if any graph has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
 
-    /** Scrolls by [share] of what is seen, up when negative. */
+    /** Scrolls by [share] of the visible height, up if negative. */
     fun scroll(share: Double) {
         list.dispatchRawDelta((list.layoutInfo.viewportSize.height * share).toFloat())
     }
@@ -88,11 +88,11 @@ internal class GraphScene(
         snapshotFlow { board.state.graphs.isEmpty() || plots.areReady(recordings, view.viewport.visible) }.first { it }
     }
 
-    /** What [state] has to draw; a picture of another file is as none. */
+    /** Returns the picture to draw for [state]; one of another file does not count. */
     fun pictureOf(state: PlotState): PlotPicture? =
         state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == current.recording?.file }
 
-    /** The other graphs whose limits of y [spec] shares; none where it does not. */
+    /** Returns the other graphs that share y limits with [spec]; none if it does not share them. */
     fun sharingWith(spec: BoardGraph): List<BoardGraph> =
         if (spec.sharesY) board.state.graphs.filter { it.sharesY && it.id != spec.id } else emptyList()
 

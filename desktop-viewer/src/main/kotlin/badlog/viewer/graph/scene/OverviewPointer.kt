@@ -15,7 +15,7 @@ import badlog.plot.gesture.OverviewDrag
 import badlog.viewer.view.AxisView
 import badlog.viewer.view.PlotGesture
 
-/** Lets the pointer move and resize the visible part over the overview, or select a new one; a click brings it there. */
+/** Makes the pointer move and resize the visible part on the overview, or select a new one; a click moves it there. */
 internal fun Modifier.overviewPointer(scene: GraphScene): Modifier = pointerInput(scene) {
     awaitPointerEventScope {
         val pointer = OverviewPointer(this, scene.view, scene.gestures)
@@ -53,7 +53,7 @@ private class OverviewPointer(private val scope: AwaitPointerEventScope, private
         val wasMoved = drag.hasMoved
         val moved = drag.movedTo(x)
         if (!drag.hasMoved) return
-        // As for the graphs, Escape gives it up.
+        // As for the graphs, Escape cancels it.
         if (!wasMoved) view.drag(PlotGesture(DragKind.PAN, null, x, Double.NaN, drag.before))
         if (view.gesture != null) view.change { moved }
     }

@@ -16,40 +16,40 @@ internal class PlotGestures(private val view: AxisView, private val board: Graph
 
     private var beforeClick = Cursors()
 
-    /** The pointer passes over [x]: the cursor goes along unless it is pinned, or runs by itself. */
+    /** Handles the pointer at [x]: the cursor follows unless it is pinned, or moved by playback. */
     fun hover(x: Double) {
         if (view.isCursorPinned || !player.state.isPlaying) view.changeCursors { hovering(x.within(view.viewport.full)) }
     }
 
-    /** The pointer leaves the graphs. */
+    /** Handles the pointer leaving the graphs. */
     fun leave() = view.changeCursors { left() }
 
-    /** A click at [x]; [reach] is how far beside a cursor it is still on it. */
+    /** Handles a click at [x]; [reach] is the maximum distance at which it is still on a cursor. */
     fun click(x: Double, reach: Double, shift: Boolean) {
         val place = x.within(view.viewport.full)
         beforeClick = view.cursors
         view.changeCursors { if (shift) shiftClicked(place, reach) else clicked(place, reach) }
     }
 
-    /** A double click shows everything, of graph [id] all of y too. */
+    /** Handles a double click: shows everything, including all of y in graph [id]. */
     fun doubleClick(id: Int?) {
-        // The first of the two was no click of its own.
+        // The first click of a double click does not count by itself.
         view.changeCursors { beforeClick }
         view.change { reset() }
         if (id != null) board.change { withYRange(id, null) }
     }
 
-    /** A drag begins at [x] and [y] of graph [id]. */
+    /** Begins a drag at [x] and [y] of graph [id]. */
     fun begin(kind: DragKind, id: Int?, x: Double, y: Double) {
         view.drag(PlotGesture(kind, id, x, y, view.viewport))
         if (kind == DragKind.PAN) view.change { remembered() }
     }
 
-    /** It goes on to [x] and [y]. */
+    /** Moves the drag to [x] and [y]. */
     fun drag(x: Double, y: Double) {
         val gesture = view.gesture ?: return
         if (gesture.kind == DragKind.PAN) {
-            // What was touched stays below the pointer.
+            // What was touched stays under the pointer.
             view.change { shifted(gesture.startX - x) }
         } else {
             view.drag(gesture.copy(x = x.within(view.viewport.visible), y = y))
@@ -57,7 +57,7 @@ internal class PlotGestures(private val view: AxisView, private val board: Graph
         }
     }
 
-    /** It ends. */
+    /** Ends the drag. */
     fun end() {
         val gesture = view.gesture ?: return
         view.drag(null)
@@ -75,8 +75,8 @@ internal class PlotGestures(private val view: AxisView, private val board: Graph
     }
 
     /**
-     * The wheel turns by [notches], or two fingers move over a touch pad, over [x] of a plot [width] dp wide; [millis] is the time of
-     * any clock. False where that is not for the graphs, but scrolls them.
+     * Handles a turn of the wheel by [notches], or two fingers on a touch pad, over [x] of a plot [width] dp wide; [millis] is the
+     * time of any clock. Returns false if it should scroll instead.
      */
     fun wheel(notches: Offset, ctrl: Boolean, shift: Boolean, x: Double, width: Float, millis: Long): Boolean {
         val (right, down) = notches * Wheel.NOTCH.toFloat()

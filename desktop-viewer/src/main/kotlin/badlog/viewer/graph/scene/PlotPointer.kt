@@ -19,9 +19,10 @@ import badlog.plot.gesture.DoubleClick
 import badlog.plot.gesture.DragKind
 
 /**
- * Lets the pointer zoom, pan, select, and place the cursor over graph [id], or over the axis for null, where a plain drag pans.
+ * Makes the pointer zoom, pan, select, and place the cursor over graph [id], or over the axis for null, where a plain drag
+ * pans.
  *
- * @param yAt the value at so many pixels from the top of so many.
+ * @param yAt returns the value at a number of pixels from the top, given the height.
  */
 internal fun Modifier.plotPointer(scene: GraphScene, id: Int?, yAt: (y: Float, height: Float) -> Double): Modifier =
     pointerInput(scene, id) {
@@ -31,7 +32,7 @@ internal fun Modifier.plotPointer(scene: GraphScene, id: Int?, yAt: (y: Float, h
         }
     }
 
-/** Turns what happens to the pointer over one plot into [PlotGestures]. */
+/** Translates pointer events over one plot to [PlotGestures]. */
 private class PlotPointer(
     private val scope: AwaitPointerEventScope,
     private val scene: GraphScene,

@@ -9,14 +9,14 @@ import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
 import androidx.compose.ui.graphics.drawscope.DrawScope
 
 /**
- * The pixels of a drawing, kept until what it shows changes: a cursor that moves above it draws none of its strokes again. The next drawing of the same
- * size has the same pixels.
+ * The cached pixels of a drawing: a cursor moving above it does not redraw its strokes. The next drawing of the same size reuses the
+ * memory.
  */
 internal class KeptPicture {
     private val scope = CanvasDrawScope()
     private var bitmap: ImageBitmap? = null
 
-    /** What [draw] draws, as large as what is drawn in [cache]; null where that has no pixel. */
+    /** Returns what [draw] draws, in the size of [cache]; null if that has no pixels. */
     fun of(cache: CacheDrawScope, draw: DrawScope.() -> Unit): ImageBitmap? {
         val width = cache.size.width.toInt()
         val height = cache.size.height.toInt()

@@ -87,7 +87,7 @@ internal fun DrawScope.drawXyGround(plane: Plane, plot: XyPlot, picture: ImageBi
     drawLine(RED_WALL, at(field.length, 0.0), at(field.length, field.width), WALL * density)
 }
 
-/** All traces of [xy]: faint what is not [visible], and above it what is. */
+/** Draws all traces of [xy]: faintly outside [visible], and on top of that the visible part. */
 internal fun DrawScope.drawXyTraces(xy: DrawnXy, spec: BoardGraph, plane: Plane, visible: Span, palette: Palette) {
     val own = xy.own(visible)
     val all = Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
@@ -121,13 +121,13 @@ private fun DrawScope.drawXyStrokes(strokes: Strokes, color: Color, isDashed: Bo
     } else {
         null
     }
-    // A hairline is many times as fast as any other stroke.
+    // A hairline is many times faster than any other stroke.
     drawPath(path, color, style = Stroke(if (strokes.isDense) Stroke.HairlineWidth else LINE * density, pathEffect = dashes))
     val dots = List(strokes.dotsSize / 2) { Offset(strokes.dots[2 * it].toFloat(), strokes.dots[2 * it + 1].toFloat()) }
     drawPoints(dots, PointMode.Points, color, DOT * density, StrokeCap.Round)
 }
 
-/** What [xy] comes to: where the robot left its plan, or the straight line through the samples with what it says. */
+/** Draws the result of [xy]: where the robot left its plan, or the line fitted to the samples with its values. */
 internal fun DrawScope.drawXyNotes(xy: DrawnXy, plane: Plane, visible: Span, letters: TextMeasurer, palette: Palette) {
     val x = plane.xScale(size.width.toDouble())
     val y = plane.yScale(size.height.toDouble())
@@ -153,7 +153,10 @@ internal fun DrawScope.drawXyNotes(xy: DrawnXy, plane: Plane, visible: Span, let
     }
 }
 
-/** Where everything is at [cursor]: robots with their bows, planned ones as outlines alone, what else there is as a dot; at the second one as rings. */
+/**
+ * Draws everything at its place at [cursor]: robots with their bows, planned ones only as outlines, others as dots; for the second cursor,
+ * as rings.
+ */
 internal fun DrawScope.drawXyCursor(
     xy: DrawnXy,
     spec: BoardGraph,
@@ -182,7 +185,7 @@ internal fun DrawScope.drawXyCursor(
     }
 }
 
-/** The color of [mark]. */
+/** Returns the color of [mark]. */
 internal fun DrawnXy.colorOf(mark: XyMark, palette: Palette): Color =
     mark.color?.let { palette.line(colorOf(it)) } ?: if (mark.isTarget) palette.muted else palette.accent
 
@@ -201,7 +204,7 @@ private fun DrawScope.pathOf(places: DoubleArray, plane: Plane): Path {
 /** The wall of the blue alliance. */
 internal val BLUE_WALL = Color(0xFF2F6FDE)
 
-/** That of the red one. */
+/** The wall of the red alliance. */
 internal val RED_WALL = Color(0xFFD93A3A)
 private const val GAP = 6
 private const val GRID = 0.08f

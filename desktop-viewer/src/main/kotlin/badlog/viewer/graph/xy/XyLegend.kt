@@ -30,7 +30,7 @@ import badlog.viewer.theme.LineColor
 import badlog.viewer.theme.LineName
 import badlog.viewer.theme.LocalPalette
 
-/** The traces of [spec], each with where it is at the cursor. */
+/** The traces of [spec], each with its place at the cursor. */
 @Composable
 internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
     val recordings = scene.recordings
@@ -58,7 +58,7 @@ private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyT
     }
 }
 
-/** Where [trace] is at the cursor. It is drawn, not laid out: the cursor moves at the speed of the mouse. */
+/** The place of [trace] at the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */
 @Composable
 private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
     val palette = LocalPalette.current

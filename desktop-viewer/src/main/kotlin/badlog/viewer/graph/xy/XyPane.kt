@@ -96,7 +96,7 @@ private val BELOW = 20.dp
 private const val TEXTS = 64
 private const val COVERED = 0.16f
 
-/** Keeps on the board which part of the plane of [spec] is seen, once gestures have come to rest, and shows what the board has. */
+/** Stores the visible part of the plane of [spec] on the board once gestures have ended, and shows what the board has. */
 @Composable
 private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
     LaunchedEffect(scene, spec.id, spec.plane) {

@@ -22,20 +22,20 @@ import badlog.plot.gesture.Wheel
 import badlog.plot.path.Plane
 import badlog.viewer.graph.scene.GraphScene
 
-/** A drag over a path that is under way. */
+/** A drag over a path in progress. */
 internal class XyDrag {
     /** What it covers, in pixels; null for nothing. */
     var covered: Rect? by mutableStateOf(null)
 
-    /** Gives it up, as Escape does; null while there is none. */
+    /** Cancels it, as for Escape; null while there is none. */
     var giveUp: (() -> Unit)? by mutableStateOf(null)
 }
 
 /**
- * Lets the pointer put the cursor where the path passes it, zoom and pan over graph [id], as over other graphs.
+ * Makes the pointer place the cursor where the path passes it, zoom and pan over graph [id], as over other graphs.
  *
- * @param planeOn what is seen on so many pixels.
- * @param drag gets the drag that has begun, to show it.
+ * @param planeOn returns the visible plane for a size in pixels.
+ * @param drag receives the current drag, to show it.
  */
 internal fun Modifier.xyPointer(
     scene: GraphScene,
@@ -181,7 +181,7 @@ private class XyPointer(
         if (seen.isDrawable) scene.planes[id] = seen
     }
 
-    /** When the path of the first recording passed [place]; null where it is not near. */
+    /** Returns when the path of the first recording passed [place]; null if it is not near. */
     private fun timeAt(place: Offset): Double? {
         val xy = xys.firstOrNull() ?: return null
         val plane = plane ?: return null
@@ -200,7 +200,7 @@ private class XyPointer(
     private fun share(pixels: Float, of: Float) = (pixels / of).toDouble()
 
     private companion object {
-        /** So far beside the path the pointer still means it, in dp. */
+        /** The maximum distance from the path at which the pointer still selects it, in dp. */
         const val REACH = 60
     }
 }

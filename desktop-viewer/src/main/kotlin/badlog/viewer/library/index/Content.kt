@@ -34,8 +34,8 @@ internal enum class Content(val saying: String) {
 }
 
 /**
- * Whether there is anything to see in [view]. Only what surely is nothing counts as nothing: a change of a single number,
- * or a single event, is something.
+ * Returns whether there is anything to see in [view]. Only what surely is nothing counts as nothing: a change of a single
+ * number, or a single event, is something.
  *
  * @param time the topic that only shows where on x a row stands, or null.
  * @param seconds how long it is, or null where it is unknown.

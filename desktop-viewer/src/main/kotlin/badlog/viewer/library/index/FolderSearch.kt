@@ -23,11 +23,11 @@ internal class FolderSearch(private val folder: Path) {
 
     private val byFolder = HashMap<Path, Known>()
 
-    /** What distinguishes the rules for [file] from others. */
+    /** Returns what distinguishes the rules for [file] from others. */
     fun keyOf(file: Path): Int = rulesFor(file).key
 
     /**
-     * What the rules find in [file]. Reads it again, on one core.
+     * Returns what the rules find in [file]. Reads it again, on one core.
      *
      * @param checkpoint is called again and again; to give up, it may throw a [CancellationException], the only exception that comes out.
      */

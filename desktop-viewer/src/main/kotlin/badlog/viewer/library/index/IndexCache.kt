@@ -17,7 +17,7 @@ internal class IndexCache(cache: Path, folder: Path) {
     private val file = cache.resolve("logs-${keyOf(folder)}.index")
     private val names by lazy { FolderRules.of(folder.resolve(SignalsFile.NAME)).rules.signals.toJson().hashCode() }
 
-    /** What was kept. */
+    /** Returns what was kept. */
     fun load(): List<LogEntry> = try {
         IndexFormat.decode(Files.readAllBytes(file), names).orEmpty()
     } catch (_: IOException) {

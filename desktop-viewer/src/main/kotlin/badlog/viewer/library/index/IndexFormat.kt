@@ -21,7 +21,7 @@ internal object IndexFormat {
     /** To be raised whenever the bytes, or what is found out about a file, change their meaning. */
     const val VERSION = 5
 
-    /** The bytes of [entries], found out with signals that are called as [names] stands for. */
+    /** Returns the bytes of [entries], found out with signals that are called as [names] stands for. */
     fun encode(entries: Collection<LogEntry>, names: Int = 0): ByteArray {
         val bodyBytes = ByteArrayOutputStream(entries.sumOf { it.topics.size } * 220 + 1024)
         val texts = TextTable()
@@ -42,7 +42,7 @@ internal object IndexFormat {
         return all.putInt(HEAD - 4, checksum(all.array())).array()
     }
 
-    /** The entries of [bytes]; null when they are not an index of this version and these [names], or damaged. */
+    /** Returns the entries of [bytes]; null when they are not an index of this version and these [names], or damaged. */
     fun decode(bytes: ByteArray, names: Int = 0): List<LogEntry>? {
         if (bytes.size < HEAD) return null
         val buffer = ByteBuffer.wrap(bytes)
@@ -83,7 +83,7 @@ internal class TextTable {
     /** All of them. */
     val all: Collection<String> get() = places.keys
 
-    /** The place of [text]; -1 for null. */
+    /** Returns the place of [text]; -1 for null. */
     fun placeOf(text: String?): Int = if (text == null) -1 else places.getOrPut(text) { places.size }
 }
 

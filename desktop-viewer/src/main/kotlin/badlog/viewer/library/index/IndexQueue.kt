@@ -92,7 +92,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         changes++
     }
 
-    /** How things stand. */
+    /** Returns how things stand. */
     @Synchronized
     fun state() = IndexState(
         entries = known.values.toList(),
@@ -103,8 +103,8 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
     ).also { if (it.waiting == 0) read = 0 }
 
     /**
-     * What is known of the newest files, up to the first that is not known yet; the newest first. Where there are files that can
-     * only be logs, only of those.
+     * Returns what is known of the newest files, up to the first that is not known yet; the newest first. Where there are files
+     * that can only be logs, only of those.
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {

@@ -21,14 +21,14 @@ internal data class LogDate(val second: Long, val source: DateSource) {
     val time: LocalDateTime get() = LocalDateTime.ofEpochSecond(second, 0, ZoneOffset.UTC)
 
     companion object {
-        /** When the recording of [file], with [values], began. */
+        /** Returns when the recording of [file], with [values], began. */
         fun of(values: List<Value>, file: LogFile): LogDate {
             val logged = values.meant("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
             if (logged != null) return of(logged, DateSource.VALUES)
             return ofFile(file)
         }
 
-        /** The date from [file] alone. */
+        /** Returns the date from [file] alone. */
         fun ofFile(file: LogFile): LogDate {
             val named = dateInName(file.name)
             if (named != null) return of(named.time, DateSource.FILE_NAME)

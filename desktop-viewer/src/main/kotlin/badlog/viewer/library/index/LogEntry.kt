@@ -53,7 +53,7 @@ internal data class LogEntry(
     /** Whether there is nothing to see in it. */
     val isGray: Boolean get() = content != Content.SOMETHING
 
-    /** The summary of the topic called [name], or null when the log has none. */
+    /** Returns the summary of the topic called [name], or null when the log has none. */
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
 }
 

@@ -12,7 +12,7 @@ internal data class LogFound(val key: Int, val rules: List<FoundRule>?) {
     /** How bad the worst is; null where nothing was found. */
     val worst: Severity? get() = rules?.maxOfOrNull { it.severity }
 
-    /** How many rules found something that is so bad. */
+    /** Returns how many rules found something that is so bad. */
     fun count(severity: Severity): Int = rules.orEmpty().count { it.severity == severity }
 }
 

@@ -23,7 +23,7 @@ internal data class MatchFacts(
     val match: String? get() = number?.let { "${type ?: "Match"} $it" }
 
     companion object {
-        /** What [logged] tells, the alliance what [values] tell, and for what neither does, the name of the file. */
+        /** Returns what [logged] tells, the alliance what [values] tell, and for what neither does, the name of the file. */
         fun of(values: List<Value>, fileName: String, logged: LoggedMatch?): MatchFacts {
             val named = matchInName(fileName)
             val number = logged?.number

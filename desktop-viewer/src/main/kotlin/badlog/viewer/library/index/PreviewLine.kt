@@ -15,13 +15,13 @@ internal class PreviewLine(val bytes: ByteArray) {
         require(bytes.size == BYTES) { "A preview has $BYTES bytes, not ${bytes.size}." }
     }
 
-    /** Whether [column] has a value. */
+    /** Returns whether [column] has a value. */
     fun has(column: Int): Boolean = low(column) <= high(column)
 
-    /** The smallest value of [column] as a share of the way from minimum to maximum. */
+    /** Returns the smallest value of [column] as a share of the way from minimum to maximum. */
     fun low(column: Int): Float = bytes[2 * column].toUByte().toInt() / 255f
 
-    /** The largest value likewise. */
+    /** Returns the largest value likewise. */
     fun high(column: Int): Float = bytes[2 * column + 1].toUByte().toInt() / 255f
 
     override fun equals(other: Any?): Boolean = other is PreviewLine && bytes.contentEquals(other.bytes)
@@ -36,7 +36,7 @@ internal class PreviewLine(val bytes: ByteArray) {
         const val BYTES = 2 * COLUMNS
 
         /**
-         * The course of [series], whose finite values go from [min] to [max]; NaN when it has none.
+         * Returns the course of [series], whose finite values go from [min] to [max]; NaN when it has none.
          *
          * @param held all of x, where each value holds until the next one; null where the series is all there is.
          */

@@ -47,7 +47,7 @@ internal fun summarize(file: LogFile, library: Path? = null, checkpoint: () -> U
     unreadable(file, "${file.name} made badlog fail (${e.javaClass.simpleName}); send us the file.")
 }
 
-/** The summary of a file whose samples do not fit into memory. */
+/** Returns the summary of a file whose samples do not fit into memory. */
 private fun withoutSamples(file: LogFile, library: Path?, checkpoint: () -> Unit): LogEntry = try {
     val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false, cores = 1) { _, _ -> checkpoint() }
     summaryOf(file, library, recording).copy(content = Content.SOMETHING)
@@ -111,11 +111,11 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     )
 }
 
-/** Whether [recording] is a table of logs, as the window and the program save them among the logs: each row speaks of a file. */
+/** Returns whether [recording] is a table of logs, as the window and the program save them among the logs: each row speaks of a file. */
 private fun isTable(recording: Recording): Boolean = recording.format == RecordingFormat.CSV &&
     recording.topics.take(3).map { it.name }.let { it == listOf("Log", "Date", "File") || it.take(2) == listOf("Match", "File") }
 
-/** Whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
+/** Returns whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
 private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
 
 /** A file of comma-separated values alone has no x axis, but mostly a column of the time. */
@@ -130,7 +130,7 @@ private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
     return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
 }
 
-/** How many seconds [duration] in [unit] is; null when the unit is none of time. */
+/** Returns how many seconds [duration] in [unit] is; null when the unit is none of time. */
 internal fun secondsOf(duration: Double, unit: String): Double? {
     // A log without units is a plain CSV file, whose time nearly always is in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)

@@ -8,11 +8,12 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
 /**
- * What an assistant gives to a tool. An assistant makes mistakes, so each is reported with what would be right.
+ * The arguments that an assistant passes to a tool. Assistants make mistakes, so each is reported with what would
+ * be right.
  *
- * @param given as it came.
- * @param parameters what the tool may be given.
- * @throws ToolException when something else is given.
+ * @param given the arguments as received.
+ * @param parameters the parameters of the tool.
+ * @throws ToolException if there are others.
  */
 internal class Arguments(private val given: JsonObject, parameters: List<Parameter>) {
     init {
@@ -25,13 +26,13 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         }
     }
 
-    /** The text [name]; null where it is not given. */
+    /** Returns the text [name]; null if it is not given. */
     fun text(name: String): String? = find(name)?.let { textOf(name, it) }
 
-    /** The text [name], which is required. */
+    /** Returns the text [name], which is required. */
     fun requiredText(name: String): String = text(name) ?: throw ToolException("The argument “$name” is missing.")
 
-    /** The texts [name]; a single one may stand without a list. Empty where none is given. */
+    /** Returns the texts [name]; a single one need not be in a list. Empty if none is given. */
     fun texts(name: String): List<String> {
         val element = find(name) ?: return emptyList()
         val texts = if (element is JsonArray) element.map { textOf(name, it) } else listOf(textOf(name, element))
@@ -39,12 +40,12 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         return texts
     }
 
-    /** The number [name]; null where it is not given. */
+    /** Returns the number [name]; null if it is not given. */
     fun number(name: String): Double? = find(name)?.let {
         (it as? JsonPrimitive)?.doubleOrNull?.takeIf(Double::isFinite) ?: throw ToolException("“$name” must be a number.")
     }
 
-    /** The whole number [name], which lies in [range], or [default]. */
+    /** Returns the whole number [name], which must be in [range], or [default]. */
     fun whole(name: String, default: Int, range: IntRange): Int {
         val number = number(name) ?: return default
         if (number != Math.rint(number) || number < range.first || number > range.last) {
@@ -62,10 +63,10 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
     }
 
     companion object {
-        /** So many entries may a list have. */
+        /** The maximum number of entries in a list. */
         const val MAX_TEXTS: Int = 50
 
-        /** So many characters may a text have. */
+        /** The maximum number of characters in a text. */
         const val MAX_LETTERS: Int = 2_000
 
         private const val MAX_SHOWN = 60

@@ -7,23 +7,23 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject
 
 /**
- * Something that an assistant may ask for. It only reads.
+ * A tool for an assistant. It only reads.
  *
- * @property name what the assistant calls it, in small letters and `_`.
- * @property title what a person calls it.
+ * @property name its name for the assistant, in lower-case letters and `_`.
+ * @property title its name for people.
  * @property description what it is for, in sentences for the assistant.
- * @property parameters what it may be given.
+ * @property parameters its parameters.
  */
 internal abstract class AssistantTool(val name: String, val title: String, val description: String, val parameters: List<Parameter>) {
     /**
-     * Answers what [arguments] ask for.
+     * Answers a call with [arguments].
      *
-     * @throws ToolException when that makes no sense.
+     * @throws ToolException if they are invalid.
      */
     abstract fun answer(arguments: Arguments): Answer
 }
 
-/** The types that arguments may have, as JSON Schema calls them. */
+/** The types of arguments, with their names in JSON Schema. */
 internal enum class ParameterType {
     TEXT,
     TEXTS,
@@ -32,7 +32,7 @@ internal enum class ParameterType {
 }
 
 /**
- * What a tool may be given.
+ * A parameter of a tool.
  *
  * @property description what it means, with its unit and its default.
  */

@@ -9,11 +9,11 @@ import kotlinx.serialization.json.put
  * A part of a list that is too long for one answer.
  *
  * @property entries the entries of that part.
- * @property total how many there are in all.
- * @property next where the next part begins; null after the last one.
+ * @property total the number of entries in the whole list.
+ * @property next where the next part begins; null for the last one.
  */
 internal class Page(val entries: List<JsonElement>, val total: Int, val next: Int?) {
-    /** Puts the list into an answer under [name], with how many there are, and how to get the others. */
+    /** Adds the list to an answer under [name], with the total and how to get the others. */
     fun putInto(answer: JsonObjectBuilder, name: String) {
         answer.put(name, JsonArray(entries))
         answer.put("total", total)
@@ -30,10 +30,10 @@ internal class Page(val entries: List<JsonElement>, val total: Int, val next: In
         private const val MAX_ENTRIES = 200
         private const val DEFAULT_ENTRIES = 50
 
-        /** So many characters has such a part at most, if it has more than one entry. */
+        /** The maximum number of characters in such a part, if it has more than one entry. */
         private const val MAX_CHARACTERS = 24_000
 
-        /** The part of [items] that [arguments] ask for, as [json] has each of that part. */
+        /** Returns the part of [items] that [arguments] ask for, converted by [json]. */
         fun <T> of(items: List<T>, arguments: Arguments, json: (List<T>) -> List<JsonElement>): Page {
             val offset = arguments.whole("offset", 0, 0..Int.MAX_VALUE)
             val limit = arguments.whole("limit", DEFAULT_ENTRIES, 1..MAX_ENTRIES)

@@ -17,18 +17,18 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The logs that may be asked about: those below one folder. They are known by their names in it, and a name is only ever compared with
- * those of the logs that are there, so that no name leads out of the folder; nor does a link.
+ * The accessible logs: those below one folder. They are identified by their names in it. A name is only compared with those of
+ * existing logs, so that no name leads out of the folder; nor does a link.
  *
- * @throws badlog.file.UnreadableFileException when the folder cannot be looked into.
+ * @throws badlog.file.UnreadableFileException if the folder cannot be read.
  */
 internal class LogFolder(folder: Path) {
-    /** Where it really is. */
+    /** Its real path, with links resolved. */
     val root: Path = reading(folder) { folder.toRealPath() }
 
     private var known = emptyMap<String, LogFile>()
 
-    /** The logs that are there now, by their names, in the order of these. */
+    /** Returns the current logs by their names, in the order of these. */
     fun logs(): Map<String, LogFile> {
         val parents = HashMap<Path, Boolean>()
         known = reading(root) { FolderScan.of(root) }.files
@@ -39,9 +39,10 @@ internal class LogFolder(folder: Path) {
     }
 
     /**
-     * The log called [name], as it is now: by its name in the folder, or by that of its file alone where no other has it.
+     * Returns the log called [name], in its current state: by its name in the folder, or just by its file name if that is
+     * unique.
      *
-     * @throws ToolException when there is none.
+     * @throws ToolException if there is none.
      */
     fun log(name: String): Pair<String, LogFile> {
         val found = find(name) ?: run {
@@ -53,20 +54,20 @@ internal class LogFolder(folder: Path) {
         return found to reading(path) { LogFile.of(path) }
     }
 
-    /** The rules that lie in the folder, else the built-in ones. The hooks that they name are never run. */
+    /** Returns the rules in the folder, or else the built-in ones. Hooks in them are never run. */
     fun rules(): FolderRules? = root.resolve(RulesFile.NAME).takeIf { file ->
-        // A link to a file elsewhere would be read as rules, and quoted as a mistake in them.
+        // A link to a file elsewhere would be read as rules, and its text quoted in messages about mistakes.
         listOf(file, root.resolve(SignalsFile.NAME)).all { !Files.exists(it) || isInside(it) }
     }?.let { FolderRules.of(it) }
 
-    /** What topics are called in the logs of the folder. */
+    /** Returns the names of topics in the logs of the folder. */
     fun signals(): SignalVocabulary = (rules()?.rules ?: RuleSet.BUILT_IN).signals
 
     private fun find(name: String): String? = name.takeIf { it in known } ?: known.keys.singleOrNull { it.substringAfterLast('/') == name }
 
     private fun nameOf(path: Path) = root.relativize(path).joinToString("/")
 
-    /** A file of a folder that is inside. Only a link leads elsewhere. */
+    /** Returns whether [file], whose folder is inside, is inside itself. Only a link leads elsewhere. */
     private fun isOwn(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
 
     private fun isInside(path: Path) = try {

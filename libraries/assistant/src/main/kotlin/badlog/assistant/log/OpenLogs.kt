@@ -28,7 +28,7 @@ import kotlinx.serialization.json.putJsonObject
 internal class OpenLogs(private val logs: LogFolder) {
     private var last: Pair<LogFile, LogView>? = null
 
-    /** The log that the argument `log` names, with the topics of the argument `formulas`. */
+    /** Returns the log named in the argument `log`, with the topics of the argument `formulas`. */
     fun open(arguments: Arguments): OpenLog {
         val (name, file) = logs.log(arguments.requiredText("log"))
         val signals = logs.signals()
@@ -40,7 +40,7 @@ internal class OpenLogs(private val logs: LogFolder) {
     }
 
     private fun read(name: String, file: LogFile): LogView {
-        // Two at once may not fit into memory.
+        // Two at once may not fit in memory.
         last = null
         val recording = readRecording(file.path, LOG_FORMATS)
         recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw ToolException("$name: ${it.message}") }
@@ -48,10 +48,10 @@ internal class OpenLogs(private val logs: LogFolder) {
     }
 
     companion object {
-        /** What every tool takes that opens a log. */
+        /** The parameter of every tool that opens a log. */
         val LOG: Parameter = Parameter("log", ParameterType.TEXT, "The name of a log, as list_logs has it.", isRequired = true)
 
-        /** What those take that look at topics. */
+        /** The parameters of tools that use topics. */
         val TOPICS: List<Parameter> = listOf(
             LOG,
             Parameter(
@@ -72,16 +72,16 @@ internal class OpenLogs(private val logs: LogFolder) {
 }
 
 /**
- * A log that was read.
+ * An open log.
  *
- * @property name what it is called.
- * @property view what it has.
+ * @property name its name.
+ * @property view its content.
  */
 internal class OpenLog(val name: String, val view: LogView, private val signals: SignalVocabulary) {
     /**
-     * The lines of the topics that [arguments] name, each once, at most [most].
+     * Returns the lines of the topics named in [arguments], each once, at most [most].
      *
-     * @throws ToolException when there is no such topic.
+     * @throws ToolException if there is no such topic.
      */
     fun lines(arguments: Arguments, most: Int): List<GraphSeries> {
         val names = arguments.texts("topics")
@@ -90,7 +90,7 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
         return names.map(::topic).distinct().map(view::seriesOf)
     }
 
-    /** The range that [arguments] ask for, within the log's; null where the log has no sample. */
+    /** Returns the range requested by [arguments], within the log's; null if the log has no samples. */
     fun range(arguments: Arguments): Span? {
         val whole = view.xAxis.range ?: return null
         val from = arguments.number("from")
@@ -103,7 +103,7 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
         return Span(maxOf(from ?: whole.start, whole.start), minOf(to ?: whole.endInclusive, whole.endInclusive))
     }
 
-    /** Puts what x is, and from where to where [range] of it reaches, into [answer]. */
+    /** Adds a description of x, and the limits of [range], to [answer]. */
     fun putX(answer: JsonObjectBuilder, range: Span?) {
         answer.putJsonObject("x") {
             put("name", view.xAxis.name)

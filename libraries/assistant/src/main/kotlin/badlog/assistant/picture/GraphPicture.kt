@@ -38,13 +38,13 @@ import javax.imageio.ImageIO
 import kotlin.math.ceil
 
 /**
- * Graphs of a log as a picture, such as an assistant can look at: a panel for the lines of each unit, and a lane for each state, over the
- * same x; shaded where the robot was enabled.
+ * Graphs of a log as a picture for an assistant: a panel for the lines of each unit, and a lane for each state, over the same x; shaded
+ * where the robot was enabled.
  *
- * @param title what stands above them.
- * @param lines what is drawn, each of its own color.
+ * @param title the heading.
+ * @param lines what is drawn, each in its own color.
  * @param range the part of x that is drawn, not empty.
- * @param width of the picture, in pixels.
+ * @param width the width of the picture, in pixels.
  */
 internal class GraphPicture(
     private val view: LogView,
@@ -69,10 +69,10 @@ internal class GraphPicture(
         panels = graphAxes(numbers.map { it.line.unit }).map { axis -> Panel(axis.unit, axis.lines.map(numbers::get)) }
     }
 
-    /** How high the picture is, in pixels. */
+    /** The height of the picture, in pixels. */
     val height: Int = TOP + panels.size * PANEL + lanes.size * LANE + BOTTOM
 
-    /** The picture as the bytes of a PNG. */
+    /** Returns the picture as the bytes of a PNG. */
     fun png(): ByteArray {
         val image = BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
         val graphics = image.createGraphics()
@@ -212,7 +212,7 @@ internal class GraphPicture(
         drawString(fitting(text, room), left.toFloat(), baseline.toFloat())
     }
 
-    /** [text] so that it ends at [right]. */
+    /** Draws [text] so that it ends at [right]. */
     private fun Graphics2D.textBefore(text: String, right: Double, baseline: Double) {
         val fitting = fitting(text, right.toInt() - 2)
         text(fitting, right - fontMetrics.stringWidth(fitting), baseline, Shade.MUTED, right.toInt())

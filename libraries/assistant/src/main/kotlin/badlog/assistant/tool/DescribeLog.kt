@@ -24,7 +24,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 
-/** Tells what is in a log. */
+/** Describes the content of a log. */
 internal class DescribeLog(private val logs: OpenLogs) :
     AssistantTool(
         "describe_log",
@@ -56,7 +56,7 @@ internal class DescribeLog(private val logs: OpenLogs) :
         )
     }
 
-    /** What need not stand in the answer again that goes on with the topics. */
+    /** Adds what need not be repeated in later answers that continue the list of topics. */
     private fun putRest(answer: JsonObjectBuilder, log: OpenLog) {
         val recording = log.view.recording
         answer.putJsonArray("values") {

@@ -26,9 +26,9 @@ import kotlinx.serialization.json.putJsonObject
 import java.nio.file.Path
 
 /**
- * Asks a question of one log or of all.
+ * Evaluates a question for one log or for all.
  *
- * @param cache where answers are kept.
+ * @param cache where answers are cached.
  */
 internal class FindInLogs(private val logs: LogFolder, private val cache: Path?) :
     AssistantTool(
@@ -54,7 +54,7 @@ internal class FindInLogs(private val logs: LogFolder, private val cache: Path?)
         val nameOf = asked.associate { (name, file) -> file to name }
         val results = find.over(asked.map { it.second })
         mistakeIn(results)?.let { throw ToolException(it.pointed) }
-        // A log that the question leaves out is no answer to it.
+        // A log excluded by the question is not a result.
         val shown = results.filter { it.reply !is Reply.LeftOut && (it.reply as? Reply.Unreadable)?.isNoLog != true }
         return Answer(
             buildJsonObject {
@@ -116,7 +116,7 @@ internal class FindInLogs(private val logs: LogFolder, private val cache: Path?)
     }
 
     internal companion object {
-        /** What an assistant has to know of expressions. */
+        /** What an assistant must know about expressions. */
         const val LANGUAGE: String =
             "Names are those of topics or signals; put texts in single quotes; numbers may have units (7 V, 0.5 s). Operators: and or " +
                 "not < <= > >= == != contains matches + - * / ^, “x when c”, “c for 0.5 s”, “a within 1 s after b”. Of a whole log: min " +

@@ -26,9 +26,9 @@ import kotlinx.serialization.json.putJsonArray
 import java.nio.file.Path
 
 /**
- * Tells what the rules find in one log, or how much in each.
+ * Returns what the rules find in one log, or how much in each.
  *
- * @param cache where it is kept what was found.
+ * @param cache where findings are cached.
  */
 internal class FindingsOfLogs(private val logs: LogFolder, private val cache: Path?) :
     AssistantTool(
@@ -46,7 +46,7 @@ internal class FindingsOfLogs(private val logs: LogFolder, private val cache: Pa
         val name = arguments.text("log")?.let { logs.log(it).first }
         val least = arguments.text("severity")?.let(::severityOf) ?: Severity.NOTE
         val rules = logs.rules()
-        // Logs are compared with each other, so all are looked at.
+        // Logs are compared with each other, so all are examined.
         val all = logs.logs()
         val reports = Report(rules?.rules ?: RuleSet.BUILT_IN, cache = cache).over(all.values.toList()).logs
         val reportOf = all.keys.zip(reports)

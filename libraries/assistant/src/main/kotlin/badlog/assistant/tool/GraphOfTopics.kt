@@ -68,7 +68,7 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         return Answer(data, png)
     }
 
-    /** As where a system has no font at all. */
+    /** For example, if a system has no font at all. */
     private fun cannotDraw(e: Error) = ToolException(
         "This computer's Java cannot draw text ($e); install fontconfig and a font, such as Debian's fonts-dejavu-core, or ask for samples.",
     )

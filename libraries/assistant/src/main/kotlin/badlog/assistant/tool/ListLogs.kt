@@ -19,7 +19,7 @@ import java.time.Instant
 /**
  * Lists the logs of the folder.
  *
- * @param cache where it is kept which match a log is of.
+ * @param cache where the matches of logs are cached.
  */
 internal class ListLogs(private val logs: LogFolder, private val cache: Path?) :
     AssistantTool(
@@ -35,7 +35,7 @@ internal class ListLogs(private val logs: LogFolder, private val cache: Path?) :
         val part = arguments.text("containing").orEmpty()
         val rows = HashMap<LogFile, TableRow>()
 
-        // Which match a log is of is known only after a look into it.
+        // The match of a log is known only after reading it.
         fun look(files: List<LogFile>) = MatchTable(emptyList(), cache = cache).over(files).associateByTo(rows) { it.file }
         val wanted = if (part.isEmpty()) {
             all

@@ -25,7 +25,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 
-/** Gives the samples of topics in a range: all of them where they are few, else the smallest and the largest of each part of it. */
+/** Returns the samples of topics in a range: all of them if there are few, otherwise the smallest and the largest of each part of it. */
 internal class SamplesOfTopics(private val logs: OpenLogs) :
     AssistantTool(
         "samples",
@@ -119,7 +119,7 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         putJsonArray("columns") { names.forEach { add(it) } }
     }
 
-    /** Where to go on with what is left out. */
+    /** Adds where to continue with the omitted samples. */
     private fun JsonObjectBuilder.putRest(from: Double?, count: Int) {
         if (from == null) return
         put("more", count)

@@ -56,7 +56,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
         val statistics = view.statisticsOf(line, range.from, range.to)
         for (statistic in Statistic.entries) {
             putJsonObject(statistic.title) {
-                // What was calculated has no more digits than mean something.
+                // Calculated values have only meaningful digits.
                 put("value", number(statistic.textOf(statistics, line.isDerived).toDoubleOrNull()))
                 put("unit", unitOf(statistic.unitOf(line.unit, view.xAxis.unit)))
             }

@@ -29,7 +29,7 @@ import java.nio.file.Path
 /**
  * Makes a table with a row for each log.
  *
- * @param cache where answers are kept.
+ * @param cache where answers are cached.
  */
 internal class TableOfLogs(private val logs: LogFolder, private val cache: Path?) :
     AssistantTool(

@@ -12,19 +12,19 @@ import badlog.wpilog.metadataOf
 import kotlin.math.round
 
 /**
- * Writes the records of [log] again, or some of them, each as it stands there.
+ * Copies the records of [log], or some of them, unchanged.
  *
- * @param progress hears after each piece how many records are done, and how many there are. What it throws stops the writing and
- *   is passed on.
- * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the call. What it
- *   throws stops the writing and is passed on.
+ * @param progress called after each piece with the number of records done so far, and the number of all. An exception from it
+ *   stops the writing and is passed on.
+ * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An
+ *   exception from it stops the writing and is passed on.
  */
 public class RecordCopy(
     private val log: RecordLog,
     private val progress: (done: Long, total: Long) -> Unit = { _, _ -> },
     private val sink: (bytes: ByteArray, size: Int) -> Unit,
 ) {
-    /** A record that stands once more, at another time, before the record [place]. */
+    /** A record that is repeated, at another time, before the record [place]. */
     private class Held(val record: Int, val micros: Double, val place: Int)
 
     private val store = log.store
@@ -37,10 +37,10 @@ public class RecordCopy(
     }
 
     /**
-     * Writes those that are not the same as the one before them in their entry.
+     * Writes those that differ from the previous one of their entry.
      *
-     * @param isEvent whether the records of an entry happen, each anew, rather than hold until the next.
-     * @return how many were left out.
+     * @param isEvent whether the records of an entry are events, rather than values that hold until the next.
+     * @return the number of skipped records.
      */
     public fun changes(isEvent: (RecordEntry) -> Boolean): Int {
         val isKept = BooleanArray(store.size) { true }
@@ -60,13 +60,12 @@ public class RecordCopy(
     }
 
     /**
-     * Writes those that lie in [spans], which ascend and do not touch, in s; and where each span begins, the last one before it of
-     * each entry, at the time of that beginning: it holds there. All control records stay. What the log says of its run, as the
-     * match it was, is written as values where the part would not say it any more, and so are [values], in
-     * place of those of their names.
+     * Writes those within [spans], which ascend and do not touch, in s. At the start of each span, the last previous record of
+     * each entry is repeated, since it holds there. All control records are kept. Facts about the run, such as the match, are
+     * written as values if the part would lack them, and so are [values], replacing those with the same names.
      *
-     * @param isEvent whether the records of an entry happen rather than hold, so that none comes again.
-     * @param described a topic that says the unit and the attributes of an entry anew, or null.
+     * @param isEvent whether the records of an entry are events rather than values that hold, so that none is repeated.
+     * @param described returns a topic with a new unit and attributes for an entry, or null.
      */
     public fun spans(
         spans: List<Span>,
@@ -90,7 +89,7 @@ public class RecordCopy(
         val replaced = log.entries.filter { entry -> entry.isValue && values.any { it.name == entry.name } }
         for (entry in replaced) for (record in entry.records + entry.controls) isKept[record] = false
         val held = log.entries.filter { !it.isSystemTime && !isEvent(it) && it !in replaced }.flatMap { entry ->
-            // Once is enough for what never changes.
+            // Once is enough for something that never changes.
             val where = if (entry.isValue) spans.take(1) else spans
             where.mapIndexedNotNull { index, span -> heldIn(entry, span, begins[index]) }
         }
@@ -109,14 +108,17 @@ public class RecordCopy(
         flush()
     }
 
-    /** The record of [entry] that holds where [span] begins, which is at record [begin] of the file, where it has none of that moment. */
+    /**
+     * Returns the record of [entry] that holds at the start of [span], which is at record [begin] of the file, unless the entry has one at
+     * that moment.
+     */
     private fun heldIn(entry: RecordEntry, span: Span, begin: Int): Held? {
         val micros = round(span.from * WpilogEntries.MICROS)
         val next = firstAt(entry, span.from)
         val isThere = next < firstAfter(entry, span.to) && log.micros(entry.records[next]) <= micros
         if (next == 0 || isThere) return null
         val record = entry.records[next - 1]
-        // By then its number may stand for another entry.
+        // By then, its id may belong to another entry.
         val isValid = begin > record && store.sessionEnd(record) > begin
         return Held(record, micros, if (isValid) begin else record + 1)
     }
@@ -136,10 +138,11 @@ public class RecordCopy(
     }
 
     /**
-     * Writes the header, the records that [isKept], and [held] ones between them. The last piece stays in [out].
+     * Writes the header, the records for which [isKept] is true, and [held] ones between them. The last piece
+     * stays in [out].
      *
-     * @param metadata what to say of some entries instead of what the file says of them.
-     * @param onPiece is called for each piece.
+     * @param metadata for some entries, metadata that replace those in the file.
+     * @param onPiece called for each piece.
      */
     private fun write(
         isKept: BooleanArray,

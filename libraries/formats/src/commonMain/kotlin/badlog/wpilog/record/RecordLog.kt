@@ -15,12 +15,12 @@ import badlog.wpilog.WpilogEntries
 import badlog.wpilog.intAt
 
 /**
- * The records of a WPILOG, byte by byte as they stand in its file, for programs that copy them. What its parser drops is not among
- * them: records of no entry, without the bytes of their type, at times that cannot be.
+ * The records of a WPILOG, byte for byte as in its file, for programs that copy them. Records that the parser drops are not
+ * included: those without an entry, of a wrong size, or at impossible times.
  *
- * All of it is in memory: the file's bytes, and some 30 more for each record.
+ * All of it is in memory: the file's bytes, and about 30 more for each record.
  *
- * @property entries what it has records of, in the order in which they were first begun.
+ * @property entries its entries, in the order in which they were first started.
  */
 public class RecordLog internal constructor(
     internal val header: ByteArray,
@@ -29,21 +29,23 @@ public class RecordLog internal constructor(
     private val match: MatchMetadata,
     private val firstMicros: Double,
 ) {
-    /** When record [index] holds, in µs; one from before 0 does so from the log's beginning on. */
+    /** Returns the time from which record [index] holds, in µs; one before 0 holds from the start of the log. */
     internal fun micros(index: Int): Double = store.micros(index).let { if (it < 0) firstMicros else it }
 
-    /** What it would say of its run if it began at [micros]. */
+    /** Returns the facts about its run, as if it began at [micros]. */
     internal fun valuesAt(micros: Double): List<Value> = match.values(micros)
 
-    /** Takes the bytes of a WPILOG, inflated, and keeps its records. Not safe for use by several threads. */
+    /** Reads the inflated bytes of a WPILOG, and keeps its records. Not thread-safe. */
     public class Reader {
         private val keeper = RecordKeeper()
         private val splitter = RecordSplitter(keeper)
 
-        /** Takes the bytes from [from] until [until] of [bytes], which follow those of the calls before. Keeps no reference. */
+        /**
+         * Accepts the bytes from [from] until [until] of [bytes], which follow those of previous calls. Keeps no reference to the array.
+         */
         public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size): Unit = splitter.accept(bytes, from, until)
 
-        /** What was read. To be called once, last. */
+        /** Returns what was read. Call it once, last. */
         public fun finish(): RecordLog {
             splitter.finish()
             return keeper.finish()
@@ -52,10 +54,10 @@ public class RecordLog internal constructor(
 }
 
 /**
- * What a WPILOG has records of: all of one name and one type, under however many numbers it was begun.
+ * An entry of a WPILOG: all records of one name and type, under however many ids it was started.
  *
- * @property metadata what the file says of it last.
- * @property isValue whether it is a value that badlog has written, and no topic.
+ * @property metadata its last metadata in the file.
+ * @property isValue whether it is a value written by badlog, rather than a topic.
  */
 public class RecordEntry internal constructor(
     public val name: String,
@@ -66,18 +68,18 @@ public class RecordEntry internal constructor(
     internal val records: IntArray,
     internal val controls: IntArray,
 ) {
-    /** How many records it has. */
+    /** The number of its records. */
     public val size: Int get() = records.size
 
     internal val log: RecordLog get() = logOf()
 
-    /** Whether it has the time of day, which is true only where it was written. */
+    /** Whether it has the time of day, which is only correct at the original times of its records. */
     internal val isSystemTime: Boolean get() = name == Entry.SYSTEM_TIME
 
-    /** When record [index] of it holds, in s. They ascend. */
+    /** Returns the time from which its record [index] holds, in s. Times ascend. */
     public fun time(index: Int): Double = log.micros(records[index]) / WpilogEntries.MICROS
 
-    /** The bytes of record [index]. */
+    /** Returns the bytes of record [index]. */
     public fun payload(index: Int): ByteArray = log.store.payload(records[index])
 }
 
@@ -146,7 +148,7 @@ private class RecordKeeper : RecordSink {
         return log
     }
 
-    /** [records] in the order of their times; of one time in that of the file. */
+    /** Returns [records] in the order of their times; for equal times, in the order of the file. */
     private fun inOrder(records: IntArray): IntArray {
         if ((1 until records.size).all { store.micros(records[it - 1]) <= store.micros(records[it]) }) return records
         val order = stableOrder(DoubleArray(records.size) { store.micros(records[it]) })

@@ -8,21 +8,23 @@ import badlog.wpilog.WpilogParser
 import badlog.wpilog.intAt
 import badlog.wpilog.metadataOf
 
-/** The records of [entry], all of them later by [offsetMicros]. */
+/** The records of [entry], all of them delayed by [offsetMicros]. */
 public class RecordPiece(public val entry: RecordEntry, public val offsetMicros: Double = 0.0)
 
 /**
- * An entry of a log that is made of others: it is called [name], and has the records of [pieces], all of one type.
+ * An entry of a log that is merged from others: it is called [name], and has the records of [pieces], all of the
+ * same type.
  *
- * @property described a topic with the entry's unit and attributes, where its old name had them; else null.
+ * @property described a topic with the entry's unit and attributes, if its old name implied them; otherwise null.
  */
 public class RecordLane(public val name: String, public val pieces: List<RecordPiece>, public val described: Topic? = null)
 
 /**
- * Writes a WPILOG that has all records of [lanes] in the order of time, with the payloads that they have in their own logs; of one
- * time, those of the earlier piece first. A record that several pieces of a lane have, of the same time and payload, is there once.
+ * Writes a WPILOG that has all records of [lanes] in the order of time, with the payloads from their own logs; at equal times,
+ * those of the earlier piece come first. A record that several pieces of a lane have, with the same time and payload, is written
+ * once.
  *
- * What an entry is, the first of its pieces says. Where it is the only one, its metadata and its end stand there at their times.
+ * The first of its pieces defines an entry. If it is the only one, its metadata and its end are also written at their times.
  */
 public class RecordMerge(private val lanes: List<RecordLane>) {
     private val out = RecordBuffer()
@@ -33,16 +35,16 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
 
     private val repeats = IntArray(lanes.size)
 
-    /** For each lane, how many records were left out because another piece has them, too. */
+    /** For each lane, the number of records skipped because another piece also has them. */
     public val repeated: List<Int> get() = repeats.asList()
 
     /**
-     * Writes it. To be called once.
+     * Writes it. Call it once.
      *
-     * @param progress hears after each piece how many records are done, and how many there are. What it throws stops the writing
-     *   and is passed on.
-     * @param sink gets the file in pieces of about 64 KiB, each `[0, size)` of the array, which is used again after the call. What
-     *   it throws stops the writing and is passed on.
+     * @param progress called after each piece with the number of records done so far, and the number of all. An exception from it
+     *   stops the writing and is passed on.
+     * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An
+     *   exception from it stops the writing and is passed on.
      */
     public fun write(progress: (done: Long, total: Long) -> Unit = { _, _ -> }, sink: (bytes: ByteArray, size: Int) -> Unit) {
         val headers = lanes.flatMap { it.pieces }.map { it.entry.log.header }
@@ -83,14 +85,14 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         out.start(id, lane.name, entry.type, metadata, maxOf(0.0, micros))
     }
 
-    /** The last of the three texts, each with its length before it. */
+    /** Returns the last of the three texts, each of which is preceded by its length. */
     private fun startMetadata(payload: ByteArray): String {
         var at = 1 + Int.SIZE_BYTES
         repeat(2) { at += Int.SIZE_BYTES + intAt(payload, at) }
         return payload.decodeToString(at + Int.SIZE_BYTES)
     }
 
-    /** Puts the records of [lane] into their order, with the control records of its only piece. */
+    /** Sorts the records of [lane], including the control records of its only piece. */
     private fun append(index: Int, lane: RecordLane) {
         val pieces = lane.pieces
         val next = IntArray(pieces.size)

@@ -3,7 +3,7 @@ package badlog.wpilog.record
 import badlog.wpilog.PayloadDecoder
 import badlog.wpilog.RecordBuffer
 
-/** The bytes of records, in the order of their file, and what their heads say. */
+/** The bytes of records, in the order of their file, and the contents of their heads. */
 internal class RecordStore {
     private val chunks = ArrayList<ByteArray>()
     private var used = 0
@@ -17,10 +17,10 @@ internal class RecordStore {
     private val sessionEntry = IntList()
     private val sessionEnd = IntList()
 
-    /** How many records there are, control records too. */
+    /** The number of records, including control records. */
     val size: Int get() = head.size
 
-    /** A number [id] stands for [entry] from now on; returns what the records of it are to be added with. */
+    /** Starts a session in which [id] belongs to [entry]. Returns the session to add its records with. */
     fun begin(id: Int, entry: Int): Int {
         sessionId.add(id)
         sessionEntry.add(entry)
@@ -28,12 +28,12 @@ internal class RecordStore {
         return sessionId.size - 1
     }
 
-    /** The number of [session] stands for its entry no more. */
+    /** Ends [session]: its id no longer belongs to its entry. */
     fun end(session: Int) {
         sessionEnd[session] = size
     }
 
-    /** The first number from [wanted] on that no record has. */
+    /** Returns the first id from [wanted] on that no record has. */
     fun freeId(wanted: Int): Int {
         val taken = sessionId.toArray().toHashSet()
         return generateSequence(wanted) { it + 1 }.first { it !in taken }
@@ -57,45 +57,45 @@ internal class RecordStore {
         used += length
     }
 
-    /** Whether record [index] begins, ends or describes an entry. */
+    /** Returns whether record [index] begins, ends or describes an entry. */
     fun isControl(index: Int): Boolean = session[index] < 0
 
-    /** The first byte of the payload of the control record [index]: what it does. */
+    /** Returns the first byte of the payload of the control record [index]: what it does. */
     fun controlKind(index: Int): Int = bytes(index)[payload[index]].toInt()
 
-    /** The time in record [index], in µs. */
+    /** Returns the time in record [index], in µs. */
     fun micros(index: Int): Double = times[index]
 
-    /** The entry of record [index]. */
+    /** Returns the entry of record [index]. */
     fun entry(index: Int): Int = sessionEntry[sessionOf(index)]
 
-    /** The number that stands for it there. */
+    /** Returns the id of its entry there. */
     fun id(index: Int): Int = sessionId[sessionOf(index)]
 
-    /** At which record that number stands for it no more. */
+    /** Returns the record at which that id no longer belongs to it. */
     fun sessionEnd(index: Int): Int = sessionEnd[sessionOf(index)]
 
-    /** Marks record [index] as one that nobody reads. */
+    /** Marks record [index] as dropped. */
     fun drop(index: Int) {
         until[index] = -1
     }
 
-    /** Whether nobody reads record [index]. */
+    /** Returns whether record [index] is dropped. */
     fun isDropped(index: Int): Boolean = until[index] < 0
 
-    /** Whether the payload of record [index] is one that [decoder] can read. */
+    /** Returns whether the payload of record [index] is one that [decoder] can read. */
     fun fits(index: Int, decoder: PayloadDecoder): Boolean = decoder.fits(bytes(index), payload[index], until[index])
 
-    /** The payload of record [index]. */
+    /** Returns the payload of record [index]. */
     fun payload(index: Int): ByteArray = bytes(index).copyOfRange(payload[index], until[index])
 
-    /** Writes record [index] as it stands. */
+    /** Writes record [index] unchanged. */
     fun copy(index: Int, out: RecordBuffer) = out.copy(bytes(index), head[index], until[index])
 
-    /** Writes record [index] with another time, and as one of entry [id], or as a control record where that is 0. */
+    /** Writes record [index] with another time, as a record of entry [id], or as a control record if that is 0. */
     fun copy(index: Int, id: Int, micros: Double, out: RecordBuffer) = out.record(id, micros, bytes(index), payload[index], until[index])
 
-    /** Whether record [index] has the same payload as record [otherIndex] of [other]. */
+    /** Returns whether record [index] has the same payload as record [otherIndex] of [other]. */
     fun isSame(index: Int, other: RecordStore, otherIndex: Int): Boolean {
         val length = until[index] - payload[index]
         if (other.until[otherIndex] - other.payload[otherIndex] != length) return false

@@ -18,7 +18,7 @@ internal class CompactWriter {
     private val texts = LinkedHashMap<String, Int>()
     private val shared = LinkedHashMap<ByteBuffer, Int>()
 
-    /** [value] as bytes. To be called once. */
+    /** Returns [value] as bytes. Call it once. */
     fun <T> write(serializer: SerializationStrategy<T>, value: T): ByteArray {
         val body = Bytes()
         Writing(body).encodeSerializableValue(serializer, value)
@@ -32,7 +32,7 @@ internal class CompactWriter {
     }
 
     private class Bytes : ByteArrayOutputStream() {
-        /** In seven bits a byte, the lowest first: most numbers are small. */
+        /** Writes seven bits per byte, the lowest first, since most numbers are small. */
         fun number(value: Long) {
             var rest = value
             while (rest and LOW_BITS.inv() != 0L) {

@@ -12,7 +12,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 import java.util.Base64
 
-/** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first thing that is not as it has to be. */
+/** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first invalid part. */
 internal object HookOutput {
     fun read(text: String): HookResult {
         require(text.isNotBlank()) { "The hook printed nothing; it must print one JSON object, at least {}." }
@@ -31,7 +31,7 @@ internal object HookOutput {
         )
     }
 
-    /** Nothing that a hook returns is nested deeper, and what is could overflow the stack. */
+    /** Valid results are not nested more deeply, and deeper ones could overflow the stack. */
     private fun requireShallow(text: String) {
         var depth = 0
         var isInText = false

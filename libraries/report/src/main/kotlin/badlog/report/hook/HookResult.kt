@@ -21,8 +21,8 @@ public class HookResult internal constructor(
 /**
  * Something that a hook found.
  *
- * @property time where, in the unit of the recording's x; NaN when it is about the whole.
- * @property until where it ends; NaN when it is a moment or about the whole.
+ * @property time its place, in the unit of the recording's x; NaN if it is about the whole recording.
+ * @property until where it ends; NaN if it is a moment, or about the whole recording.
  */
 public class HookFinding internal constructor(
     public val severity: Severity,
@@ -34,16 +34,16 @@ public class HookFinding internal constructor(
 /**
  * A line that a hook calculated.
  *
- * @property unit empty when it has none.
- * @property data its samples; x never goes back, a y may be NaN.
+ * @property unit its unit; empty if it has none.
+ * @property data its samples; x never decreases, and y may be NaN.
  */
 public class HookSeries internal constructor(public val name: String, public val unit: String, public val data: Series)
 
 /**
  * A picture that a hook drew.
  *
- * @property title what stands above it.
+ * @property title its heading.
  * @property mediaType `image/svg+xml` or `image/png`.
- * @property bytes the picture. An SVG is not to be put into a page as elements, since it may hold scripts, but as an image.
+ * @property bytes the picture. Embed an SVG in a page as an image, not as elements, since it may contain scripts.
  */
 public class HookFigure internal constructor(public val title: String, public val mediaType: String, public val bytes: ByteArray)

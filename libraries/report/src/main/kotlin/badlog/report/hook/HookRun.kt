@@ -8,7 +8,10 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration
 
-/** A hook that runs as [process], and is given the rows of [recording]. Ends with [close], which may be called again by any thread. */
+/**
+ * A hook that runs as [process], and receives the rows of [recording]. It ends with [close], which may be called repeatedly and from any
+ * thread.
+ */
 internal class HookRun(private val process: Process, private val recording: Recording, private val timeLimit: Duration) : AutoCloseable {
     private val output = PipeReader(process.inputStream, MAX_OUTPUT, keepsEnd = false)
     private val errors = PipeReader(process.errorStream, MAX_ERRORS, keepsEnd = true)
@@ -20,10 +23,10 @@ internal class HookRun(private val process: Process, private val recording: Reco
         start()
     }
 
-    /** What the program returns. Throws a [HookException] when it does not. */
+    /** Returns the program's result. Throws a [HookException] if there is none. */
     fun result(): HookResult {
         while (!process.waitFor(minOf(POLL, maxOf(1, leftMillis)), TimeUnit.MILLISECONDS)) {
-            // What a program started can no longer be found when it has ended itself.
+            // The children of a program cannot be found once it has ended.
             process.descendants().forEach(started::add)
             if (output.isTooLong) fail("The hook printed more than ${MAX_OUTPUT shr 20} MB.")
             if (leftMillis <= 0) fail("The hook took longer than $timeLimit and was stopped.")
@@ -41,7 +44,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
         }
     }
 
-    /** What the program said last of what went wrong, after [intro]; empty when it said nothing. */
+    /** Returns the program's last error message after [intro]; empty if there is none. */
     private fun lastError(intro: String): String {
         val line = errors.text().lines().lastOrNull { it.isNotBlank() && it.trim() != R_ENDED } ?: return ""
         return "$intro: ${line.trim().trimEnd('.').take(MAX_QUOTED)}"
@@ -60,7 +63,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
                 RecordingWriter(recording, RecordingFormat.CSV).write { bytes, size -> out.write(bytes, 0, size) }
             }
         } catch (_: IOException) {
-            // A program need not read all, or any, of its input.
+            // A program need not read its input.
         }
     }
 
@@ -68,7 +71,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
     override fun close() {
         process.descendants().forEach(started::add)
         started += process.toHandle()
-        // Not the process itself, which would wait for its streams: for those who still read and write them.
+        // Not the process itself, which would wait for its streams, and so for the threads that still read and write them.
         started.forEach(ProcessHandle::destroyForcibly)
         input.join(POLL)
     }
@@ -79,7 +82,7 @@ internal class HookRun(private val process: Process, private val recording: Reco
         const val MAX_ERRORS = 64 shl 10
         const val MAX_QUOTED = 300
 
-        /** What R says last of all, whatever went wrong. */
+        /** What R always prints last, whatever went wrong. */
         const val R_ENDED = "Execution halted"
     }
 }

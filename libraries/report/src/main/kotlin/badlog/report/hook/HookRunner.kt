@@ -17,15 +17,15 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Runs a program of the user's for recordings; `docs/hooks.md` has what it gets and what it may return. Safe for several threads.
+ * Runs a program of the user for recordings; `docs/hooks.md` describes its input and output. Thread-safe.
  *
- * What runs is [command] alone, word by word and without a shell. Nothing that stands in a log becomes part of it. It is to be
- * given by the person who starts the program, never by a file that came with the logs.
+ * Only [command] runs, word by word and without a shell. Nothing in a log becomes part of it. It must come from the person who
+ * starts the program, never from a file that came with the logs.
  *
- * @property command the program and its arguments; in an argument `{header}` becomes the path of the header's file.
- * @property timeLimit how long the program may take for one recording before it and all it started are killed.
- * @property name what to call it; usually the script, or the program where no script is among its arguments.
- * @property folder where it runs; null for where this program runs.
+ * @property command the program and its arguments; in an argument, `{header}` is replaced by the path of the header's file.
+ * @property timeLimit the time that the program may take for one recording before it and all its children are killed.
+ * @property name its name; usually the script, or the program if no script is among its arguments.
+ * @property folder its working directory; null for that of this program.
  */
 public class HookRunner(
     public val command: List<String>,
@@ -39,11 +39,11 @@ public class HookRunner(
     }
 
     /**
-     * Runs the program for [recording], read with its samples. One without rows, as a WPILOG, is given in rows of 20 ms, each with
-     * the last values until then.
+     * Runs the program for [recording], which must have been read with its samples. A recording without rows, such as a WPILOG, is
+     * passed in rows of 20 ms, each with the last values up to then.
      *
-     * @throws HookException when it cannot be started, takes too long, fails, or returns something else than it has to.
-     * @throws InterruptedException when the thread was interrupted; the program is then killed.
+     * @throws HookException if it cannot be started, takes too long, fails, or returns something invalid.
+     * @throws InterruptedException if the thread was interrupted; the program is then killed.
      */
     public fun run(recording: Recording): HookResult {
         val header = try {
@@ -99,14 +99,14 @@ public class HookRunner(
     }
 
     public companion object {
-        /** How long a program may take where nobody says otherwise. */
+        /** The default of [timeLimit]. */
         public val DEFAULT_TIME_LIMIT: Duration = 30.seconds
 
-        /** The program of [hook], which a file of rules in [folder] names. */
+        /** Returns the runner of [hook], which a file of rules in [folder] names. */
         public fun of(hook: HookCommand, folder: Path?): HookRunner =
             HookRunner(hook.command, hook.timeLimit ?: DEFAULT_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
 
-        // The first argument that looks like a file's name is the script, as in `python3 -u tools/analyze.py`.
+        // Returns the name: the first argument that looks like a file name is the script, as in `python3 -u tools/analyze.py`.
         private fun nameOf(command: List<String>): String {
             val script = command.drop(1).firstOrNull { !it.startsWith("-") && '.' in it && ' ' !in it && '{' !in it }
             return (script ?: command[0]).substringAfterLast('/').substringAfterLast('\\')
@@ -115,7 +115,7 @@ public class HookRunner(
         /** As in `Cannot run program "a.py": error=13, Permission denied` or `CreateProcess error=2, …`. */
         private val ERROR_OF_SYSTEM = Regex("error=\\d+, (.*)")
 
-        /** The line of a bag, or one that says as much of another file. */
+        /** Returns the header line of a bag, or an equivalent one for another file. */
         private fun headerOf(recording: Recording): String = recording.headerLine ?: headerText(
             BagHeader(
                 recording.topics.map { BagTopic(it.name, it.unit, it.attributes) },
@@ -123,7 +123,7 @@ public class HookRunner(
             ),
         )
 
-        /** A loop of the robot. */
+        /** The period of a robot's loop, in s. */
         private const val PERIOD = 0.02
 
         private fun inRows(recording: Recording): Recording =

@@ -3,7 +3,7 @@ package badlog.report.hook
 import java.io.IOException
 import java.io.InputStream
 
-/** Reads what a program writes, on a thread of its own, so that the program never waits. */
+/** Reads what a program writes on a separate thread, so that the program never waits. */
 internal class PipeReader(private val stream: InputStream, private val most: Int, private val keepsEnd: Boolean) {
     private var bytes = ByteArray(minOf(most, PIECE))
     private var count = 0
@@ -26,7 +26,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
                 append(piece, size)
             }
         } catch (_: IOException) {
-            // The program was killed; what it had written counts.
+            // The program was killed; what it wrote before counts.
         }
     }
 
@@ -43,13 +43,13 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
         count += size
     }
 
-    /** Whether all was read within [millis] milliseconds. */
+    /** Waits for at most [millis] ms. Returns whether everything was read. */
     fun join(millis: Long): Boolean {
         thread.join(maxOf(1, millis))
         return !thread.isAlive
     }
 
-    /** What was read so far. */
+    /** Returns what was read so far. */
     @Synchronized
     fun text(): String = bytes.decodeToString(0, count)
 

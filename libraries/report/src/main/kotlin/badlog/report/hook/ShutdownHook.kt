@@ -1,13 +1,13 @@
 package badlog.report.hook
 
-/** Does [work]; if the program is asked to end meanwhile, as by Ctrl+C, does [atEnd] on another thread before it does. */
+/** Does [work]. If the program is asked to end meanwhile, for example by Ctrl+C, [atEnd] runs on another thread before the program ends. */
 internal fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
     val runtime = Runtime.getRuntime()
     val thread = Thread(atEnd, "badlog-end")
     try {
         runtime.addShutdownHook(thread)
     } catch (_: IllegalStateException) {
-        // It is ending already: what begins now is not waited for.
+        // The program is already ending, and does not wait for work that begins now.
         throw InterruptedException("The program ends.")
     }
     try {
@@ -16,7 +16,7 @@ internal fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
         try {
             runtime.removeShutdownHook(thread)
         } catch (_: IllegalStateException) {
-            // It runs now.
+            // It is already running.
         }
     }
 }

@@ -1,8 +1,8 @@
 package badlog.report.hook
 
 /**
- * Whether [text] begins as an SVG picture does: with what may stand before its root in XML, and the root. A document type that
- * defines entities is not taken, since they may grow without bounds.
+ * Returns whether [text] begins like an SVG picture: with what XML allows before the root, and the root. A document type that
+ * defines entities is not accepted, since they may expand without bounds.
  */
 internal fun beginsAsSvg(text: String): Boolean {
     var at = 0

@@ -7,7 +7,7 @@ import badlog.recording.Value
 import badlog.report.hook.HookOutcome
 import java.util.Base64
 
-/** What the page of a log shows of what [hooks] came to. */
+/** Returns what the page of a log shows of the outcomes of [hooks]. */
 public fun hookParts(hooks: List<HookOutcome>): List<HookPart> = hooks.map { outcome ->
     val result = outcome.result ?: return@map HookPart(outcome.hook, error = outcome.failure?.message)
     HookPart(

@@ -9,7 +9,7 @@ import java.net.URLEncoder
 import java.security.MessageDigest
 import java.util.Base64
 
-/** [text] as HTML: names and texts come from files. */
+/** Returns [text] escaped for HTML: names and texts come from files. */
 internal fun escaped(text: String): String = buildString(text.length) {
     for (char in text.split('\n').joinToString("\n", transform = ::printable)) {
         when (char) {
@@ -23,19 +23,22 @@ internal fun escaped(text: String): String = buildString(text.length) {
     }
 }
 
-/** [text] as a link to [finding] on the page [page], or to its begin where that has no time; without a link where there is no page. */
+/**
+ * Returns [text] as a link to [finding] on the page [page], or to the start of the page if the finding has no time; without a link if there
+ * is no page.
+ */
 internal fun linked(text: String, page: String?, finding: Finding? = null): String {
     if (page == null || text.isEmpty()) return escaped(text)
     val place = finding?.takeIf { it.time.isFinite() }?.let { PageAddress(it.time, finding = FindingName.of(it)).toText() }.orEmpty()
     return "<a href=\"${escaped("./" + urlOf(page) + place)}\">${escaped(text)}</a>"
 }
 
-/** [path] with everything but plain characters encoded, so that no name becomes a scheme, a query or a fragment. */
+/** Returns [path] with everything but plain characters encoded, so that no name becomes a scheme, a query or a fragment. */
 private fun urlOf(path: String): String = path.split('/').joinToString("/") { URLEncoder.encode(it, Charsets.UTF_8).replace("+", "%20") }
 
-/** The hash by which a page allows [text] as its style or script. */
+/** Returns the hash by which a page allows [text] as its style or script. */
 internal fun hashOf(text: String): String =
     "sha256-" + Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(text.encodeToByteArray()))
 
-/** The class of what is of this severity. */
+/** The CSS class of this severity. */
 internal val Severity.cssClass: String get() = name.lowercase()

@@ -14,17 +14,17 @@ import badlog.rules.timeText
 internal class IndexedLog(val number: Int, val report: LogReport, val file: String, val page: String?, event: String) {
     val name: String get() = report.title ?: file
 
-    /** Its name without that of the event, where all are of one. */
+    /** Its name without that of the event, if all logs are of the same event. */
     val shortName: String = report.title?.removePrefix(event)?.trim() ?: file
 
-    /** By which links find its part of the page. */
+    /** The id by which links find its part of the page. */
     val id: String get() = "log-$number"
 
-    /** By which the filter knows what is of it. */
+    /** The attributes by which the filter finds its parts. */
     val data: String get() = "data-log=\"$number\" data-type=\"${escaped(report.matchType.orEmpty())}\""
 }
 
-/** What was found in [log]: its incidents, then its findings, both with the worst first and links to their moments. */
+/** Returns what was found in [log]: its incidents, then its findings, both with the worst first, and with links to their moments. */
 internal fun matchPart(log: IndexedLog): String {
     val report = log.report
     val out = StringBuilder("<article id=\"${log.id}\" class=\"match card\" ${log.data} aria-labelledby=\"${log.id}-name\">\n")
@@ -57,7 +57,7 @@ private fun findingItem(finding: Finding, page: String?): String {
     return item(finding.severity, finding, page) + "<div class=\"told\">$told</div></li>\n"
 }
 
-/** What came first and what followed, each a link to its evidence. */
+/** Returns what came first and what followed, each as a link to its evidence. */
 private fun incidentItem(incident: Incident, page: String?): String {
     val told = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
     val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"

@@ -7,7 +7,9 @@ import badlog.rules.comparison.figureText
 import badlog.rules.figure.LogFigures
 import badlog.rules.figure.Measure
 
-/** All logs that can be read in a table, the worst first: how much was found in each, what first, and how its battery did. */
+/**
+ * Returns all readable logs in a table, the worst first: the number of findings in each, the first finding, and the state of its battery.
+ */
 internal fun overview(logs: List<IndexedLog>): String {
     val out = StringBuilder("<table class=\"overview\">\n<thead><tr><th scope=\"col\">Match</th>")
     for (title in listOf("Errors", "Warnings", "Notes")) out.append("<th scope=\"col\" class=\"count\">$title</th>")
@@ -45,7 +47,7 @@ private fun row(log: IndexedLog): String {
     return out.append("</tr>\n").toString()
 }
 
-/** What stands first of all in [report], and the finding that shows it. */
+/** Returns the first incident or finding of [report], and the finding that shows it. */
 private fun firstOf(report: LogReport): Pair<String, Finding?> = report.incidents.firstOrNull()?.let { it.name to it.first }
     ?: report.findings.firstOrNull()?.let { it.text to it } ?: ("Nothing found" to null)
 

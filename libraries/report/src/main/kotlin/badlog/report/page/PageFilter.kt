@@ -2,7 +2,7 @@ package badlog.report.page
 
 import badlog.recording.Severity
 
-/** Fields by which a person narrows the page, for who has scripts; hidden until the page's script shows them. */
+/** Returns the fields that filter the page; hidden until the page's script shows them. */
 internal fun filterForm(logs: List<IndexedLog>): String {
     val out = StringBuilder("<form id=\"filter\" role=\"search\" aria-label=\"Filter\" hidden=\"\">\n")
     out.append("<label>Search <input type=\"search\" name=\"words\" autocomplete=\"off\"/></label>\n")

@@ -10,14 +10,14 @@ import badlog.report.shortNames
 import badlog.report.summary
 
 /**
- * One page that shows all incidents and findings and needs nothing else: no network, no library, and a script only to filter and search.
- * It follows the system's light or dark colors.
+ * Returns a page that shows all incidents and findings and needs nothing else: no network, no library, and a script only for filtering and
+ * searching. It follows the system's light or dark colors.
  *
- * Each finding links to itself on the page of its log, by a fragment with its time in the unit of the log's x axis, its rule and its topic:
- * `Q42.html#t=93.7&finding=Brownout;Voltage`.
+ * Each finding links to its place on the page of its log, by a fragment with its time in the unit of the log's x axis, its rule and its
+ * topic: `Q42.html#t=93.7&finding=Brownout;Voltage`.
  *
- * @param title what stands above everything.
- * @param pageOf where the page of a log is, as a path with `/` relative to this page, or null without one.
+ * @param title the heading of the page.
+ * @param pageOf returns where the page of a log is, as a path with `/` relative to this page, or null if there is none.
  */
 public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
     val names = shortNames(result.logs.map { it.file })
@@ -36,7 +36,7 @@ public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (L
     return out.append("</main>\n<script>$SCRIPT</script>\n</body>\n</html>\n").toString()
 }
 
-/** The words that all of [titles] begin with, but for the last two, which are a match: the event; empty where there is none. */
+/** Returns the event: the words with which all of [titles] begin, except for the last two, which are the match; empty if there is none. */
 private fun eventOf(titles: List<String>): String {
     if (titles.size < 2) return ""
     val words = titles.map { it.split(' ') }
@@ -63,7 +63,7 @@ private fun appendList(out: StringBuilder, title: String, items: List<String>) {
     appendSection(out, title, items.joinToString("", "<ul class=\"notes\">\n", "</ul>\n") { "<li>${escaped(it)}</li>\n" })
 }
 
-/** How the pages of badlog say what made them; its version follows. */
+/** The generator mark of badlog's pages; the version follows it. */
 internal const val GENERATOR = "<meta name=\"generator\" content=\"badlog "
 
 private fun colors(isDark: Boolean) = Shade.entries.joinToString(" ") { "--${it.name.lowercase()}: ${cssColor(it.of(isDark))};" }

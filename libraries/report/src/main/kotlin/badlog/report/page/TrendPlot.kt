@@ -4,15 +4,15 @@ import badlog.rules.comparison.figureText
 import java.util.Locale
 
 /**
- * A number that each match has, over the matches.
+ * A number of one match, for a plot over the matches.
  *
- * @property value it, of the match called [name]; NaN for none.
- * @property uncertainty within which it is known; NaN where nobody knows.
- * @property isOdd whether it was found to be far from the others.
+ * @property value the number for the match called [name]; NaN for none.
+ * @property uncertainty its uncertainty; NaN if unknown.
+ * @property isOdd whether it is far from the others.
  */
 internal class TrendPoint(val name: String, val value: Double, val uncertainty: Double = Double.NaN, val isOdd: Boolean = false)
 
-/** [points] as a small plot with a line at their median; null where fewer than two have a value. */
+/** Returns [points] as a small plot with a line at their median; null if fewer than two have a value. */
 internal fun trendPlot(title: String, unit: String, points: List<TrendPoint>): String? {
     val known = points.filter { it.value.isFinite() }
     if (known.size < 2) return null

@@ -4,7 +4,7 @@ import badlog.rules.figure.FigureKey
 import badlog.rules.figure.LogFigures
 import badlog.rules.figure.Measure
 
-/** Small plots of how the battery, the loop and the figures that differed most went over [logs], in their order; empty for none. */
+/** Returns small plots of the battery, the loop and the figures that differed most, over [logs], in order; empty for none. */
 internal fun trends(logs: List<IndexedLog>): String {
     val measured = logs.filter { it.report.figures.keys.isNotEmpty() }
     val plots = (FIXED + mostDifferent(measured)).mapNotNull { trend ->
@@ -19,7 +19,7 @@ internal fun trends(logs: List<IndexedLog>): String {
     return if (plots.isEmpty()) "" else "<div class=\"trends\">\n${plots.joinToString("")}</div>\n"
 }
 
-/** What is plotted over the matches: in each the figure that [keyIn] picks. */
+/** A plot over the matches: for each, the figure that [keyIn] selects. */
 private class Trend(val title: String, val unit: String, val keyIn: (LogFigures) -> FigureKey?)
 
 private fun trendOf(title: String, unit: String, signal: String, measure: Measure) =
@@ -31,7 +31,7 @@ private val FIXED = listOf(
     trendOf("Loop time, 95th percentile", "ms", "loop time", Measure.PERCENTILE95),
 )
 
-/** The figures that were findings in the most logs; where none was, how much the robot drew. */
+/** Returns the figures that were findings in the most logs; if none was, the robot's current. */
 private fun mostDifferent(logs: List<IndexedLog>): List<Trend> {
     val found = logs.flatMap { it.report.differences.figures }.filter { it.signal !in FIXED_SIGNALS }
     val most = found.groupingBy { it }.eachCount().entries.sortedByDescending { it.value }.take(MOST).map { (key, _) ->

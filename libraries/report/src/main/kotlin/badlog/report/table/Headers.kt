@@ -3,14 +3,14 @@ package badlog.report.table
 import badlog.recording.PathName
 import badlog.recording.Value
 
-/** The value that is called [name], or ends so, whatever the case; empty without one. */
+/** Returns the value called [name], or whose name ends like that, regardless of case; empty if there is none. */
 internal fun headerOf(values: List<Value>, name: String): String {
     val value = values.find { it.name == name }
         ?: values.find { it.name.equals(name, ignoreCase = true) || PathName.baseNameOf(it.name).equals(name, ignoreCase = true) }
     return value?.text?.trim().orEmpty()
 }
 
-/** Numbers as numbers, before all texts. */
+/** Compares numbers as numbers, before all texts. */
 internal fun compareHeaders(one: String?, other: String?): Int = HEADERS.compare(one.orEmpty(), other.orEmpty())
 
 private val HEADERS: Comparator<String> =

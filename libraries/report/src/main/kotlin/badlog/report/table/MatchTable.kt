@@ -41,11 +41,10 @@ import java.nio.file.Path
  * @param hooks programs to run for each log.
  * @param condition what must be true of a log's header values, as an expression; null for no condition.
  * @param virtualTopics definitions of topics that the questions may use beside the log's own.
- * @param cache a folder for what was found out before; null for none. What hooks return is not kept there: nobody knows what it
- *   depends on.
- * @param xTopic the topic to take as x axis, which plain CSV does not name; null for what the log itself says.
- * @param signals what topics are called that the questions name by their meaning.
- * @param only the topics of which the table has the lowest, mean and highest values.
+ * @param cache a folder for cached results; null for none. Results of hooks are not cached, because their dependencies are unknown.
+ * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
+ * @param signals the names of topics that the questions refer to by their meaning.
+ * @param only the topics whose lowest, mean and highest values are in the table.
  */
 public class MatchTable(
     public val questions: List<String>,
@@ -60,7 +59,7 @@ public class MatchTable(
 ) {
     private val usedSignals = signals.namedIn((virtualTopics + questions).joinToString("\n"))
 
-    // A hook is given all that the log has.
+    // A hook receives everything in the log.
     private val sinks = if (hooks.isEmpty()) neededTopics() else NumberSinks.RECORDING
     private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
 
@@ -77,7 +76,7 @@ public class MatchTable(
         return NumberSinks { name, attributes -> if (only.any { it.matches(name) }) null else named.of(name, attributes) }
     }
 
-    /** What is wrong with a question, or the condition, whatever a log has; null when nothing seems to be. */
+    /** What is wrong with a question, or the condition, regardless of the log; null if nothing seems wrong. */
     public val mistake: Reply.NotAsked? =
         (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
@@ -97,9 +96,9 @@ public class MatchTable(
     )
 
     /**
-     * Asks each of [files], on all cores.
+     * Evaluates the questions for each of [files], on all cores.
      *
-     * @param progress hears on this thread how many files are done.
+     * @param progress called on this thread with the number of files done.
      * @return a row for each file, sorted.
      */
     public fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
@@ -125,7 +124,7 @@ public class MatchTable(
         }
     }
 
-    /** What is wrong with a question of [rows], of which none could be asked. */
+    /** Returns what is wrong with a question that failed for all [rows]. */
     public fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
         val wrong = rows.mapNotNull { it.mistake }
         if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return wrong.maxBy { it.place }

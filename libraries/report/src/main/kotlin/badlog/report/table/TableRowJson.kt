@@ -5,7 +5,7 @@ import badlog.report.finite
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonPrimitive
 
-/** What a row of a [MatchTable] is to other programs. A number that is not known is null. */
+/** A row of a [MatchTable] in the form for other programs. Unknown numbers are null. */
 @Serializable
 public class TableRowJson private constructor(
     private val match: String?,

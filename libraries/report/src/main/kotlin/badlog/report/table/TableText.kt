@@ -8,7 +8,7 @@ import badlog.report.shortNames
 import badlog.report.undefinedTexts
 import badlog.terminal.TextTable
 
-/** [rows] of [table] for a terminal: a line for each log that was asked. */
+/** Returns [rows] of [table] for a terminal: a line for each included log. */
 public fun tableText(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val names = shortNames(asked.map { it.file })
@@ -29,7 +29,7 @@ public fun tableText(table: MatchTable, rows: List<TableRow>): String {
     return TextTable(columns).lines(lines).flatten().joinToString("\n")
 }
 
-/** [rows] of [table] as CSV (RFC 4180): exact numbers, an empty cell for none. */
+/** Returns [rows] of [table] as CSV (RFC 4180): exact numbers, and an empty cell for none. */
 public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val units = unitsOf(table, asked)
@@ -45,13 +45,13 @@ public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
     return (listOf(head) + lines).joinToString("") { line -> line.joinToString(",", postfix = "\r\n", transform = ::cell) }
 }
 
-/** What could not be asked, and why: virtual topics and hooks, each as a sentence or more. */
+/** Returns what failed, and why: virtual topics and hooks, each as a sentence or more. */
 public fun notesOf(rows: List<TableRow>): List<String> =
     undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
 
 private fun askedOf(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }
 
-/** What [rows] have of the statistic of a topic; [unit] is empty where it has none or several. */
+/** A column of a topic's statistic in [rows]; [unit] is empty if it has none or several. */
 private class TopicColumn(rows: List<TableRow>, val title: String) {
     private val cells = rows.mapNotNull { row -> row.topics.find { it.title == title }?.let { row to it.cell } }.toMap()
     val unit: String = cells.values.filter { !it.value.isNaN() }.map { it.unit }.distinct().singleOrNull().orEmpty()
@@ -70,7 +70,7 @@ private class TopicColumn(rows: List<TableRow>, val title: String) {
     }
 }
 
-/** The unit of each column, empty where it has none or several. */
+/** Returns the unit of each column; empty if it has none or several. */
 private fun unitsOf(table: MatchTable, rows: List<TableRow>): List<String> = table.questions.indices.map { column ->
     rows.mapNotNull { it.cells.getOrNull(column)?.takeIf { cell -> !cell.value.isNaN() }?.unit }.distinct().singleOrNull().orEmpty()
 }

@@ -10,18 +10,18 @@ import kotlinx.serialization.Serializable
  *
  * @property topic the name of the topic.
  * @property statistic `min`, `mean` or `max`.
- * @property cell what it came to.
+ * @property cell the result.
  */
 @Serializable
 public class TopicCell internal constructor(public val topic: String, public val statistic: String, public val cell: TableCell) {
-    /** What its column is called, such as `max(PDP/Current 0)`. */
+    /** The title of its column, such as `max(PDP/Current 0)`. */
     public val title: String get() = "$statistic($topic)"
 }
 
-/** The question for the [statistic] of [topic]. */
+/** A question for the [statistic] of [topic]. */
 internal class TopicQuestion private constructor(val topic: String, val statistic: String, val question: ParsedQuestion) {
     companion object {
-        /** Those of the topic [name] of a log with [vocabulary]. */
+        /** Returns the questions for the topic [name] of a log with [vocabulary]. */
         fun of(name: String, vocabulary: Vocabulary): List<TopicQuestion> =
             STATISTICS.map { TopicQuestion(name, it, Question.parse("$it(\"${name.replace("\"", "\"\"")}\")", vocabulary)) }
 

@@ -5,20 +5,20 @@ import org.duckdb.DuckDBWritableVector
 
 /** A column of a [Table]. */
 internal sealed interface Column {
-    /** What it is called; no two columns of a table have names that differ in the case of letters alone, if at all. */
+    /** Its name, unique in its table regardless of case. */
     val name: String
 
-    /** What DuckDB is given. */
+    /** The type of the data passed to DuckDB. */
     val type: DuckDBColumnType
 
-    /** What becomes of that, as SQL, where it is called [quoted]. */
+    /** Returns the SQL that converts that data, which is called [quoted]. */
     fun sql(quoted: String): String
 
-    /** Writes [size] cells, from that of row [from] on, into [vector], from its beginning on. */
+    /** Writes [size] cells, from row [from] on, to the start of [vector]. */
     fun write(vector: DuckDBWritableVector, from: Int, size: Int)
 }
 
-/** Numbers, of which NaN is a gap. */
+/** Numbers; NaN is a gap. */
 internal class NumberColumn(override val name: String, private val numbers: DoubleArray) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.DOUBLE
 
@@ -32,7 +32,7 @@ internal class NumberColumn(override val name: String, private val numbers: Doub
     }
 }
 
-/** True and false, which are 1 and 0 in [numbers]; NaN is a gap. */
+/** True and false, as 1 and 0 in [numbers]; NaN is a gap. */
 internal class FlagColumn(override val name: String, private val numbers: DoubleArray) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.BOOLEAN
 
@@ -46,7 +46,7 @@ internal class FlagColumn(override val name: String, private val numbers: Double
     }
 }
 
-/** Texts: of each row what [textOf] says, null for none. It is asked in ascending order. */
+/** Texts: for each row, the result of [textOf], null for none. Called in ascending order. */
 internal class TextColumn(override val name: String, private val textOf: (Int) -> String?) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.VARCHAR
 
@@ -57,7 +57,7 @@ internal class TextColumn(override val name: String, private val textOf: (Int) -
     }
 }
 
-/** Moments in UTC: so many seconds of [seconds], each [unit] seconds long, after [start], in s since 1970. */
+/** Moments in UTC: [seconds] times [unit] seconds after [start], in s since 1970. */
 internal class MomentColumn(
     override val name: String,
     private val start: Double,
@@ -76,10 +76,10 @@ internal class MomentColumn(
     }
 }
 
-/** The SQL that makes a time with UTC of the microseconds since 1970 that [micros] is. */
+/** Returns the SQL that converts [micros], microseconds since 1970, to a time with UTC. */
 internal fun momentSql(micros: String): String = "make_timestamp($micros) AT TIME ZONE 'UTC'"
 
-/** The microseconds of [seconds] since 1970; null where that is not a time between the years 1970 and 9999. */
+/** Returns the microseconds for [seconds] since 1970; null if that is not a time between the years 1970 and 9999. */
 internal fun microsOf(seconds: Double): Long? = if (seconds >= 0 && seconds < END_OF_9999) Math.round(seconds * 1e6) else null
 
 private const val END_OF_9999 = 2.534023008e11

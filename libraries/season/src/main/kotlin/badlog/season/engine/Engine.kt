@@ -8,12 +8,12 @@ import java.nio.file.Path
 import java.util.Properties
 
 /**
- * A DuckDB in this process that has only what it is lent, and files. What does not fit into its memory goes to a folder for temporary
- * files, which [close] removes.
+ * A DuckDB in this process that can only read lent tables, and files. Data that does not fit in its memory goes to a folder for
+ * temporary files, which [close] removes.
  *
- * @param memoryMegabytes how much memory it may take; null for most of the machine's.
- * @param threads how many threads a single query uses, that of its caller among them.
- * @param streams whether rows of results are given while they are found, rather than all of them afterwards.
+ * @param memoryMegabytes its maximum memory; null for most of the machine's.
+ * @param threads the number of threads for a single query, including the caller's.
+ * @param streams whether rows of results are returned as they are found, rather than all at the end.
  */
 internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = false) : AutoCloseable {
     private val scratch: Path = Files.createTempDirectory("badlog-duckdb")
@@ -24,7 +24,7 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
         root.run(
             "SET threads = $threads",
             "SET temp_directory = ${literal("$scratch")}",
-            // Nothing is ever fetched.
+            // Nothing is ever downloaded.
             "SET autoinstall_known_extensions = false",
             "SET autoload_known_extensions = false",
             "SET TimeZone = 'UTC'",
@@ -34,16 +34,16 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
             .withFunction(tables).register(root)
     }
 
-    /** Another connection, to be closed. */
+    /** Returns another connection, which must be closed. */
     fun connection(): DuckDBConnection = root.duplicate().unwrap(DuckDBConnection::class.java)
 
-    /** Does [work] with a connection for this thread alone. */
+    /** Does [work] with a connection only for this thread. */
     fun <R> connected(work: (DuckDBConnection) -> R): R = connection().use(work)
 
-    /** Lets [use] read [table], by the SQL that it gets. */
+    /** Lets [use] read [table] with the SQL that it receives. */
     fun <R> lend(table: Table, use: (select: String) -> R): R = tables.lend(table, use)
 
-    /** Lets queries read what is in [folders] and the files [files], and nothing else of the disk or a network, for good. */
+    /** Permanently restricts queries to [folders] and the files [files]; nothing else on the disk or a network can be read. */
     fun lockTo(folders: List<Path>, files: List<Path>) = root.run(
         "SET allowed_directories = [${folders.joinToString { literal("$it/") }}]",
         "SET allowed_paths = [${files.joinToString { literal("$it") }}]",
@@ -65,19 +65,19 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
 private fun connected(options: Map<String, String>): DuckDBConnection =
     DuckDBDriver().connect("jdbc:duckdb:", Properties().apply { putAll(options) }).unwrap(DuckDBConnection::class.java)
 
-/** Executes [statements], one after the other; returns how many rows the last one changed or wrote. */
+/** Executes [statements], one after the other. Returns the number of rows that the last one changed or wrote. */
 internal fun DuckDBConnection.run(vararg statements: String): Long = createStatement().use { statement ->
     for (sql in statements) statement.execute(sql)
     statement.largeUpdateCount
 }
 
-/** [text] as a literal of SQL. */
+/** Returns [text] as an SQL literal. */
 internal fun literal(text: String): String = "'${text.replace("'", "''").replace(NUL, "")}'"
 
-/** [text], or NULL, as a literal of SQL. */
+/** Returns [text], or NULL, as an SQL literal. */
 internal fun literalOrNull(text: String?): String = text?.let(::literal) ?: "NULL::VARCHAR"
 
-/** [name] as a name in SQL. */
+/** Returns [name] as a quoted SQL identifier. */
 internal fun quoted(name: String): String = "\"${name.replace("\"", "\"\"").replace(NUL, "")}\""
 
 /** It would end a text for DuckDB. */

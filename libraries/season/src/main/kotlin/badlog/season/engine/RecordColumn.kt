@@ -4,16 +4,16 @@ import org.duckdb.DuckDBColumnType
 import org.duckdb.DuckDBWritableVector
 
 /**
- * What a field of records holds: null, or what its comment says.
+ * The type of a field of records: each value is null, or as documented.
  *
- * @property given what DuckDB is given.
- * @property type the type of SQL that it becomes.
+ * @property given the type of the data passed to DuckDB.
+ * @property type the resulting SQL type.
  */
 internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
     /** A [String]. */
     TEXT(DuckDBColumnType.VARCHAR, "VARCHAR"),
 
-    /** A [Double], of which NaN is null. */
+    /** A [Double]; NaN is null. */
     NUMBER(DuckDBColumnType.DOUBLE, "DOUBLE"),
 
     /** A [Long]. */
@@ -44,7 +44,7 @@ internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
     ),
 }
 
-/** The values of one field of records, such as [FieldType] says; [valueOf] is asked for that of each. */
+/** The values of one field of records, of a [FieldType]; [valueOf] returns that of each record. */
 internal class RecordColumn(override val name: String, private val kind: FieldType, private val valueOf: (Int) -> Any?) : Column {
     override val type: DuckDBColumnType get() = kind.given
 

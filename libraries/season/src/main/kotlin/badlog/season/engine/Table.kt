@@ -11,18 +11,19 @@ import java.util.concurrent.atomic.AtomicLong
 /**
  * A table that Java holds and DuckDB reads, piece by piece, without a copy of all of it.
  *
- * @property rowCount how many rows it has.
- * @property constants columns that have the same in each row, and stand before the others: their names, and the SQL of their values.
+ * @property rowCount the number of rows.
+ * @property constants columns with the same value in each row, which come before the others: their names, and the SQL of their
+ * values.
  */
 internal class Table(val columns: List<Column>, val rowCount: Int, val constants: List<Pair<String, String>> = emptyList()) {
-    /** The SQL that selects all of it from [source]. */
+    /** Returns the SQL that selects all of it from [source]. */
     fun select(source: String): String {
         val all = constants.map { (name, sql) -> sql to name } + columns.map { it.sql(quoted(it.name)) to it.name }
         return "SELECT ${all.joinToString { (sql, name) -> "$sql AS ${quoted(name)}" }} FROM $source"
     }
 }
 
-/** The tables that DuckDB may read at the moment, each by a number. Safe for several threads. */
+/** The tables that DuckDB can currently read, each with a number. Thread-safe. */
 internal class LentTables : DuckDBTableFunction<Table, LentTables.Cursor, Any?> {
     private val tables = ConcurrentHashMap<Long, Table>()
     private val last = AtomicLong()
@@ -32,7 +33,7 @@ internal class LentTables : DuckDBTableFunction<Table, LentTables.Cursor, Any?> 
         var next = 0
     }
 
-    /** Lets DuckDB read [table] during [use], which gets the SQL that selects all of it. */
+    /** Lets DuckDB read [table] during [use], which receives the SQL that selects all of it. */
     fun <R> lend(table: Table, use: (select: String) -> R): R {
         val key = last.incrementAndGet()
         tables[key] = table
@@ -65,7 +66,7 @@ internal class LentTables : DuckDBTableFunction<Table, LentTables.Cursor, Any?> 
     }
 
     companion object {
-        /** What SQL calls it. */
+        /** Its name in SQL. */
         const val FUNCTION = "badlog_table"
     }
 }

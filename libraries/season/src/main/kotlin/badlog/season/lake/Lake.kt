@@ -17,27 +17,27 @@ import java.util.concurrent.locks.ReentrantReadWriteLock
 import kotlin.concurrent.read
 import kotlin.concurrent.write
 
-/** A lake cannot be made or read. The message is one sentence for a person: what, where, and what to do. */
+/** Thrown if a lake cannot be made or read. The message is one sentence for the user: what, where, and what to do. */
 public class LakeException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
  * A log for a lake.
  *
  * @property file its file.
- * @property name what the lake calls it, with slashes, mostly its path below the folder of logs; where another file has that name in the
- *   lake, it gets a number.
+ * @property name its name in the lake, with slashes, usually its path below the folder of logs; if another file has that name in the
+ *   lake, a number is added.
  */
 public class LakeLog(public val file: LogFile, public val name: String) {
     internal val source: LogSource get() = LogSource(pathOf(file.path), file.name, name, file.size, file.modified)
 }
 
 /**
- * What became of a file that was to be in a lake.
+ * The outcome for a file that was to be added to a lake.
  *
- * @property message why it is not there, as a sentence; null when it is.
- * @property isNoLog whether it is something else than a log.
- * @property isSalvaged whether the log lost something; known of those that were written.
- * @property isWritten whether it was written; else the lake had it already.
+ * @property message why it was not added, as a sentence; null if it was.
+ * @property isNoLog whether it is something other than a log.
+ * @property isSalvaged whether data of the log is lost; only known if it was written.
+ * @property isWritten whether it was written; otherwise it was already in the lake.
  */
 public class LakeOutcome internal constructor(
     public val log: LakeLog,
@@ -48,39 +48,38 @@ public class LakeOutcome internal constructor(
 )
 
 /**
- * What became of a folder of logs.
+ * The outcome for a folder of logs.
  *
- * @property outcomes of each file, in the order of the files.
- * @property removed how many logs the lake had whose files are gone.
+ * @property outcomes the outcome for each file, in the order of the files.
+ * @property removed the number of logs removed from the lake because their files are gone.
  */
 public class LakeResult internal constructor(public val outcomes: List<LakeOutcome>, public val removed: Int) {
-    /** How many logs were written. */
+    /** The number of logs written. */
     public val written: Int get() = outcomes.count { it.isWritten }
 
-    /** How many the lake had already. */
+    /** The number of logs that were already in the lake. */
     public val unchanged: Int get() = outcomes.count { it.message == null && !it.isWritten }
 }
 
 /**
- * A folder of Parquet files, in which logs are tables; `docs/season.md` specifies it. Its files are open: any engine reads them.
+ * A folder of Parquet files with logs as tables; `docs/season.md` specifies it. Any engine can read its files.
  *
- * @property folder where it is.
+ * @property folder its folder.
  */
 public class Lake(public val folder: Path) {
     /**
-     * Makes the lake have [logs] as they are now. Only those that changed are read and written. Of those that it has below [roots], it
-     * forgets the ones that are not among [logs]. Each file is there whole or as it was, so an interrupted run leaves a lake that can be
-     * read, and the next run goes on.
+     * Updates the lake to the current state of [logs]. Only changed logs are read and written. Logs below [roots] that are not among
+     * [logs] are removed. Each file is written atomically, so an interrupted run leaves a readable lake, and the next run continues.
      *
-     * Besides the logs that are read at the moment, it holds a group of rows of each, and what DuckDB gathers of their tables, 256 MB at
-     * most.
+     * Besides the logs being read, it holds a group of rows of each in memory, and the data that DuckDB collects for their tables, at
+     * most 256 MB.
      *
-     * @param rules what findings are looked for, and what topics are called.
-     * @param batch after how many logs the tables are written, at least.
-     * @param progress hears on this thread how many of the changed logs are done. What it throws stops the work and is passed on; what is
-     *   done then is in the lake.
-     * @throws LakeException when [folder] is something else, is being written to, or cannot be written to.
-     * @throws InterruptedException when the thread was interrupted.
+     * @param rules the rules for findings, and the names of topics.
+     * @param batch the minimum number of logs after which the tables are written.
+     * @param progress called on this thread with the number of changed logs that are done. An exception from it stops the work and is
+     *   passed on; completed work stays in the lake.
+     * @throws LakeException if [folder] is something else, is being written to, or cannot be written to.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun refresh(
         logs: List<LakeLog>,
@@ -116,7 +115,7 @@ public class Lake(public val folder: Path) {
         }
     }
 
-    /** Nobody's files are to be among those of a lake. */
+    /** A lake must not be mixed with other files. */
     private fun requireOwn() {
         if (!Files.isDirectory(folder) || isLake(folder)) return
         val isEmpty = Files.list(folder).use { files -> files.allMatch { it.fileName.toString() == LakeLayout.LOCK } }
@@ -124,7 +123,7 @@ public class Lake(public val folder: Path) {
     }
 
     public companion object {
-        /** Whether [folder] is a lake, of any version. */
+        /** Returns whether [folder] is a lake, of any version. */
         public fun isLake(folder: Path): Boolean = Files.isRegularFile(folder.resolve(LakeLayout.MARK))
 
         private const val DEFAULT_BATCH = 500
@@ -140,7 +139,7 @@ internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
     throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
 }
 
-/** One run of [Lake.refresh], by [engine], over the lake [folder], which is locked and says [mark] of itself. */
+/** One run of [Lake.refresh] with [engine] on the lake [folder], which is locked and has the mark [mark]. */
 internal class LakeRefresh(private val folder: Path, private val engine: Engine, rules: RuleSet, private val mark: LakeMark) {
     private val registered = registeredIn(folder, engine)
     private val stage = LakeStage(folder, engine)
@@ -163,12 +162,13 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
                 val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
                 FolderRun().forEach(changed, work) { file, found ->
                     examined[pathOf(file.path)] = found
-                    // Tables are written anew each time, so the larger they are, the more has to come together.
+                    // Tables are rewritten each time, so the larger they are, the more logs are collected first.
                     if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
                     progress(examined.size, changed.size)
                 }
             } finally {
-                // What is being written when the work is stopped comes into the tables, too, and nothing is written after the lock is gone.
+                // Logs being written when the work is stopped are also added to the tables, and nothing is written after the lock is
+                // released.
                 underWay.write {
                     isStopped = true
                     stage.flush()
@@ -180,7 +180,7 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         return LakeResult(outcomes, plan.gone.size)
     }
 
-    /** What killed runs have left. */
+    /** Removes the drafts that killed runs left behind. */
     private fun dropDrafts() {
         Files.walk(folder).use { files ->
             files.filter { it.fileName.toString().startsWith(LakeLayout.DRAFT) }.toList().forEach(Files::deleteIfExists)

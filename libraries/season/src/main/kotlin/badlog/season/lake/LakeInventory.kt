@@ -34,7 +34,7 @@ public class LakeInventory internal constructor(private val mark: LakeMark, regi
     private val registered = registered.associateBy { it.path }
 
     /**
-     * What has to be done to make the lake have [logs], as a badlog called [maker] makes them.
+     * Returns what has to be done to make the lake have [logs], as a badlog called [maker] makes them.
      *
      * @param isWanted of the path of a log that the lake has, whether its folder was looked at, so that it is gone unless it is among [logs].
      * @param isThere whether the lake has the file that is called so, seen from its folder.
@@ -61,7 +61,7 @@ public class LakeInventory internal constructor(private val mark: LakeMark, regi
         }
     }
 
-    /** What the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are no logs, and why. */
+    /** Returns what the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are no logs, and why. */
     public fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 
     public companion object {

@@ -4,15 +4,15 @@ import java.io.Serializable
 import java.nio.file.Path
 import java.util.zip.CRC32
 
-/** Where what is in a lake; `docs/season.md` specifies it. */
+/** The layout of a lake; `docs/season.md` specifies it. */
 public object LakeLayout {
-    /** To be raised when a reader of the former layout would misunderstand the new one. */
+    /** Increase it if a reader of the previous layout would misunderstand the new one. */
     internal const val VERSION = 1
 
-    /** The file that says that a folder is a lake, and of which version. */
+    /** The file that marks a folder as a lake, with its version. */
     public const val MARK: String = "lake.json"
 
-    /** What nobody may have open twice. */
+    /** The file that only one program can have open. */
     internal const val LOCK = ".lock"
 
     /** The folder of the files with a row for each row of a log. */
@@ -21,7 +21,7 @@ public object LakeLayout {
     /** The folder of the files with the samples of topics that have times of their own. */
     public const val SERIES: String = "series"
 
-    /** How the names of unfinished files begin, which no reader looks at. */
+    /** The beginning of the names of unfinished files, which readers ignore. */
     public const val DRAFT: String = ".badlog-"
 
     /** How the names of all files of tables end. */
@@ -37,11 +37,11 @@ public object LakeLayout {
     /** The folder of the table that says which logs a lake has. */
     public val MATCHES: String = LakeTable.MATCHES.table
 
-    /** Where the table [name] of [partition] is in the lake [folder]. */
+    /** Returns the path of the table [name] of [partition] in the lake [folder]. */
     internal fun tableFile(folder: Path, name: String, partition: Partition): Path =
         folder.resolve(name).resolve(partition.path).resolve(name + ENDING)
 
-    /** Where in a lake the file of [kind] is of the log [log], written with slashes. */
+    /** Returns the path, with slashes, of the file of [kind] for the log [log] in a lake. */
     internal fun logFile(kind: String, partition: Partition, log: String): String {
         val name = encoded(log)
         val short = if (name.length <=
@@ -54,11 +54,11 @@ public object LakeLayout {
         return "$kind/${partition.path}/$short$ENDING"
     }
 
-    /** [text] as a name of a file: what is not a plain letter, a digit, a point, a sign or an underscore is percent-encoded. */
+    /** Returns [text] as a file name: everything but plain letters, digits, points, signs and underscores is percent-encoded. */
     internal fun encoded(text: String): String = buildString {
         for ((i, byte) in text.encodeToByteArray().withIndex()) {
             val char = (byte.toInt() and BYTE).toChar()
-            // Readers pass over names that begin so.
+            // Readers skip names that begin like this.
             val isPlain = char in 'a'..'z' || char in 'A'..'Z' || char in '0'..'9' || char == '-' || (char in "._" && i > 0)
             if (isPlain) append(char) else append('%').append((byte.toInt() and BYTE).toString(HEX).uppercase().padStart(2, '0'))
         }
@@ -70,19 +70,19 @@ public object LakeLayout {
 }
 
 /**
- * A part of a lake that engines need not read when they are asked about another one.
+ * A part of a lake that engines can skip in queries about another one.
  *
- * @property season the year; null where nothing tells it.
- * @property event null where nothing tells it.
+ * @property season the year; null if unknown.
+ * @property event the event; null if unknown.
  */
 internal data class Partition(val season: Int?, val event: String?) : Serializable {
-    /** Its folder, as Hive names it. */
+    /** Its folder, in Hive's notation. */
     val path: String get() = "season=${season ?: UNKNOWN}/event=${event?.let(LakeLayout::encoded) ?: UNKNOWN}"
 
     private companion object {
         const val serialVersionUID = 1L
 
-        /** By which all engines mean null. */
+        /** The name for null in all engines. */
         const val UNKNOWN = "__HIVE_DEFAULT_PARTITION__"
     }
 }

@@ -8,16 +8,16 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The file that says what a lake is.
+ * The file that describes a lake.
  *
- * @property ignored the files that turned out to be no logs, so that they are not read again.
+ * @property ignored the files that turned out not to be logs, so that they are not read again.
  */
 @Serializable
 internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayout.VERSION, val ignored: List<Ignored> = emptyList()) {
-    /** A file that is no log, as it was then, and why. */
+    /** A file that is not a log, in its state at that time, and why. */
     @Serializable
     class Ignored(val path: String, val size: Long, val modified: Long, val message: String) {
-        /** Whether [source] is it, unchanged. */
+        /** Returns whether [source] is it, unchanged. */
         fun isOf(source: LogSource): Boolean = path == source.path && size == source.size && modified == source.modified
     }
 
@@ -45,9 +45,9 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         }
 
         /**
-         * That of the lake [folder]; null where it is none.
+         * Returns the mark of the lake [folder]; null if it is not a lake.
          *
-         * @throws LakeException when another version of badlog wrote it, or it cannot be understood.
+         * @throws LakeException if another version of badlog wrote it, or it cannot be understood.
          */
         fun of(folder: Path): LakeMark? {
             val file = folder.resolve(LakeLayout.MARK)
@@ -76,5 +76,5 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
     }
 }
 
-/** What a lake knows the file at [path] by. */
+/** Returns the path by which a lake identifies the file at [path]. */
 internal fun pathOf(path: Path): String = path.toAbsolutePath().normalize().toString()

@@ -46,7 +46,7 @@ public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoClosea
         }
     }
 
-    /** The logs that the tables in [folder] have. */
+    /** Returns the logs that the tables in [folder] have. */
     public fun registered(folder: Path): List<RegisteredLog> = writing(folder) { registeredIn(folder, engine) }
 
     override fun close(): Unit = engine.close()

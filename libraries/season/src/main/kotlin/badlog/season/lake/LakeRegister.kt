@@ -7,11 +7,11 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What a lake has of a log.
+ * What a lake has about a log.
  *
- * @property log what the lake calls it.
+ * @property log its name in the lake.
  * @property path the log's file.
- * @property files the files of its samples, seen from the lake.
+ * @property files the files of its samples, relative to the lake.
  */
 public class RegisteredLog internal constructor(
     public val log: String,
@@ -25,7 +25,7 @@ public class RegisteredLog internal constructor(
     /** Where in each table its records stand: the folders of season and event, with a slash between. */
     public val place: String get() = partition.path
 
-    /** Whether it is what [maker] would make of [source] as it is now. */
+    /** Returns whether it is what [maker] would make of [source] as it is now. */
     internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker
 
     private companion object {
@@ -33,7 +33,7 @@ public class RegisteredLog internal constructor(
     }
 }
 
-/** The logs that the lake [folder] has. */
+/** Returns the logs that the lake [folder] has. */
 internal fun registeredIn(folder: Path, engine: Engine): List<RegisteredLog> {
     val files = tableFiles(folder, LakeTable.MATCHES)
     if (files.isEmpty()) return emptyList()
@@ -61,7 +61,7 @@ internal fun registeredIn(folder: Path, engine: Engine): List<RegisteredLog> {
     }
 }
 
-/** The files of [table] in the lake [folder], one for each partition. */
+/** Returns the files of [table] in the lake [folder], one for each partition. */
 internal fun tableFiles(folder: Path, table: LakeTable): List<Path> {
     val top = folder.resolve(table.table)
     if (!Files.isDirectory(top)) return emptyList()
@@ -70,7 +70,7 @@ internal fun tableFiles(folder: Path, table: LakeTable): List<Path> {
     }
 }
 
-/** The SQL that reads [files], whose folders tell season and event. */
+/** Returns the SQL that reads [files], whose folders contain season and event. */
 internal fun scanOf(files: List<Path>, isUnion: Boolean = false): String =
     "read_parquet([${files.joinToString { literal(it.toString()) }}], hive_partitioning = true, " +
         "hive_types = {'season': INTEGER, 'event': VARCHAR}${if (isUnion) ", union_by_name = true" else ""})"

@@ -17,8 +17,7 @@ import kotlin.concurrent.read
 import kotlin.concurrent.write
 
 /**
- * Gathers the records of logs until [flush] writes them into the tables of the lake [folder], each file whole or not at all. Safe for
- * several threads.
+ * Collects the records of logs until [flush] writes them to the tables of the lake [folder], each file atomically. Thread-safe.
  */
 internal class LakeStage(private val folder: Path, private val engine: Engine) {
     private val lock = ReentrantReadWriteLock()
@@ -26,13 +25,13 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
     private val obsolete = ArrayList<String>()
     private var waiting = Waiting()
 
-    /** What comes into DuckDB together, with season and event before each record. */
+    /** Records that are inserted into DuckDB together, with season and event before each record. */
     private class Waiting {
         val logs = ArrayList<String>()
         val records = LakeTable.entries.associateWith { ArrayList<List<Any?>>() }
     }
 
-    /** How many logs are gathered, with those to be removed. */
+    /** The number of collected logs, including those to be removed. */
     @Volatile
     var size: Int = 0
         private set
@@ -60,7 +59,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         touch(listOf(former.partition), former.files)
     }
 
-    /** What is to be inserted, where that is enough to be worth a statement for each table; else null. */
+    /** Returns what to insert, if it is worth a statement for each table; otherwise null. */
     @Synchronized
     private fun note(log: String, records: Map<LakeTable, List<List<Any?>>>): Waiting? {
         waiting.logs += log
@@ -84,7 +83,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         engine.lend(gone) { select -> connection.run("INSERT INTO $GONE $select") }
     }
 
-    /** Writes what was gathered. The table of matches comes last: what it does not name is not there for the next run. */
+    /** Writes what was collected. The table of matches comes last: for the next run, only logs in it exist. */
     fun flush() = lock.write {
         if (size == 0) return@write
         insert(waiting)
@@ -124,11 +123,11 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
 }
 
 /**
- * Writes what [select] selects to [target], which is there whole or as it was before.
+ * Writes what [select] selects to [target], atomically.
  *
- * @param metadata what the file says of itself, by a name.
- * @param columns how many columns there are: the more, the fewer rows are gathered before they are written.
- * @return how many rows there are.
+ * @param metadata named texts for the file's metadata.
+ * @param columns the number of columns: the more, the fewer rows are collected before they are written.
+ * @return the number of rows.
  */
 internal fun writeParquet(
     connection: DuckDBConnection,
@@ -152,9 +151,9 @@ internal fun writeParquet(
     }
 }
 
-/** So many cells of a file are gathered before they are written, about: 24 MB of numbers. */
+/** The approximate number of cells of a file collected before they are written: 24 MB of numbers. */
 private const val MAX_GROUP_CELLS = 3_000_000
 
-/** What DuckDB works on at once. */
+/** The number of rows that DuckDB processes at once. */
 private const val MIN_GROUP = 2_048
 private const val MAX_GROUP = 122_880

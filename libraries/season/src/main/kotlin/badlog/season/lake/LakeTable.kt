@@ -16,21 +16,21 @@ import badlog.season.engine.Table
 import badlog.season.engine.quoted
 
 /**
- * A table of a lake that has records of many logs; `docs/season.md` says what they mean. A lake's program reads [MATCHES] to know what is
- * there, so it is the last to be written.
+ * A table of a lake with records of many logs; `docs/season.md` explains them. A lake's program reads [MATCHES] to know its content, so
+ * it is written last.
  *
- * @property fields the columns, and what they hold.
- * @property order by which columns its rows are sorted.
+ * @property fields the columns with their types.
+ * @property order the columns by which its rows are sorted.
  */
 internal enum class LakeTable(val order: String, vararg val fields: Pair<String, FieldType>) {
-    /** What a log has logged. */
+    /** The topics of the logs. */
     TOPICS(
         "log, topic",
         "log" to TEXT, "topic" to TEXT, "stored" to TEXT, "column_name" to TEXT, "unit" to TEXT, "attributes" to TEXTS, "kind" to TEXT,
         "type" to TEXT, "samples" to COUNT, "gaps" to COUNT, "rate" to NUMBER, "first_t" to NUMBER, "last_t" to NUMBER,
     ),
 
-    /** What the numbers of a topic come to. */
+    /** The statistics of topics. */
     STATISTICS(
         "log, topic",
         "log" to TEXT, "topic" to TEXT, "unit" to TEXT, "count" to COUNT, "gaps" to COUNT, "min" to NUMBER, "max" to NUMBER,
@@ -58,13 +58,13 @@ internal enum class LakeTable(val order: String, vararg val fields: Pair<String,
     ),
     ;
 
-    /** What it is called, in SQL and on the disk. */
+    /** Its name, in SQL and on the disk. */
     val table: String get() = name.lowercase()
 
     /** Its columns as SQL declares them. */
     val declared: String get() = fields.joinToString { (name, type) -> "${quoted(name)} ${type.type}" }
 
-    /** [records], each with season, event, and a value for each field in their order, as a table. */
+    /** Returns [records], each with season, event, and a value for each field in order, as a table. */
     fun staged(records: List<List<Any?>>): Table =
         Table((PARTITION + fields).mapIndexed { i, (name, type) -> RecordColumn(name, type) { records[it][i] } }, records.size)
 

@@ -14,13 +14,13 @@ import java.time.Instant
 import java.time.ZoneOffset
 
 /**
- * Which match a log is of, and when it was, by its values, its topics or its file's name.
+ * The match and time of a log, from its values, its topics or its file's name.
  *
  * @property partition the season and the event.
- * @property type such as `Qualification`; null where nothing tells it.
- * @property number of the match, without what follows its first digits; null where nothing tells it.
- * @property title what a person calls it.
- * @property zero when its x was 0, in s since 1970; null where no clock with UTC tells it.
+ * @property type the type of match, such as `Qualification`; null if unknown.
+ * @property number the number of the match, only its first digits; null if unknown.
+ * @property title its name for people.
+ * @property zero when its x was 0, in s since 1970; null unless a clock with UTC shows it.
  * @property start when its first sample was, likewise.
  */
 internal class LogIdentity private constructor(
@@ -33,7 +33,7 @@ internal class LogIdentity private constructor(
     val start: Double?,
 ) {
     companion object {
-        /** That of [recording], which was read from a file called [name], where [signals] are the names of what tells it. */
+        /** Returns the identity of [recording], which was read from a file called [name], using the names in [signals]. */
         fun of(name: String, recording: Recording, signals: SignalVocabulary): LogIdentity {
             val logged = signals.matchOf(recording)
             val named = matchInName(name)

@@ -14,12 +14,12 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlin.math.abs
 
 /**
- * What stands of one log in the tables of a lake.
+ * The records of one log in the tables of a lake.
  *
- * @param log what the lake calls it.
- * @param columnOf what the column of a topic is called in the file of samples.
- * @param files the files of its samples, seen from the lake.
- * @param maker what decides what becomes of a log.
+ * @param log its name in the lake.
+ * @param columnOf the names of topics' columns in the file of samples.
+ * @param files the files of its samples, relative to the lake.
+ * @param maker identifies everything that affects the records of a log.
  */
 internal class LogRecords(
     private val log: String,
@@ -50,7 +50,7 @@ internal class LogRecords(
 
     private fun momentOf(x: Double): Long? = identity.zero?.let { microsOf(it + x * secondsPerX) }
 
-    /** Texts among numbers have no other place. */
+    /** Texts among numbers have no other place in a lake. */
     private fun tellsEvents(topic: Topic) = topic.texts.size > 0 && (topic.kind != TopicKind.STATE || "log" in topic.attributes)
 
     private fun topicRecord(topic: Topic): List<Any?> {
@@ -121,10 +121,10 @@ internal class LogRecords(
     }
 }
 
-/** The unit of [topic]; null for none. */
+/** Returns the unit of [topic]; null for none. */
 internal fun unitOf(topic: Topic): String? = topic.unit.takeUnless(Units::isNone)
 
-/** [texts] as a list of JSON. */
+/** Returns [texts] as a JSON list. */
 internal fun textsJson(texts: List<String>): String = JsonArray(texts.map(::JsonPrimitive)).toString()
 
 private fun number(value: Double) = JsonPrimitive(value.takeIf { it.isFinite() })

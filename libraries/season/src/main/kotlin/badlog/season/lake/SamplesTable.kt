@@ -13,7 +13,7 @@ import badlog.season.engine.TextColumn
 import badlog.season.engine.literalOrNull
 import badlog.text.freeName
 
-/** The names that each file of samples begins with; a topic that is called so gets another column. Engines do not look at case. */
+/** The first columns of each file of samples; a topic with one of these names gets another column name. Engines ignore case. */
 internal object FixedColumns {
     const val LOG = "log"
     const val TYPE = "type"
@@ -23,7 +23,7 @@ internal object FixedColumns {
     val ALL = setOf(LOG, TYPE, NUMBER, T, TIMESTAMP, "season", "event")
 }
 
-/** The columns that are the same in each row of the log [log] of [identity]. */
+/** Returns the columns that are the same in each row of the log [log] of [identity]. */
 internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, String>> = listOf(
     FixedColumns.LOG to literalOrNull(log),
     FixedColumns.TYPE to literalOrNull(identity.type),
@@ -31,15 +31,15 @@ internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, 
 )
 
 /**
- * The topics of [view] that share rows, as a table with a row for each of them and a column for each topic that holds something.
+ * The topics of [view] that share rows, as a table with a row for each of them and a column for each topic that is not empty.
  *
- * @property nameOf what the column of a topic is called.
+ * @property nameOf the name of each topic's column.
  */
 internal class SamplesTable(private val view: LogView, private val log: String, private val identity: LogIdentity) {
     private val rows = view.recording.rowCount
     val nameOf: Map<Topic, String> = columnNames()
 
-    /** The table; null where nothing shares rows. */
+    /** The table; null if no topics share rows. */
     val table: Table? = if (rows == 0) null else Table(columns(), rows, constantsOf(log, identity))
 
     private fun columnNames(): Map<Topic, String> {
@@ -50,7 +50,7 @@ internal class SamplesTable(private val view: LogView, private val log: String, 
             when {
                 topic === view.xAxis.topic -> names[topic] = FixedColumns.T
 
-                // What is empty in one log may hold anything in another.
+                // A topic that is empty in one log may have anything in another.
                 topic.kind == TopicKind.EMPTY && !isOfTexts(topic) -> continue
 
                 else -> names[topic] = freeName(topic.name.ifEmpty { "topic" }) { taken.add(it.lowercase()) }
@@ -77,14 +77,14 @@ internal class SamplesTable(private val view: LogView, private val log: String, 
     }
 }
 
-/** Whether the cells of [topic] are texts, in which numbers are written out. */
+/** Returns whether the cells of [topic] are texts, with numbers written as text. */
 internal fun isOfTexts(topic: Topic): Boolean = topic.kind == TopicKind.STATE || topic.kind == TopicKind.EVENT || "log" in topic.attributes
 
-/** The cells of [topic] as texts, asked for in ascending order, perhaps from the beginning again. */
+/** The cells of [topic] as texts, requested in ascending order, possibly repeatedly from the start. */
 internal class TextsInRows(private val topic: Topic) {
     private var next = 0
 
-    /** The text of cell [row]; null for an empty one. */
+    /** Returns the text of cell [row]; null for an empty one. */
     fun of(row: Int): String? {
         val texts = topic.texts
         if (next > 0 && texts.rows[next - 1] >= row) next = 0

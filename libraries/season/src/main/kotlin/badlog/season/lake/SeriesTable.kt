@@ -8,7 +8,10 @@ import badlog.season.engine.NumberColumn
 import badlog.season.engine.RecordColumn
 import badlog.season.engine.Table
 
-/** The samples of the topics of [view] that have times of their own, one after the other: a row for each sample. Null without any. */
+/**
+ * Returns the samples of the topics of [view] that have times of their own, one after the other: a row for each sample. Null if there are
+ * none.
+ */
 internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Table? {
     val topics = view.recording.topics.filter { it.times != null && it.times!!.isNotEmpty() }.sortedBy { it.name }
     val size = topics.sumOf { it.times!!.size.toLong() }
@@ -24,14 +27,14 @@ internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Tab
     return Table(columns, size.toInt(), constantsOf(log, identity))
 }
 
-/** The samples of [topics], one topic after the other, of which there are [size]. */
+/** The [size] samples of [topics], one topic after the other. */
 private class OwnTimes(private val topics: List<Topic>, size: Int) {
     val times = DoubleArray(size)
     private val starts = IntArray(topics.size + 1)
     private val texts = topics.map(::TextsInRows)
     private var place = 0
 
-    /** What stands in one row. */
+    /** The content of the current row. */
     var topic: Topic = topics.first()
         private set
     private var sample = 0
@@ -44,7 +47,7 @@ private class OwnTimes(private val topics: List<Topic>, size: Int) {
         }
     }
 
-    /** This, as it stands in [row]; rows are mostly asked for in ascending order. */
+    /** Moves to [row], and returns this; rows are usually requested in ascending order. */
     fun at(row: Int): OwnTimes {
         if (row < starts[place]) place = 0
         while (row >= starts[place + 1]) place++
@@ -55,7 +58,7 @@ private class OwnTimes(private val topics: List<Topic>, size: Int) {
 
     val value: Double get() = if (isOfTexts(topic)) Double.NaN else topic.samples.getOrElse(sample) { Double.NaN }
 
-    /** Texts, also those among numbers. */
+    /** The text of the sample, also among numbers. */
     val text: String?
         get() = when {
             isOfTexts(topic) || value.isNaN() -> texts[place].of(sample)

@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * What a file of samples says of [topics] in its metadata, as JSON: of each by the name of its column, or where it has none that of the
- * topic, its unit and its attributes.
+ * Returns what the metadata of a file of samples say about [topics], as JSON: the unit and attributes of each, by the name of its
+ * column, or by its own if it has no column.
  */
 internal fun topicsJson(topics: List<Topic>, columnOf: Map<Topic, String>, identity: LogIdentity): String = JsonObject(
     mapOf(

@@ -16,16 +16,16 @@ import java.nio.file.Path
 import java.sql.ResultSet
 import java.sql.SQLException
 
-/** A query cannot be answered. The message is for the person who wrote it: what is wrong, and where. */
+/** Thrown if a query cannot be answered. The message is for its author: what is wrong, and where. */
 public class SqlException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
  * A column of an answer.
  *
- * @property type its type, as SQL calls it.
+ * @property type its SQL type.
  */
 public class SqlColumn internal constructor(public val name: String, public val type: String) {
-    /** Whether it has numbers, which stand at the right. */
+    /** Whether it has numbers, which are aligned to the right. */
     public val isNumeric: Boolean get() = NUMERIC.any { type.startsWith(it) }
 
     private companion object {
@@ -34,8 +34,8 @@ public class SqlColumn internal constructor(public val name: String, public val 
 }
 
 /**
- * SQL over a lake, by DuckDB in this process. A query can read the lake and change nothing, see nothing else of the disk, and reach no
- * network. Not safe for several threads, except for [cancel].
+ * SQL over a lake, by DuckDB in this process. A query can only read the lake: it cannot change anything, see other files, or reach a
+ * network. Not thread-safe, except for [cancel].
  */
 public class LakeDatabase private constructor(
     private val folder: Path,
@@ -51,9 +51,10 @@ public class LakeDatabase private constructor(
     /**
      * Answers [sql], a single query.
      *
-     * @param columns gets the columns before the rows.
-     * @param row gets each row: numbers, texts, true and false, null, lists and objects; times as texts in UTC. False ends the answer.
-     * @throws SqlException when it is not a query, or cannot be answered.
+     * @param columns receives the columns before the rows.
+     * @param row receives each row: numbers, texts, true and false, null, lists and objects; times as texts in UTC. Returning false
+     * ends the answer.
+     * @throws SqlException if it is not a query, or cannot be answered.
      */
     public fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean): Unit = asking(sql) {
         connection.createStatement().use { statement ->
@@ -69,8 +70,8 @@ public class LakeDatabase private constructor(
     /**
      * Writes the answer to [sql], a single query, to the Parquet file that was named when this was opened.
      *
-     * @return how many rows it has.
-     * @throws SqlException when it is not a query, cannot be answered, or the file cannot be written.
+     * @return the number of rows.
+     * @throws SqlException if it is not a query, cannot be answered, or the file cannot be written.
      */
     public fun writeParquet(sql: String): Long = asking(sql) {
         val target = checkNotNull(output) { "No file was named." }
@@ -78,7 +79,7 @@ public class LakeDatabase private constructor(
         connection.run("COPY (SELECT * FROM badlog_answer) TO ${literal("$target")} (FORMAT parquet, COMPRESSION zstd)")
     }
 
-    /** What queries may name: of each table its name, what a row of it is, and its columns. */
+    /** Returns what queries can use: for each table its name, the meaning of a row, and its columns. */
     public fun tables(): List<SqlTable> = LakeView.entries.map { view ->
         views.make(view)
         var found = emptyList<SqlColumn>()
@@ -86,7 +87,7 @@ public class LakeDatabase private constructor(
         SqlTable(view.sqlName, view.meaning, found)
     }
 
-    /** Ends the query that runs at the moment on another thread, which then throws. */
+    /** Cancels the query that is running on another thread, which then throws. */
     public fun cancel() {
         running?.cancel()
     }
@@ -102,11 +103,11 @@ public class LakeDatabase private constructor(
         views.makeFor(sql)
         work()
     } catch (e: SQLException) {
-        // Where rows are streamed, the driver puts a line of its own before what the engine says.
+        // If rows are streamed, the driver adds a line of its own before the engine's message.
         throw SqlException(e.message.orEmpty().substringAfter("\nError: ").trim(), e)
     }
 
-    /** Only queries can be written as JSON by DuckDB, so whatever else a text holds is refused before any of it is executed. */
+    /** Only queries can be written as JSON by DuckDB, so anything else is refused before any of it is executed. */
     private fun requireQuery(sql: String) {
         val told = connection.createStatement().use { statement ->
             statement.executeQuery("SELECT json_serialize_sql(${literal(sql)})").use { rows ->
@@ -131,11 +132,11 @@ public class LakeDatabase private constructor(
          * Opens [lake].
          *
          * @param output a file that [writeParquet] may write; null for none.
-         * @throws LakeException when it is no lake.
+         * @throws LakeException if it is not a lake.
          */
         public fun open(lake: Lake, output: Path? = null): LakeDatabase {
             LakeMark.of(lake.folder) ?: throw LakeException("${lake.folder} is not a lake; make one by badlog lake.")
-            // By another way to it, a query would find a closed door.
+            // Queries could not access it by another path.
             val folder = lake.folder.toRealPath()
             val target = output?.toAbsolutePath()?.normalize()
             val engine = Engine(memoryMegabytes = null, threads = Runtime.getRuntime().availableProcessors(), streams = true)
@@ -153,8 +154,8 @@ public class LakeDatabase private constructor(
 }
 
 /**
- * A table that queries may name.
+ * A table that queries can use.
  *
- * @property meaning what a row of it is.
+ * @property meaning the meaning of a row.
  */
 public class SqlTable internal constructor(public val name: String, public val meaning: String, public val columns: List<SqlColumn>)

@@ -11,18 +11,19 @@ import org.duckdb.DuckDBConnection
 import java.nio.file.Path
 
 /**
- * What queries of the lake [folder] may name. A view is made when a query first mentions it: those of thousands of files take time.
+ * The views that queries of the lake [folder] can use. A view is created when a query first mentions it, since views of thousands
+ * of files take time.
  */
 internal class LakeViews(private val folder: Path, private val connection: DuckDBConnection) {
     private val made = HashSet<LakeView>()
 
-    /** Makes what [sql] mentions. */
+    /** Creates the views that [sql] mentions. */
     fun makeFor(sql: String) {
         val isAboutAll = ABOUT_ALL.containsMatchIn(sql)
         for (view in LakeView.entries) if (isAboutAll || sql.contains(view.sqlName, ignoreCase = true)) make(view)
     }
 
-    /** Makes [view], if it is not there yet. */
+    /** Creates [view], if it does not exist yet. */
     fun make(view: LakeView) {
         if (!made.add(view)) return
         val select = when (view) {
@@ -43,7 +44,7 @@ internal class LakeViews(private val folder: Path, private val connection: DuckD
     private fun nulls(table: LakeTable) = table.fields.joinToString { (name, type) -> "NULL::${type.type} AS ${quoted(name)}" } +
         ", NULL::INTEGER AS season, NULL::VARCHAR AS event"
 
-    /** Those of [kind] that the table of matches names: what an interrupted run has left is not among them. */
+    /** Returns the files of [kind] that are listed in the table of matches, which excludes leftovers of an interrupted run. */
     private fun samples(kind: String): String {
         make(LakeView.MATCHES)
         val files = texts("SELECT unnest(files) AS file FROM matches ORDER BY file").filter { it.startsWith("$kind/") }.map(folder::resolve)
@@ -51,7 +52,7 @@ internal class LakeViews(private val folder: Path, private val connection: DuckD
         return "SELECT * FROM ${scanOf(files, isUnion = true)}"
     }
 
-    /** A column for each topic, which has its statistics in one. */
+    /** Returns a column for each topic, with all of its statistics. */
     private fun matchStatistics(): String {
         make(LakeView.MATCHES)
         make(LakeView.STATISTICS)
@@ -80,9 +81,9 @@ internal class LakeViews(private val folder: Path, private val connection: DuckD
 }
 
 /**
- * What a query may name.
+ * A view that queries can use.
  *
- * @property meaning what a row of it is, as a sentence without its end.
+ * @property meaning the meaning of a row, as a sentence without its end.
  */
 internal enum class LakeView(val meaning: String) {
     MATCHES("a row per log: which match, when, its header values, its problems"),
@@ -95,6 +96,6 @@ internal enum class LakeView(val meaning: String) {
     FINDINGS("a row per finding of the rules"),
     ;
 
-    /** What SQL calls it. */
+    /** Its name in SQL. */
     val sqlName: String get() = name.lowercase()
 }

@@ -14,7 +14,7 @@ import java.time.OffsetDateTime
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
-/** A value of DuckDB as JSON has it: times are texts, and so are numbers that are none in JSON. */
+/** Returns a DuckDB value as JSON: times are texts, and so are numbers that JSON cannot express. */
 internal fun jsonOf(value: Any?): JsonElement = when (value) {
     null -> JsonNull
     is Boolean -> JsonPrimitive(value)

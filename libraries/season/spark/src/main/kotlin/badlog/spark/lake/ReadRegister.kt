@@ -15,7 +15,7 @@ internal class ReadRegister(private val lake: RemoteFolder, private val work: La
     internal companion object {
         private const val serialVersionUID = 1L
 
-        /** Whether [file], seen from a lake, is one of a table of matches. */
+        /** Returns whether [file], seen from a lake, is one of a table of matches. */
         fun isMatches(file: String): Boolean =
             file.startsWith(LakeLayout.MATCHES + "/") && file.endsWith("/" + LakeLayout.MATCHES + LakeLayout.ENDING)
     }

@@ -41,10 +41,10 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
 private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
     private var ahead: Tuple2<String, LogPiece>? = take()
 
-    /** The next place; null after the last one. To be called when its predecessor's changes have all been taken. */
+    /** Returns the next place; null after the last one. To be called when its predecessor's changes have all been taken. */
     fun next(): String? = ahead?._1()
 
-    /** The changes of the [next] place, as they come. */
+    /** Returns the changes of the [next] place, as they come. */
     fun changes(): Iterator<LakeChange> {
         val place = next()
         return generateSequence { if (ahead?._1() == place) ahead?._2().also { ahead = take() } else null }

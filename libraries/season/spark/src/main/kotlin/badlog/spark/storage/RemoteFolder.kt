@@ -26,16 +26,16 @@ internal class RemoteFolder(private val address: String, private val configurati
     Serializable {
     private val top: Path get() = Path(address)
 
-    /** What is seen from this folder as [name], in folders that slashes separate. */
+    /** Returns what is seen from this folder as [name], in folders that slashes separate. */
     private fun path(name: String): Path = name.split('/').fold(top, ::Path)
 
-    /** Whether there is a file or folder called [name]. */
+    /** Returns whether there is a file or folder called [name]. */
     fun has(name: String): Boolean = system().exists(path(name))
 
-    /** The names of all files in this folder and in those in it; none where it is not there. */
+    /** Returns the names of all files in this folder and in those in it; none where it is not there. */
     fun files(): Set<String> = names(top).toSet()
 
-    /** The names of the files and folders in this folder; none where it is not there. */
+    /** Returns the names of the files and folders in this folder; none where it is not there. */
     fun entries(): List<String> = try {
         system().listStatus(top).map { it.path.name }
     } catch (_: FileNotFoundException) {
@@ -50,7 +50,7 @@ internal class RemoteFolder(private val address: String, private val configurati
         emptyList()
     }
 
-    /** The text of the file [name]. */
+    /** Returns the text of the file [name]. */
     fun text(name: String): String = system().open(path(name)).use { it.readAllBytes().decodeToString() }
 
     /** Writes [text] to the file [name], which is there whole or as it was. */
@@ -96,7 +96,7 @@ internal class RemoteFolder(private val address: String, private val configurati
         system().delete(path(name), false)
     }
 
-    /** The file system; of a disk, the one that leaves no checksums among the files. */
+    /** Returns the file system; of a disk, the one that leaves no checksums among the files. */
     private fun system(): FileSystem = plain(top.getFileSystem(configuration.value()))
 
     private companion object {
@@ -105,5 +105,5 @@ internal class RemoteFolder(private val address: String, private val configurati
     }
 }
 
-/** [system], but of a disk the one that leaves no files with checksums among the others. */
+/** Returns [system], but of a disk the one that leaves no files with checksums among the others. */
 internal fun plain(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system
