@@ -12,15 +12,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Where a sub-command speaks to. Whatever it says, nothing of it moves a terminal's cursor, and what the encoding has no character for
- * is spelled out.
+ * The output of a subcommand. No text can move a terminal's cursor, and characters that the encoding lacks are spelled out.
  *
- * @param out gets results, for people or programs, in [outCharset].
- * @param err gets what went wrong, and progress, in [errCharset].
+ * @param out receives results, for people or programs, in [outCharset].
+ * @param err receives errors and progress, in [errCharset].
  * @param isTerminal whether [err] is a terminal, which shows progress.
  * @param outColors the colors of results.
- * @param errColors the colors of what went wrong.
- * @property width how many columns a line of results has; [UNLIMITED] where no terminal shows them.
+ * @param errColors the colors of errors.
+ * @property width the number of columns in a line of results; [UNLIMITED] if no terminal shows them.
  */
 internal class Console(
     private val out: PrintStream,
@@ -39,31 +38,31 @@ internal class Console(
     /** Whether [file] only stands for the standard input or output, and is gone when the program ends. */
     fun isStandIn(file: Path): Boolean = file.toString() in names
 
-    /** Whether results come to nowhere, because nobody reads them any longer or the disk is full. */
+    /** Whether results are lost, because nobody reads them any more or the disk is full. */
     val isOutClosed: Boolean get() = out.checkError()
 
-    /** Prints a result: [text], and the end of the line. */
+    /** Prints a result: [text] and a line end. */
     fun say(text: String) {
         out.println(outSpelling.of(cleaned(text)).lines(outColors::result))
         out.flush()
     }
 
-    /** Prints what there is to know besides: [text], and the end of the line. */
+    /** Prints a remark: [text] and a line end. */
     fun warn(text: String) = err.println(errSpelling.of(cleaned(text)))
 
-    /** Prints what went wrong: [text], and the end of the line. */
+    /** Prints an error: [text] and a line end. */
     fun fail(text: String) = err.println(errSpelling.of(cleaned(text)).lines(errColors::failure))
 
-    /** Shows how far the work on [label] is, when that takes long. To be closed. */
+    /** Shows the progress of the work on [label], if that takes long. Must be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
 
-    /** Shows how many files were looked at for logs, when that takes long. To be closed. */
+    /** Shows how many files were searched for logs, if that takes long. Must be closed. */
     fun searching(): SearchCount = SearchCount(err, isTerminal)
 
     /**
-     * The same, calling some files by other [names].
+     * Returns the same console with other [names] for some files.
      *
-     * @param isOutTaken whether results must not go where they go here, because that gets a file.
+     * @param isOutTaken whether results must not go to the usual output, because that receives a file.
      */
     fun naming(names: Map<String, String>, isOutTaken: Boolean): Console {
         if (names.isEmpty()) return this
@@ -73,10 +72,10 @@ internal class Console(
         return Console(out, err, isTerminal, charset, errCharset, width, colors, errColors).also { it.names = names }
     }
 
-    /** Where results go as bytes, for a protocol that is spoken there: nothing else may be said meanwhile. */
+    /** The output for bytes of a protocol; nothing else may be printed meanwhile. */
     val bytes: OutputStream get() = out
 
-    /** The same without results: of work whose result is only a step. */
+    /** Returns the same console without results, for work whose result is only an intermediate step. */
     fun withoutResults(): Console = Console(
         PrintStream(OutputStream.nullOutputStream()),
         err,
@@ -93,7 +92,7 @@ internal class Console(
         out.flush()
     }
 
-    /** Lines may end as CSV has it. */
+    /** Lines may end as in CSV. */
     private fun cleaned(text: String) = named(text).split('\n').joinToString("\n") { line ->
         if (line.endsWith('\r')) printable(line.dropLast(1)) + '\r' else printable(line)
     }
@@ -103,22 +102,22 @@ internal class Console(
     private fun named(text: String) = names.entries.fold(text) { all, (file, name) -> all.replace(file, name) }
 
     companion object {
-        /** The width of what another program reads. */
+        /** The width of output for other programs. */
         const val UNLIMITED = Int.MAX_VALUE
     }
 }
 
 /**
- * Shows on a terminal how many files were looked at for logs, when that takes long enough to wonder. Closed, it leaves no trace.
+ * Shows on a terminal how many files were searched for logs, if that takes noticeably long. Closing it leaves no trace.
  *
- * @param patience nanoseconds for which nothing is shown, and after which it is shown anew.
+ * @param patience nanoseconds before it is first shown, and between updates.
  */
 internal class SearchCount(err: PrintStream, private val isShown: Boolean, private val patience: Long = 500_000_000L) : AutoCloseable {
     private var shown = System.nanoTime()
     private var files = 0L
     private val line = StatusLine(err)
 
-    /** Another file was looked at. */
+    /** Counts another file. */
     fun next() {
         files++
         if (!isShown || System.nanoTime() - shown < patience) return

@@ -27,14 +27,14 @@ import badlog.rules.RuleSet
 import java.nio.file.Path
 
 /**
- * Looks for something in every log below [paths].
+ * Runs rules and hooks over every log below [paths].
  *
  * @param search what to look for.
  * @param pagesPlan what is asked of the pages and their index; null for none.
- * @param cache where findings are kept; null for nowhere.
- * @param xTopic the topic to take as x axis, or null.
- * @param station below which folder Driver Station logs of the same matches are, from which rules get what the robot's logs lack; empty
- *   for the folder of each log, null for none.
+ * @param cache the folder for cached findings; null for none.
+ * @param xTopic the topic to use as x axis, or null.
+ * @param station the folder to search for Driver Station logs of the same matches, which provide what the robot's logs lack; empty for
+ *   the folder of each log, null for none.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -105,7 +105,7 @@ internal class ReportTask(
 
         ResultForm.CSV -> {
             console.say(reportCsv(result).trimEnd())
-            // No line of CSV has them.
+            // They are in no line of CSV.
             notesOf(result).forEach(console::warn)
         }
 

@@ -175,7 +175,7 @@ private fun Small(text: String) {
     Text(text, Modifier.padding(horizontal = 12.dp, vertical = 2.dp), color = LocalPalette.current.muted, fontSize = 12.sp)
 }
 
-/** A finding: how bad, when, which rule, and what it says; [details] stand below. */
+/** A finding: its severity, time, rule and text; [details] are below. */
 @Composable
 internal fun FindingLine(
     finding: Finding,
@@ -225,7 +225,7 @@ private fun Time(text: String) {
     )
 }
 
-/** How many rules were skipped; a click shows and hides which. */
+/** The number of skipped rules; a click shows or hides them. */
 @Composable
 internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
@@ -256,7 +256,7 @@ internal fun SkippedLine(rule: SkippedRule) {
     }
 }
 
-/** A mistake in a file of rules: a sentence, and where [text] has more lines, a place in the file with carets below it. */
+/** A mistake in a file of rules: a sentence and, if [text] has more lines, a place in the file with carets below it. */
 @Composable
 internal fun PointedText(text: String) {
     val palette = LocalPalette.current
@@ -266,7 +266,7 @@ internal fun PointedText(text: String) {
         if (place.isEmpty()) return@Column
         val scroll = rememberScrollState()
         LaunchedEffect(place, scroll.maxValue) { scroll.scrollTo((scroll.maxValue * placeOfCarets(place)).toInt()) }
-        // A line that was broken would not stand above its carets.
+        // A broken line would not be above its carets.
         Text(
             place.take(MAX_LETTERS),
             Modifier.horizontalScroll(scroll),
@@ -278,7 +278,7 @@ internal fun PointedText(text: String) {
     }
 }
 
-/** Returns where in the longest line of [text] the carets of its last one stand, from 0 to 1. */
+/** Returns where the carets of the last line of [text] are in its longest line, 0 to 1. */
 private fun placeOfCarets(text: String): Float =
     text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
 

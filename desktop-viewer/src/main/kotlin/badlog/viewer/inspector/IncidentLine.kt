@@ -27,9 +27,9 @@ import badlog.viewer.findings.findingSoft
 import badlog.viewer.theme.LocalPalette
 
 /**
- * An incident: what came first and what followed, each a way to its place, and what to look at next. Its name leads to what came first.
+ * An incident: what came first and what followed, each linked to its place, and what to look at next. Its name goes to what came first.
  *
- * @param isOpen whether a person went to a finding of it; then it is framed.
+ * @param isOpen whether a person went to one of its findings; then it is framed.
  */
 @Composable
 internal fun IncidentLine(incident: Incident, times: EventTimes, isOpen: Boolean, onClick: (Finding) -> Unit) {

@@ -48,7 +48,7 @@ import badlog.viewer.view.AxisView
 import kotlinx.coroutines.launch
 import java.awt.datatransfer.StringSelection
 
-/** The panel at the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video. */
+/** The panel on the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video. */
 @Composable
 internal fun InspectorPane(
     current: CurrentRecording,
@@ -64,7 +64,7 @@ internal fun InspectorPane(
 ) {
     val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
-        // In a small window the panel is narrower than all that stands here.
+        // In a small window, the panel is narrower than all of its buttons.
         FlowRow(
             Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
             itemVerticalAlignment = Alignment.CenterVertically,
@@ -82,7 +82,7 @@ internal fun InspectorPane(
         if (open == null) {
             PanelHint("Open a log to see its ${tab.title.lowercase()}.")
         } else {
-            // A narrow window shows one part at a time; who goes somewhere wants to see it.
+            // A narrow window shows one part at a time; somebody who goes to a place wants to see it.
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
@@ -100,13 +100,13 @@ internal fun InspectorPane(
 
 private val TITLE = 76.dp
 
-/** What stands in a panel that has nothing to show. */
+/** The content of a panel that has nothing to show. */
 @Composable
 internal fun PanelHint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
-/** Opens and closes the panels at the right; each says how much there is to see in it. */
+/** Opens and closes the panels on the right; each button shows how much is in its panel. */
 @Composable
 internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels) {
     val open = current.recording ?: return
@@ -139,10 +139,10 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.NOTES -> notes.state.notes.size
 }
 
-/** Returns how many of the problems of [view] cost something; notes, which healthy logs have as well, do not. */
+/** Returns how many of the problems of [view] matter; notes, which healthy logs also have, do not. */
 internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
 
-/** Makes a line of a list that takes the window to a time: called [name], with [gap] above and below. */
+/** Makes it a line of a list that goes to a time: called [name], with [gap] above and below. */
 @Composable
 internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
     .background(if (isSelected) LocalPalette.current.accentSoft else Color.Transparent)
@@ -153,7 +153,7 @@ internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, 
     }
     .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
 
-/** Puts a text on the clipboard. */
+/** Copies a text to the clipboard. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun rememberCopy(): (String) -> Unit {

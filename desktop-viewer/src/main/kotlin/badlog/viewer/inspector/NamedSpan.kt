@@ -7,22 +7,22 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.view.AxisView
 
 /**
- * A part of x that statistics are of, and what the window calls it.
+ * A part of x for statistics, and its label in the window.
  *
- * @property span from its begin to its end.
- * @property parts what of [span] counts; they do not touch.
+ * @property span from its start to its end.
+ * @property parts the parts of [span] that count; they do not touch.
  */
 internal data class NamedSpan(val name: String, val span: Span, val parts: List<Span> = listOf(span)) {
-    /** How long it is. */
+    /** Its length. */
     val width: Double get() = parts.sumOf { it.width }
 }
 
-/** The selection of [view], or else what is between both cursors, or what is visible. */
+/** Returns the selection of [view], or else the range between both cursors, or the visible range. */
 internal fun shownSpan(view: AxisView): NamedSpan = view.selection?.let { NamedSpan("Selection", it) }
     ?: view.cursors.between?.let { NamedSpan(Cursors.BETWEEN, it) }
     ?: NamedSpan("Visible range", view.viewport.visible)
 
-/** Returns what of [open] [range] means; null where it is not known when the robot was enabled. */
+/** Returns the part of [open] that [range] means; null if it is not known when the robot was enabled. */
 internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView): NamedSpan? = when (range) {
     StatisticsRange.SHOWN -> shownSpan(view)
 
@@ -34,7 +34,7 @@ internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView)
     StatisticsRange.ALL -> NamedSpan("Whole log", open.span)
 }
 
-/** Returns [spans] in the order of x; those that touch are one. */
+/** Returns Returns [spans] in the order of x; those that touch are joined. */
 private fun joined(spans: List<Span>): List<Span> = buildList {
     for (span in spans.sortedBy { it.from }) {
         val before = lastOrNull()

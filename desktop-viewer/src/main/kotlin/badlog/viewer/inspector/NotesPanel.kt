@@ -43,7 +43,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.view.AxisView
 
-/** The notes of [open], each with the way to its moment, of which [onGo] hears, and where one is written. */
+/** The notes of [open], each with a link to its moment, which also calls [onGo], and the field for writing one. */
 @Composable
 internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val times = remember(open) { EventTimes(open) }
@@ -70,7 +70,7 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
     }
 }
 
-/** Returns where a note would stand now: at the cursor, or in the middle of what is visible. */
+/** Returns where a new note would be: at the cursor, or in the middle of the visible range. */
 internal fun placeOfNote(view: AxisView): Double = view.cursor ?: view.viewport.visible.run { (from + to) / 2 }
 
 @Composable
@@ -105,7 +105,7 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
     }
 }
 
-/** Enter keeps, Escape gives up; Shift+Enter is a new line. */
+/** Handles keys: Enter saves, Escape cancels; Shift+Enter is a new line. */
 private fun hears(event: KeyEvent, notes: LogNotes): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when {

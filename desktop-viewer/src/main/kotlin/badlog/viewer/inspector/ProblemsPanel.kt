@@ -98,7 +98,7 @@ private fun Palette.softOf(severity: Severity?): Color = when (severity) {
     Severity.NOTE, null -> raised
 }
 
-/** What the window calls it. */
+/** Its name in the window. */
 internal val Severity.title: String
     get() = when (this) {
         Severity.ERROR -> "lost"
@@ -106,10 +106,10 @@ internal val Severity.title: String
         Severity.NOTE -> "note"
     }
 
-/** Losses, then warnings, then notes; those of one severity stay in their order. */
+/** Returns losses, then warnings, then notes; those of one severity stay in order. */
 internal fun worstFirst(problems: List<Problem>): List<Problem> = problems.sortedByDescending { it.severity }
 
-/** In a sentence, what [problems] mean for someone who trusts the file. */
+/** Returns a sentence that says what [problems] mean for someone who relies on the file. */
 internal fun problemSummary(problems: List<Problem>): String {
     val losses = problems.filter { it.severity == Severity.ERROR }
     val warnings = problems.count { it.severity == Severity.WARNING }

@@ -14,7 +14,7 @@ import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
 /**
- * What every drawn signal does over a part of x.
+ * Statistics of every drawn signal over a part of x.
  *
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
@@ -22,18 +22,18 @@ import badlog.viewer.recording.Signal
 internal class RangeStatistics(val part: NamedSpan, val xUnit: String, val signals: List<SignalStatistics>)
 
 /**
- * What one signal does.
+ * Statistics of one signal.
  *
  * @property recording the label of its recording; empty while only one is drawn.
- * @property place of that recording among those drawn, which is that of its color.
- * @property cells what is shown of it, in its order: a name, and a number or a state with its unit.
+ * @property place the index of that recording among those drawn, which is that of its color.
+ * @property cells its displayed values, in order: a name, and a number or a state with its unit.
  */
 internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
 
-/** A name and what stands beside it, in a line of its own where it [isWide]; [unit] is `ul` for none. */
+/** A name with its value, in a separate line if [isWide]; [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false)
 
-/** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so not for the window's thread. */
+/** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so do not use it on the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
@@ -57,7 +57,7 @@ private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String)
     return shown.map { StatCell(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
 }
 
-// What the numbers of states add up to means nothing.
+// Sums of the numbers of states are meaningless.
 private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
     val states = signal.states.orEmpty()
     val axis = recording.view.xAxis
@@ -73,7 +73,7 @@ private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: Series
 
 private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
 
-/** Returns the statistics as lines of tab-separated cells, as spreadsheets take them; the first line names the columns. */
+/** Returns the statistics as lines of tab-separated cells, for spreadsheets; the first line has the titles of the columns. */
 internal fun RangeStatistics.toTsv(): String {
     val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
     val head = listOf("topic", "unit", "log", "from", "to") + columns

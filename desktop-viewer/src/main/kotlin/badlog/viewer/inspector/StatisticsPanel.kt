@@ -84,7 +84,7 @@ internal fun StatisticsPanel(
     }
 }
 
-/** Chooses what the statistics are of. */
+/** Selects the range of the statistics. */
 @Composable
 private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecording) {
     Row(Modifier.padding(start = 8.dp, end = 4.dp, top = 4.dp), Arrangement.spacedBy(2.dp)) {
@@ -105,17 +105,17 @@ private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecordin
     }
 }
 
-/** In short what [shownSpan] is. */
+/** Returns a short title for [shownSpan]. */
 internal fun titleOfShown(view: AxisView): String = when {
     view.selection != null -> "Selected"
     view.cursors.between != null -> "A–B"
     else -> "Visible"
 }
 
-/** What statistics are of; as long as it stays equal, nothing is calculated again. */
+/** The input of the statistics; while it stays equal, nothing is recalculated. */
 internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan)
 
-/** Returns what is to be seen now of [part]; where that is null, of what is shown. */
+/** Returns the current input for [part]; if that is null, for the displayed range. */
 internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
     val names = board.state.graphs.flatMap { it.lines }.distinct()
     return Asked(compared.drawn, names, part ?: shownSpan(view))
@@ -154,7 +154,7 @@ private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
     Row(modifier.padding(end = 4.dp)) {
         val muted = LocalPalette.current.muted
         Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
-        // A figure that is cut off is another one: rather two lines.
+        // A number that is cut off would be a different one, so two lines are better.
         Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, lineHeight = 15.sp)
     }
 }

@@ -68,7 +68,7 @@ internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
  */
 internal class ValueRow(val folder: String, val value: Value?)
 
-/** Returns the values of [open] whose name or text has all words of [query], each folder below its heading; the root has none. */
+/** Returns the values of [open] whose name or text has all words of [query], each folder below its heading; the root folder has none. */
 internal fun valueRows(open: OpenRecording, query: String): List<ValueRow> {
     val wanted = Query(query)
     return open.view.folders.flatMap { folder ->

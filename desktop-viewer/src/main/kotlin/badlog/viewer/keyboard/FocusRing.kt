@@ -21,8 +21,8 @@ import badlog.viewer.theme.LocalPalette
 import kotlinx.coroutines.launch
 
 /**
- * Frames what has the keyboard where a person goes by keys, see [Keyboard.showsFocus], and shades what is pressed: what Material does for the
- * former is hardly to be seen.
+ * Frames the focused element if a person navigates by keys, see [Keyboard.showsFocus], and shades a pressed one: Material's own focus
+ * indication is hardly visible.
  */
 internal class FocusRing(private val keyboard: Keyboard) : IndicationNodeFactory {
     override fun create(interactionSource: InteractionSource): DelegatableNode = Ring(keyboard, interactionSource)

@@ -31,12 +31,12 @@ import badlog.viewer.menu.MenuLayer
 import badlog.viewer.menu.OpenMenus
 
 /**
- * Knows whether a person is typing into a text field, and gives keys to commands while they are not. A field lets the presses of
- * letters through to the window, so that alone proves nothing.
+ * Knows whether a person is typing into a text field, and passes keys to commands otherwise. A field lets presses of letters
+ * through to the window, so an unused press proves nothing.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class Keyboard {
-    /** Whether a text field takes what is typed. */
+    /** Whether a text field has the keyboard focus. */
     val isTyping: Boolean get() = fields > 0
 
     /** The menus that Escape closes before it does anything else. */
@@ -53,7 +53,7 @@ internal class Keyboard {
         }
     }
 
-    /** Whether what has the keyboard is framed: from the first Tab until the mouse is used again. */
+    /** Whether the focused element is framed: from the first Tab until the mouse is used again. */
     var showsFocus: Boolean by mutableStateOf(false)
         private set
 
@@ -75,8 +75,8 @@ internal class Keyboard {
     }
 
     /**
-     * Does what the first of [commands] that [event] fits asks for; false when none does. While a person is typing, only those
-     * with Ctrl, those of the keys F1 to F12 and Escape count. For `onKeyEvent` of the window, which hears what no field has used.
+     * Runs the first of [commands] that matches [event]. Returns false if none does. While a person is typing, only commands with
+     * Ctrl, F1 to F12 and Escape count. For `onKeyEvent` of the window, which receives what no field has used.
      */
     fun dispatch(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.type != KeyEventType.KeyDown) return false
@@ -92,15 +92,15 @@ internal class Keyboard {
     }
 
     /**
-     * Gives Space to [commands] even where a button was clicked before, which would take it for another click; Enter still
-     * presses that. Escape closes the open menu. For `onPreviewKeyEvent` of the window.
+     * Passes Space to [commands] even after a button was clicked, which would take it for another click; Enter still
+     * presses the button. Escape closes the open menu. For `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.key == Key.Tab && event.type == KeyEventType.KeyDown) showsFocus = true
         if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
-        // Its release is none of the button's business either.
+        // The button must not receive its release either.
         return true
     }
 
@@ -112,23 +112,23 @@ internal class Keyboard {
 }
 
 /**
- * Something the keyboard does. The help sheet lists them as they are here.
+ * A keyboard command, as listed in the help.
  *
- * @property keys what to press; each does the same.
- * @property meaning what it does, as the help sheet says it.
- * @property group under which heading.
+ * @property keys the keys; each does the same.
+ * @property meaning what it does, for the help.
+ * @property group its heading in the help.
  */
 internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit) {
-    /** What the page does alike: [run]. */
+    /** Creates the command of an action that pages also have: [run]. */
     constructor(action: Action, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
 
-    /** As the help sheet has it. */
-    // Which of the signs need Shift depends on the keyboard.
+    /** Its line in the help. */
+    // Which characters need Shift depends on the keyboard.
     val help: HelpLine
         get() = HelpLine(group, keys.map { if (it.label in "+=<>?") it.label else it.text }.distinct().joinToString("  "), meaning)
 }
 
-/** Returns what to press for [stroke]. */
+/** Returns the key presses for [stroke]. */
 private fun pressesOf(stroke: KeyStroke): List<KeyPress> {
     // Which of the keys with a plus needs Shift depends on the keyboard.
     val shifts = if (stroke.key == "+") listOf(false, true) else listOf(stroke.shift)
@@ -168,6 +168,6 @@ internal data class KeyPress(
     val shift: Boolean = false,
     val alt: Boolean = false,
 ) {
-    /** As the help sheet writes it: `Ctrl+Shift+S`. */
+    /** Its text in the help: `Ctrl+Shift+S`. */
     val text: String get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, label).joinToString("+")
 }

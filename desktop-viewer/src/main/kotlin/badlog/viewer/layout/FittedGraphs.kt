@@ -6,10 +6,10 @@ import badlog.plot.board.FittedBoard
 import badlog.plot.board.fittedTo
 import badlog.viewer.recording.OpenRecording
 
-/** Fits [board] to [recording]. What a formula does not make there is not missing: the list of topics says why. */
+/** Fits [board] to [recording]. A formula that fails there does not count as missing: the list of topics says why. */
 internal fun fitted(board: Board, recording: OpenRecording): FittedBoard =
     board.fittedTo(excused = recording.formulas.mapNotNullTo(HashSet()) { it.name }) { recording.signal(it) != null }
 
-/** Returns [span] as the window knows it; null where it is none. */
+/** Returns Returns [span] in the window's form; null if it is not valid. */
 internal fun spanOf(span: LayoutSpan): Span? =
     if (span.from < span.to && span.from.isFinite() && span.to.isFinite()) Span(span.from, span.to) else null

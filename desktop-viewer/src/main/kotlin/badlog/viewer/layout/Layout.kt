@@ -15,16 +15,16 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.jsonObject
 
 /**
- * How a person has arranged a window, by names only: fits every recording of a robot. Its JSON is what a layout file holds.
+ * How a person has arranged a window, by names only: fits every recording of a robot. A layout file contains it as JSON.
  *
- * @property version of the format, [VERSION] or newer; its key distinguishes a layout from other JSON.
- * @property graphs the graphs from top to bottom; null for those that the topics' attributes ask for.
- * @property recording the file that was open, as [compared] names files; null for none.
- * @property visible the part of x that was seen in it; null for all.
- * @property selection the part of x that was marked in it, or null.
- * @property compared what lies over the open recording.
- * @property panels which parts of the window are open; null for as they are.
- * @property overTime whether logs that name no x axis are drawn over their column of the time; null where nobody has said.
+ * @property version the version of the format, [VERSION] or newer; its key distinguishes a layout from other JSON.
+ * @property graphs the graphs from top to bottom; null for those according to the topics' attributes.
+ * @property recording the file that was open, written as in [compared]; null for none.
+ * @property visible its visible range; null for all.
+ * @property selection its selection, or null.
+ * @property compared the recordings compared with the open one.
+ * @property panels which parts of the window are open; null for no change.
+ * @property overTime whether logs that name no x axis are drawn over their time column; null if nobody has chosen.
  * @property formulas the definitions of topics that are calculated from others.
  */
 @Serializable
@@ -43,12 +43,12 @@ internal data class Layout(
         /** The format that this program writes. */
         const val VERSION = BoardLayout.VERSION
 
-        /** How the names of layout files end. */
+        /** The ending of layout files' names. */
         const val ENDING = BoardLayout.ENDING
     }
 }
 
-/** A board in the JSON of a layout: the list of its graphs, as [toJson] writes it. */
+/** Serializes a board in the JSON of a layout: the list of its graphs, as in [toJson]. */
 internal object BoardSerializer : KSerializer<Board> {
     override val descriptor: SerialDescriptor = JsonElement.serializer().descriptor
 
@@ -66,11 +66,11 @@ internal object BoardSerializer : KSerializer<Board> {
 internal data class LayoutSpan(val from: Double, val to: Double)
 
 /**
- * The recordings that a [Layout] lays over the open one.
+ * The recordings that a [Layout] compares with the open one.
  *
- * @property files their files, relative to the library's folder where they are in it, with `/` between the parts.
- * @property alignment by what they are aligned, as the comparison calls it; empty for its default.
- * @property offsets by how much each file was moved by hand, in units of x.
+ * @property files their files, relative to the library's folder if they are in it, with `/` between the parts.
+ * @property alignment the name of the alignment; empty for the default.
+ * @property offsets the manual offset of each file, in units of x.
  */
 @Serializable
 internal data class LayoutComparison(
@@ -79,7 +79,7 @@ internal data class LayoutComparison(
     val offsets: Map<String, Double> = emptyMap(),
 )
 
-/** Which parts of the window a [Layout] opens; means what [badlog.viewer.panels.Panels] means, by the names of its values. */
+/** Which parts of the window a [Layout] opens; like [badlog.viewer.panels.Panels], with the names of its values. */
 @Serializable
 internal data class LayoutPanels(
     val library: Boolean = true,

@@ -14,7 +14,7 @@ import java.nio.file.Path
 /**
  * Reads the layout in [file].
  *
- * @throws IOException with a sentence for the person, when it is missing, damaged, or no layout.
+ * @throws IOException with a sentence for the user, if it is missing, damaged, or not a layout.
  */
 internal fun readLayout(file: Path): Layout {
     val name = file.fileName
@@ -36,9 +36,9 @@ internal fun readLayout(file: Path): Layout {
 }
 
 /**
- * Writes [layout] to [file]; replaces an older one only by a whole one.
+ * Writes [layout] to [file] atomically.
  *
- * @throws IOException with a sentence for the person, when it cannot be written.
+ * @throws IOException with a sentence for the user, if it cannot be written.
  */
 internal fun writeLayout(file: Path, layout: Layout) {
     val text = JSON.encodeToString(Layout.serializer(), layout)
@@ -53,9 +53,9 @@ private val JSON = Json {
     explicitNulls = false
 }
 
-/** The layouts of folders as they were left, in files of the user's own below [place]. */
+/** The last layouts of folders, in the user's own files below [place]. */
 internal class FolderLayouts(private val place: Path) {
-    /** Returns how the window was arranged over [folder]; null where it never was, or that is damaged. */
+    /** Returns the layout for [folder]; null if there is none, or it is damaged. */
     fun read(folder: Path): Layout? = try {
         readLayout(fileOf(folder))
     } catch (_: IOException) {
@@ -63,25 +63,25 @@ internal class FolderLayouts(private val place: Path) {
     }
 
     /**
-     * Keeps [layout] for [folder].
+     * Stores [layout] for [folder].
      *
-     * @throws IOException with a sentence for the person, when it cannot be written.
+     * @throws IOException with a sentence for the user, if it cannot be written.
      */
     fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
 
-    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 where it never was. */
+    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 if it never was. */
     fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
 
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
 
-/** Returns [file] as a layout writes it: relative to [folder] where it is in it, with `/` between the parts on every system. */
+/** Returns Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
 internal fun pathText(file: Path, folder: Path?): String {
     val base = folder?.toAbsolutePath()?.normalize()
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
 }
 
-/** Returns the file that a layout wrote as [text], seen from [folder]; null where no file can be called that. */
+/** Returns the file that a layout wrote as [text], relative to [folder]; null if that is not a valid path. */
 internal fun pathOf(text: String, folder: Path?): Path? = try {
     (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
 } catch (_: InvalidPathException) {

@@ -21,7 +21,7 @@ import badlog.viewer.task.Notices
 import badlog.viewer.theme.Icons
 import java.nio.file.Path
 
-/** The menu that saves how the window is arranged, and arranges it so again. */
+/** The menu for saving and opening layouts of the window. */
 @Composable
 internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles, axis: AxisChoice, stations: StationChoice) {
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
@@ -57,7 +57,7 @@ internal class LayoutFiles(
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and writes to it how the window is arranged. */
+    /** Asks for a file, and writes the window's layout to it. */
     fun save() {
         val open = current.recording ?: return sayNoLog(notices)
         val folder = library.state.folder
@@ -67,7 +67,7 @@ internal class LayoutFiles(
         tasks.run("Saving the layout", { writeLayout(file, layout) }) { notices.say("Saved the layout to $file.") }
     }
 
-    /** Asks for a file in the folder of logs, and writes the graphs and formulas to it with which windows and pages of that folder begin. */
+    /** Asks for a file in the folder of logs, and writes to it the initial graphs and formulas of windows and pages for that folder. */
     fun saveDefault() {
         val open = current.recording ?: return sayNoLog(notices)
         val name = FolderLayout.NAME.removeSuffix(Layout.ENDING)
@@ -79,13 +79,13 @@ internal class LayoutFiles(
         }
     }
 
-    /** Asks for a layout's file, and arranges the window as it says. */
+    /** Asks for a layout file, and applies it to the window. */
     fun open() {
         val start = library.state.folder ?: current.recording?.file?.parent
         open(files.toRead("Open a layout", start, Layout.ENDING) ?: return)
     }
 
-    /** Arranges the window as the layout in [file] says. */
+    /** Applies the layout in [file] to the window. */
     fun open(file: Path) {
         tasks.run("Opening ${file.fileName}", { readLayout(file) }) { layouts.apply(it) }
     }

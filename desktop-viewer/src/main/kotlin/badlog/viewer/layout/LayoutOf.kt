@@ -12,21 +12,21 @@ import java.nio.file.Path
 
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-/** Returns [panels] as a layout keeps them. */
+/** Returns Returns [panels] in the form for a layout. */
 internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
 
-/** Returns [comparison] as a layout keeps it, with files as seen from [folder]. */
+/** Returns Returns [comparison] in the form for a layout, with files relative to [folder]. */
 internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
     files = comparison.checked.map { pathText(it, folder) },
     alignment = comparison.alignment.layoutName,
     offsets = comparison.handOffsets.mapKeys { pathText(it.key, folder) },
 )
 
-/** By what [layout] aligns. */
+/** Returns the alignment of [layout]. */
 internal fun alignmentOf(layout: LayoutComparison): Alignment =
     Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
 
-/** Returns [panels] as the window knows them; what this program does not know stays as in [now]. */
+/** Returns Returns [panels] in the window's form; anything unknown stays as in [now]. */
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,

@@ -27,8 +27,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * How the window is arranged over each folder of logs: saves that, and arranges it so again when the folder is opened. To be used on
- * the window's thread only.
+ * The window's layout for each folder of logs: saves it, and restores it when the folder is opened. Use it only on the window's
+ * thread.
  */
 internal class LayoutStore(
     folders: UserFolders,
@@ -49,13 +49,13 @@ internal class LayoutStore(
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
 
-    /** Whether nobody has checked, zoomed or selected anything since the log was shown: what was restored here, nobody did now. */
+    /** Whether nobody has checked, zoomed or selected anything since the log was shown, apart from what was restored here. */
     val isUntouched: Boolean
         get() = compared.state.checked.all { it in restoredChecks } &&
             (!view.viewport.isZoomed || view.viewport.visible == restoredVisible) &&
             (view.selection == null || view.selection == restoredSelection)
 
-    /** How the window is arranged now. */
+    /** The current layout of the window. */
     val layout: Layout
         get() {
             val open = current.recording
@@ -73,17 +73,17 @@ internal class LayoutStore(
             )
         }
 
-    /** What of the layout is for others: the graphs and the formulas. */
+    /** The part of the layout for others: the graphs and the formulas. */
     val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
 
-    /** Returns the log that was open when the window was last over [folder]; null where it is gone. */
+    /** Returns the log that was last open in [folder]; null if it is gone. */
     fun lastOpenIn(folder: Path): LastOpen? {
         val name = layouts.read(folder)?.recording ?: return null
         val file = pathOf(name, folder)?.takeIf(Files::isRegularFile) ?: return null
         return LastOpen(file, layouts.writtenAt(folder))
     }
 
-    /** Returns the graphs to show of [recording], which was just opened: as they were arranged over this folder, else the default ones. */
+    /** Returns the graphs for [recording], which was just opened: as arranged for this folder, or else the default ones. */
     fun graphsOf(recording: OpenRecording): Board {
         val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
@@ -91,8 +91,8 @@ internal class LayoutStore(
     }
 
     /**
-     * Returns the formulas to calculate in [recording]: also those of the layout beside it, where nobody has arranged the graphs of this
-     * folder.
+     * Returns the formulas to calculate in [recording]: including those of the layout beside it, if nobody has arranged the graphs of
+     * this folder.
      */
     fun formulasFor(recording: OpenRecording): List<String> {
         val isArranged = saved?.graphs != null || !isInFolder(recording)
@@ -100,8 +100,8 @@ internal class LayoutStore(
     }
 
     /**
-     * Arranges the window as [layout] says, as far as the open recording has what it names; what is hidden is said. Its formulas are
-     * added to those that there are.
+     * Applies [layout] to the window, as far as the open recording has what it names, and reports what is hidden. Its formulas are
+     * added to the existing ones.
      */
     fun apply(layout: Layout) {
         layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
@@ -112,7 +112,7 @@ internal class LayoutStore(
         applyRange(layout)
     }
 
-    /** Shows the graphs that the attributes of the open recording's topics ask for, and all of x; offers to show those of before again. */
+    /** Shows the graphs according to the attributes of the open recording's topics, and all of x; offers to restore the previous ones. */
     fun showDefaultGraphs() {
         val open = current.recording ?: return
         val before = board.state
@@ -121,10 +121,10 @@ internal class LayoutStore(
         if (!before.showsSame(board.state)) notices.say("The default graphs are shown.", NoticeAction("Undo") { board.change { before } })
     }
 
-    /** Arranges the window as it was over the folder that is opened, and saves each change a moment after it was made; until cancelled. */
+    /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */
     suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
         folder = opened
-        // A few kilobytes of the user's own: read at once, so that the folder's first recording is shown as it was arranged.
+        // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
         axis.change { null }
@@ -140,17 +140,17 @@ internal class LayoutStore(
         }
     }
 
-    /** Saves at once what else would be saved in a moment: the window is about to go. */
+    /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
     fun saveNow() {
         val (place, layout) = change() ?: return
         try {
             layouts.write(place, written(place, layout))
         } catch (_: IOException) {
-            // There is no window any more to say it in.
+            // There is no longer a window to report it in.
         }
     }
 
-    // All that changes a layout; compared by the parts themselves, so that to look costs nothing.
+    // Everything that affects a layout; the parts themselves are compared, so that checking costs nothing.
     private fun arrangement() = listOf(
         current.recording,
         board.kept,
@@ -173,7 +173,7 @@ internal class LayoutStore(
         }
     }
 
-    /** Returns where to save what, when that is not yet saved. What another folder's recording shows is not this folder's. */
+    /** Returns what to save and where, if it is not saved yet. The state of another folder's recording does not count. */
     private fun change(): Pair<Path, Layout>? {
         val place = folder ?: return null
         val open = current.recording?.takeIf(::isInFolder)
@@ -189,8 +189,8 @@ internal class LayoutStore(
     }
 
     /**
-     * Returns what to write of [mine], which this window shows over the folder of [place]: what it has not changed stays as another window
-     * has written it. What that has done to the formulas is done here, too.
+     * Returns what to write of [mine], the layout of this window for the folder of [place]: what it has not changed stays as another
+     * window has written it. Changes of formulas by the other window are also made here.
      */
     private fun written(place: Path, mine: Layout): Layout {
         val theirs = layouts.read(place) ?: return mine
@@ -209,7 +209,7 @@ internal class LayoutStore(
         if (board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
     }
 
-    /** Lays over the open recording what [layout] names, as it was aligned; files that are gone are left out. */
+    /** Compares the open recording with those in [layout], as they were aligned; files that are gone are skipped. */
     private fun restoreComparison(layout: LayoutComparison) {
         val folder = library.state.folder
         fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
@@ -228,7 +228,7 @@ internal class LayoutStore(
         fitted.sentence?.let(notices::say)
     }
 
-    /** Shows the part of x that [layout] shows, and selects what it selects; where the recording has neither, all of it is shown. */
+    /** Shows the part of x that [layout] shows, and selects what it selects; if the recording has neither, all of it is shown. */
     private fun applyRange(layout: Layout) {
         if (current.recording == null) return
         val full = view.viewport.full
@@ -237,7 +237,7 @@ internal class LayoutStore(
         view.select(layout.selection?.let(::spanOf))
     }
 
-    /** Shows what was last visible, when the recording is the one of then. Returns whether one was opened at all. */
+    /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */
     private fun restoreRange(layout: Layout): Boolean {
         val open = current.recording?.takeIf(::isInFolder) ?: return false
         if (pathText(open.file, folder) == layout.recording) {
@@ -258,5 +258,5 @@ internal class LayoutStore(
     }
 }
 
-/** The log in [file], which was last looked at at [millis] since 1970. */
+/** The log in [file], which was last open at [millis] since 1970. */
 internal class LastOpen(val file: Path, val millis: Long)

@@ -1,8 +1,8 @@
 package badlog.viewer.layout
 
 /**
- * Returns what two windows over one folder have made of it: what [mine] has not changed since [before] is as in [theirs], formula by
- * formula; else it is as in [mine]. The log that is open and what is seen of it belong together.
+ * Returns the merged layout of two windows on one folder: what [mine] has not changed since [before] is as in [theirs], formula by
+ * formula; otherwise it is as in [mine]. The open log and its visible range belong together.
  */
 internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
     val place = if (placeIn(mine) == placeIn(before)) theirs else mine

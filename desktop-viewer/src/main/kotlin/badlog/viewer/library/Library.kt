@@ -17,11 +17,11 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * The folder of logs, kept as it is on the disk. To be used on the window's thread only.
+ * The folder of logs, kept up to date with the disk. Use it only on the window's thread.
  *
- * @param scope where the folder is read; its thread is the window's.
- * @param cache where what is known of folders is kept.
- * @param settings remember which folders were opened.
+ * @param scope the scope for reading the folder; its thread is the window's.
+ * @param cache the folder for cached indexes.
+ * @param settings remembers which folders were opened.
  */
 internal class Library(private val scope: CoroutineScope, private val cache: Path, private val settings: SettingsStore) :
     Part<LibraryState>(LibraryState()) {
@@ -29,7 +29,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
 
-    /** How far reading the folder is, as of [state]; null before anything is known. */
+    /** The progress of reading the folder, as of [state]; null until something is known. */
     val progress: StateFlow<IndexProgress?> get() = mutableProgress
 
     /**
@@ -47,14 +47,14 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
         val started = Indexing(path, IndexCache(cache, path))
         indexing = started
         job = scope.launch {
-            // What is still being written into the cache of a folder is to be known when that is opened again.
+            // Data still being written to the cache of a folder must be available when that is opened again.
             if (isSame) before?.join()
             launch { started.run() }
             publish(started, showsNewest)
         }
     }
 
-    /** Forgets the folder; what is known of it is kept for the next time. */
+    /** Closes the folder; what is known about it is kept for the next time. */
     fun close() {
         job?.cancel()
         job = null
@@ -62,17 +62,17 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
         mutableProgress.value = null
     }
 
-    /** Leaves the logs that wait unread. */
+    /** Skips the logs that are waiting to be read. */
     fun stopReading() {
         indexing?.stopReading()
     }
 
-    /** Reads what [stopReading] left. */
+    /** Reads what [stopReading] skipped. */
     fun readAll() {
         indexing?.readAll()
     }
 
-    /** Stands on [file]. */
+    /** Selects [file]. */
     fun select(file: Path) = change { copy(selected = file) }
 
     private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
@@ -104,5 +104,5 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     }
 }
 
-/** How far reading a folder is: what [queue] knows, and whether that is all. Each is another one. */
+/** The progress of reading a folder: what [queue] knows, and whether that is all. Compared by identity. */
 internal class IndexProgress(val queue: IndexQueue, val isComplete: Boolean)

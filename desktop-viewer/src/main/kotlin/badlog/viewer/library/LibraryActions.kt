@@ -9,7 +9,7 @@ import java.nio.file.Path
  * @property open shows a log.
  * @property openInGraphs shows a log, and the graphs instead of the table.
  * @property openFindings shows a log in the graphs, its findings beside them, and the worst of those.
- * @property check compares with the log in a file, or no longer.
+ * @property check starts or stops comparing with the log in a file.
  * @property askForFolder asks for another folder and opens it.
  * @property askForLog asks for a log and opens it.
  * @property toggleTable shows all logs as a table, or the graphs again.

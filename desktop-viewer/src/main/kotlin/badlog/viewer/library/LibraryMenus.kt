@@ -87,7 +87,7 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
     }
 }
 
-/** By what the list is sorted. */
+/** The menu for sorting the list. */
 @Composable
 internal fun SortMenu(library: Library) {
     var isOpen by remember { mutableStateOf(false) }
@@ -111,7 +111,7 @@ internal fun SortMenu(library: Library) {
 
 private fun nameOf(folder: Path): String = folder.fileName?.toString() ?: folder.toString()
 
-/** Of which topic the logs show a preview. */
+/** The menu for the topic that logs preview. */
 @Composable
 internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
     var isOpen by remember { mutableStateOf(false) }

@@ -46,7 +46,7 @@ import badlog.viewer.theme.StayAtTop
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.rememberAskedFocus
 
-/** The list of logs at the left. */
+/** The list of logs on the left. */
 @Composable
 internal fun LibraryPane(
     library: Library,
@@ -96,7 +96,7 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
     }
 }
 
-/** What stands above the list: which folder it is of, and what of it is listed how. */
+/** The header of the list: its folder, and how it is filtered and sorted. */
 @Composable
 internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsStore, actions: LibraryActions) {
     Column(Modifier.padding(start = 8.dp, end = 8.dp, top = 6.dp, bottom = 2.dp)) {
@@ -118,7 +118,7 @@ internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsS
     }
 }
 
-/** The field that filters the logs; Enter opens the first that is left and gives the keyboard back, Escape lists all again. */
+/** The field that filters the logs; Enter opens the first listed one and releases the keyboard focus, Escape lists all again. */
 @Composable
 internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: Modifier = Modifier) {
     val focus = rememberAskedFocus(library.state.searchesAsked)
@@ -138,7 +138,7 @@ internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: M
     }
 }
 
-/** How many logs are listed. */
+/** The number of listed logs. */
 @Composable
 internal fun LogCount(listing: Listing, modifier: Modifier = Modifier) {
     val all = when (listing.size) {
@@ -150,7 +150,7 @@ internal fun LogCount(listing: Listing, modifier: Modifier = Modifier) {
     Text(text, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
 }
 
-/** Leaves out idle logs. */
+/** Hides idle logs. */
 @Composable
 internal fun HideEmptyButton(library: Library) {
     val hides = library.state.listing.hidesEmpty
@@ -168,7 +168,7 @@ internal fun OnlyErrorsButton(library: Library) {
     }
 }
 
-/** What stands where logs would be listed if there were any. */
+/** Shown in place of the list if there are no logs. */
 @Composable
 internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.padding(16.dp), verticalArrangement = Arrangement.spacedBy(12.dp)) {
@@ -203,7 +203,7 @@ private fun emptinessOf(library: LibraryState): String = when {
             "in this folder and its subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
 }
 
-/** How far reading the folder is, and what hinders it; nothing when all is known. */
+/** The progress of reading the folder, and what prevents it; empty if everything is known. */
 @Composable
 internal fun ReadingLine(library: Library) {
     val state = library.state
@@ -221,7 +221,7 @@ internal fun ReadingLine(library: Library) {
             )
         }
         val reading = state.reading
-        // One log that grows is read again and again: nothing that a person waits for.
+        // A growing log is read repeatedly, which nobody waits for.
         if (reading != null && reading.total > 1) {
             NoteLine("Reading ${reading.read} of ${reading.total} logs", "Stop", "Stop reading logs") {
                 library.stopReading()

@@ -9,16 +9,16 @@ import badlog.viewer.library.index.LogEntry
 import java.nio.file.Path
 
 /**
- * The folder of logs as the window shows it. Never changes; each transition gives a new one.
+ * The folder of logs as the window shows it. Immutable; each transition returns a new one.
  *
- * @property folder it; null before one was opened.
- * @property listing its logs, as they are sorted and filtered.
- * @property reading how far reading them is; null while there is nothing to read.
- * @property passedOver how many logs are not read because a person stopped that.
- * @property hasLooked whether it is known what files there are.
- * @property trouble why the folder or a part of it cannot be looked at, as a sentence; null when all is well.
- * @property selected the file that the keyboard stands on.
- * @property searchesAsked how often the keyboard asked for the search field.
+ * @property folder the folder; null before one was opened.
+ * @property listing its logs, sorted and filtered.
+ * @property reading the progress of reading them; null while there is nothing to read.
+ * @property passedOver the number of logs skipped because a person stopped reading.
+ * @property hasLooked whether the files have been listed.
+ * @property trouble why the folder or a part of it cannot be read, as a sentence; null if all is well.
+ * @property selected the file selected with the keyboard.
+ * @property searchesAsked how often the keyboard requested the search field.
  */
 internal data class LibraryState(
     val folder: Path? = null,
@@ -30,15 +30,15 @@ internal data class LibraryState(
     val selected: Path? = null,
     val searchesAsked: Int = 0,
 ) {
-    /** All that is known of the folder's files, in no order; also of those that are not listed. */
+    /** Everything known about the folder's files, in no particular order; including files that are not listed. */
     val entries: List<LogEntry> get() = listing.entries
 
-    /** The logs that are listed, in their order. */
+    /** The listed logs, in order. */
     val visible: List<LogEntry> get() = listing.visible
 
     /**
-     * The log that began last, of those where something happened, or else of all that can be read; null without any. A table of
-     * numbers is one only where there is no robot's log: it may be of anything, and mostly only its file's time shows its age.
+     * The log that began last, of those that are not idle, or else of all readable ones; null if there are none. A table of
+     * numbers counts only if there is no robot's log: it may be of anything, and usually only its file's time shows its age.
      */
     val newest: LogEntry?
         get() {
@@ -50,29 +50,29 @@ internal data class LibraryState(
     /** Whether it is certain that there is no log to show: no folder, or one without logs. */
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
-    /** Another [folder], of which nothing is known yet, listed as this one was. */
+    /** Returns the state for another [folder], about which nothing is known yet, listed like this one. */
     fun opening(folder: Path): LibraryState = LibraryState(
         folder,
         listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = folder),
         searchesAsked = searchesAsked,
     )
 
-    /** Returns the same folder with [entries] known of it. */
+    /** Returns the same folder with [entries]. */
     fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
 
-    /** Lists only what has all words of [filter]. */
+    /** Lists only logs with all words of [filter]. */
     fun filtered(filter: String): LibraryState = copy(listing = listing.copy(filter = filter))
 
     /** Sorts by [column]; the other way round when that is so already. */
     fun sorted(column: LogColumn): LibraryState = copy(listing = listing.sorted(column))
 
-    /** Leaves out what is grayed, or not. */
+    /** Hides or shows gray logs. */
     fun hidingEmpty(hides: Boolean): LibraryState = copy(listing = listing.copy(hidesEmpty = hides))
 
-    /** Leaves out logs in which no rule found an error, or not. */
+    /** Hides or shows logs in which no rule found an error. */
     fun onlyErrors(isOn: Boolean): LibraryState = copy(listing = listing.copy(onlyErrors = isOn))
 
-    /** Returns the log that is [steps] further down the list than the selected one; the first or last where the list ends. */
+    /** Returns the log [steps] below the selected one in the list; the first or last if the list ends. */
     fun stepped(steps: Int): LogEntry? {
         if (visible.isEmpty()) return null
         val at = visible.indexOfFirst { it.file == selected }
@@ -88,15 +88,15 @@ internal data class LibraryState(
 internal data class ReadingProgress(val read: Int, val total: Int)
 
 /**
- * Logs, and which of them are listed in what order.
+ * Logs, and which of them are listed in which order.
  *
- * @property entries all that there are.
- * @property column by what they are sorted.
- * @property isDescending whether the largest comes first; what is missing always comes last.
- * @property filter words that all must be found in a log to have it listed, in whatever case.
- * @property hidesEmpty whether logs in which nothing happened are left out.
+ * @property entries all logs.
+ * @property column the column by which they are sorted.
+ * @property isDescending whether the largest comes first; missing values always come last.
+ * @property filter words that must all be found in a listed log, regardless of case.
+ * @property hidesEmpty whether idle logs are hidden.
  * @property onlyErrors whether only logs are listed in which a rule found an error.
- * @property folder where they are; its own name is not searched.
+ * @property folder their folder, whose own name is not searched.
  */
 internal data class Listing(
     val entries: List<LogEntry> = emptyList(),
@@ -107,7 +107,7 @@ internal data class Listing(
     val onlyErrors: Boolean = false,
     val folder: Path? = null,
 ) {
-    /** What is listed, in its order. */
+    /** The listed logs, in order. */
     val visible: List<LogEntry> by lazy {
         val query = Query(filter)
         entries
@@ -116,7 +116,7 @@ internal data class Listing(
             .sortedWith(order())
     }
 
-    /** How many logs there are, listed or not. */
+    /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.content != Content.NO_LOG } }
 
     /** Sorted by [column]; the other way round when that is so already. */

@@ -5,15 +5,15 @@ import badlog.recording.Severity
 import badlog.viewer.library.index.LogEntry
 
 /**
- * What the table shows of a log.
+ * The columns of the table of logs.
  *
- * @property title what stands above it.
- * @property width how wide it is, in dp.
+ * @property title its heading.
+ * @property width its width, in dp.
  * @property order the order of those logs that have it.
- * @property isNumber whether it stands at the right of its column.
+ * @property isNumber whether it is aligned to the right.
  * @property beginsDescending whether the first click sorts the largest to the top.
- * @property has whether a log has it at all.
- * @property text it, for people; null for a log that has none.
+ * @property has returns whether a log has it at all.
+ * @property text returns its text for people; null for a log that has none.
  */
 internal enum class LogColumn(
     val title: String,

@@ -44,7 +44,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Tip
 
-/** A log in the list: what match it is, when, how long and how it went, and a preview. */
+/** A log in the list: its match, date, length and result, and a preview. */
 @Composable
 internal fun LogRow(
     entry: LogEntry,
@@ -122,18 +122,18 @@ private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = build
     }
 }
 
-/** Red where the robot came near a brownout, else [usual]. */
+/** Returns red if the robot came near a brownout, otherwise [usual]. */
 internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color =
     if ((entry.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
 
-/** Returns what lies behind a row. */
+/** Returns the background of a row. */
 internal fun rowColor(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
     isOpen || isSelected -> palette.accentSoft
     isHovered -> palette.raised
     else -> Color.Transparent
 }
 
-/** A small box to check. */
+/** A small check box. */
 @Composable
 internal fun CheckBox(description: String, isChecked: Boolean, onCheck: () -> Unit) {
     val palette = LocalPalette.current
@@ -164,7 +164,7 @@ internal fun AllianceMark(entry: LogEntry) {
     Tip("${entry.match.alliance} alliance") { Box(Modifier.size(8.dp).background(color, CircleShape)) }
 }
 
-/** How many problems matter; nothing when none does. */
+/** The number of problems that matter; empty if none does. */
 @Composable
 internal fun ProblemBadge(entry: LogEntry) {
     val text = problemText(entry) ?: return

@@ -36,11 +36,11 @@ internal fun sizeText(bytes: Long): String = when {
     else -> "%.1f GB".format(ENGLISH, bytes / 1e9)
 }
 
-/** Returns `6.73 V`; null when no topic shows it. Rounded down, so that it does not look better than it was. */
+/** Returns `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was. */
 internal fun batteryText(entry: LogEntry): String? =
     entry.batteryMinimum?.let { "%.2f V".format(ENGLISH, kotlin.math.floor(it * 100 + 1e-6) / 100) }
 
-/** Returns how many problems that matter there are; null when there are none. */
+/** Returns the number of problems that matter; null if there are none. */
 internal fun problemText(entry: LogEntry): String? = when {
     !entry.isReadable -> "unreadable"
     else -> (entry.problems.errors + entry.problems.warnings).takeIf { it > 0 }?.toString()
@@ -58,8 +58,8 @@ internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(en
 private fun counted(count: Int, one: String, many: String) = if (count == 0) null else "$count ${if (count == 1) one else many}"
 
 /**
- * Returns `Browned out +3`: the worst that rules found, and how much more; null for nothing, `…` while they have not been run, `–` where
- * they cannot.
+ * Returns `Browned out +3`: the worst finding, and the number of others; null for nothing, `…` until rules have run, `–` if they cannot
+ * run.
  */
 internal fun foundText(entry: LogEntry): String? {
     if (entry.isGray) return null
@@ -69,6 +69,6 @@ internal fun foundText(entry: LogEntry): String? {
     return if (rules.size > 1) "${first.name} +${rules.size - 1}" else first.name
 }
 
-/** All that the rules found, each in a line; empty for nothing. */
+/** Returns everything that the rules found, one per line; empty for nothing. */
 internal fun foundLines(entry: LogEntry): String =
     entry.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }

@@ -13,8 +13,8 @@ import badlog.viewer.library.index.PreviewLine
 import badlog.viewer.library.index.TopicSummary
 
 /**
- * Which topic each of [entries] previews: the one called [name], or else its battery's voltage. All are drawn to one scale, so
- * that they can be compared at a glance.
+ * The topic that each of [entries] previews: the one called [name], or else its battery voltage. All are drawn to the same
+ * scale, so that they can be compared at a glance.
  */
 internal class Previews(entries: List<LogEntry>, private val name: String?) {
     /** The part of y that is drawn; null when there is nothing to draw. */
@@ -33,7 +33,7 @@ private fun commonRange(topics: List<TopicSummary>): Span? {
     return Span(lows[outliers], maxOf(lows[outliers], highs[highs.lastIndex - outliers]))
 }
 
-/** Draws the course of [topic] as small as there is room for, with [range] from bottom to top. */
+/** Draws a preview of [topic] in the available room, with [range] from bottom to top. */
 @Composable
 internal fun PreviewCurve(topic: TopicSummary, range: Span, color: Color, modifier: Modifier = Modifier) {
     Canvas(modifier) {

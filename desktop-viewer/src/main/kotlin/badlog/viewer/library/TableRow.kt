@@ -45,10 +45,10 @@ import badlog.viewer.theme.Palette
 import badlog.viewer.theme.Tip
 import java.nio.file.Path
 
-/** How wide the box to check is, in dp. */
+/** The width of the check box, in dp. */
 internal const val CHECK_WIDTH = 34
 
-/** How wide the preview is, in dp. */
+/** The width of the preview, in dp. */
 internal const val PREVIEW_WIDTH = 152
 
 /** The columns' titles; a click sorts. The last column is wider by [spare]. */
@@ -149,9 +149,9 @@ internal fun TableRow(
             }
             val width = Modifier.width(widthOf(column, spare))
             if (isWay) {
-                // The same all the time: a click may begin before the tip is there.
+                // Always the same, because a click may begin before the tooltip appears.
                 Box(width.then(wayTo(entry, onFindings)), propagateMinConstraints = true) {
-                    // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+                    // A tooltip costs as much as the rest of the row, so only the one under the pointer has it.
                     if (isHovered) Tip(foundLines(entry)) { cell(Modifier.fillMaxWidth()) } else cell(Modifier)
                 }
             } else {
@@ -161,7 +161,7 @@ internal fun TableRow(
     }
 }
 
-/** The keyboard goes from log to log; it has the findings of the one that is open. */
+/** Makes a click go to the findings; keys are for moving from log to log, and have the findings of the open one. */
 private fun wayTo(entry: LogEntry, onFindings: () -> Unit) = Modifier
     .focusProperties { canFocus = false }
     .clickable(role = Role.Button, onClick = onFindings)
@@ -184,7 +184,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 }
 
 private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
-    // A log of no match has its name where people look first; a small window shows no other column of names.
+    // A log without a match has its name where people look first; a small window shows no other column of names.
     column == LogColumn.EVENT && entry.match.event == null && entry.match.number == null -> entry.fileName
 
     column != LogColumn.FILE -> column.text(entry).orEmpty()

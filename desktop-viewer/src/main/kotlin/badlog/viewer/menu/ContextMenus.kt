@@ -17,7 +17,7 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.layout.LayoutCoordinates
 import androidx.compose.ui.layout.onGloballyPositioned
 
-/** The menus of the right button, like all others of the window. What was clicked keeps the keyboard: it may be a field. */
+/** Context menus that look like all other menus of the window. The clicked element keeps the keyboard focus, as it may be a field. */
 internal object ContextMenus : ContextMenuRepresentation {
     @Composable
     override fun Representation(state: ContextMenuState, items: () -> List<ContextMenuItem>) {
@@ -28,7 +28,7 @@ internal object ContextMenus : ContextMenuRepresentation {
         fun close() {
             state.status = ContextMenuState.Status.Closed
         }
-        // A click of the right button elsewhere on the same ground opens it anew.
+        // A right click elsewhere in the same area opens it again.
         key(status) {
             ShowMenu(Rect(area.localToRoot(status.rect.center), Size.Zero), takesKeys = false, ::close, onClosed = {}) {
                 for (item in items()) {

@@ -33,9 +33,9 @@ import badlog.viewer.theme.ToolButton
  * One line of a [Menu].
  *
  * @property text what it does.
- * @property hint more about it, in small letters; may be empty.
- * @property whyNot why it cannot be done now, shown instead of [hint]; null when it can.
- * @property keys what to press instead; may be empty.
+ * @property hint details in small print; may be empty.
+ * @property whyNot why it is currently not possible, shown instead of [hint]; null if it is.
+ * @property keys its keyboard shortcut; may be empty.
  * @property keepsMenu whether the menu stays open.
  */
 internal class MenuEntry(
@@ -48,8 +48,8 @@ internal class MenuEntry(
 )
 
 /**
- * A button that opens a list of [entries]; it bears [label] where the window has room for that. One of the entries may open
- * [panel] in the list's place; the panel closes the menu by the function that it gets.
+ * A button that opens a list of [entries]; it shows [label] if the window has room for that. One of the entries may open
+ * [panel] in place of the list; the panel closes the menu with the function that it receives.
  */
 @Composable
 internal fun Menu(

@@ -21,8 +21,8 @@ import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.unit.toSize
 
 /**
- * [opener], most often a button, and below it what [menu] has while [isOpen]. Escape and a press elsewhere call [onClose]; the press still
- * does what it is for. The menu has the keyboard while it is open; then it is [opener]'s again.
+ * [opener], usually a button, with the content of [menu] below it while [isOpen]. Escape and a press elsewhere call [onClose]; the press
+ * still has its usual effect. The menu has the keyboard focus while it is open; afterwards [opener] gets it back.
  */
 @Composable
 internal fun MenuBox(
@@ -42,9 +42,9 @@ internal fun MenuBox(
 }
 
 /**
- * Has the [MenuLayer] show [content] beside [anchor], a place in the window, as long as this is composed.
+ * Makes the [MenuLayer] show [content] beside [anchor], a place in the window, while this is composed.
  *
- * @param onClosed is called when that ends, but not when a press elsewhere has closed it.
+ * @param onClosed called when that ends, but not if a press elsewhere closed it.
  */
 @Composable
 internal fun ShowMenu(anchor: Rect, takesKeys: Boolean, onClose: () -> Unit, onClosed: () -> Unit, content: @Composable () -> Unit) {

@@ -51,8 +51,8 @@ import badlog.viewer.theme.LocalPalette
 import kotlin.math.roundToInt
 
 /**
- * Shows [content], and above it the menus that are open in it. They lie in the window itself, not in windows of their own, which would
- * keep to themselves the press that closes them: it is meant for what it is on.
+ * Shows [content], and its open menus above it. The menus are in the window itself, because separate windows would consume the press
+ * that closes them, which is meant for the element below it.
  */
 @Composable
 internal fun MenuLayer(menus: OpenMenus, content: @Composable () -> Unit) {
@@ -102,7 +102,7 @@ private fun MenuSheet(menu: OpenMenu, layer: () -> LayoutCoordinates?) {
             .shadow(6.dp, shape)
             .background(palette.raised, shape)
             .border(1.dp, palette.border, shape)
-            // What lies below is not pointed at.
+            // Elements below must not react to the pointer.
             .pointerInput(Unit) {}
             .focusRequester(focus)
             .focusProperties { if (!menu.takesKeys) onEnter = { cancelFocusChange() } }
@@ -116,7 +116,7 @@ private fun MenuSheet(menu: OpenMenu, layer: () -> LayoutCoordinates?) {
     }
 }
 
-/** Returns the arrow keys go from line to line. */
+/** Handles the arrow keys, which move from line to line. */
 private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     return when (event.key) {
@@ -126,7 +126,9 @@ private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
     }
 }
 
-/** Returns where a menu of [width] and [height] is in [roomX] and [roomY]: below [anchor], else above it, else as low as it fits. */
+/**
+ * Returns the place of a menu of [width] and [height] in [roomX] and [roomY]: below [anchor], or else above it, or else as low as it fits.
+ */
 private fun cornerOf(anchor: Rect, width: Int, height: Int, roomX: Int, roomY: Int): IntOffset {
     val below = anchor.bottom.roundToInt()
     val above = anchor.top.roundToInt() - height

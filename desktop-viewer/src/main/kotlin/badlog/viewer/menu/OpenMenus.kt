@@ -12,24 +12,24 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 
-/** The menus that are open, and what else Escape closes first. */
+/** The open menus, and whatever else Escape closes first. */
 internal class OpenMenus {
     private val closers = ArrayList<() -> Unit>()
 
     /** The menus that [MenuLayer] shows, the latest last. */
     val shown: MutableList<OpenMenu> = mutableStateListOf()
 
-    /** Closes the one that was opened last; false when none is open. */
+    /** Closes the one that was opened last. Returns false if none is open. */
     fun closeLast(): Boolean {
         val close = closers.removeLastOrNull() ?: return false
         close()
         return true
     }
 
-    /** The mouse is pressed at [place], in the window: closes the menus beside which that is, down to the one that it is in. */
+    /** Handles a press of the mouse at [place] in the window: closes the menus that do not contain it, down to the one that does. */
     fun pressed(place: Offset) {
         for (menu in shown.asReversed().toList()) {
-            // A press on what opened a menu is for that: it closes the menu itself.
+            // A press on the element that opened a menu is left to that element, which closes the menu itself.
             if (place in menu.bounds || place in menu.anchor) return
             menu.wasLeft = true
             menu.close()
@@ -48,15 +48,15 @@ internal class OpenMenus {
 /**
  * A menu that is open.
  *
- * @property takesKeys whether it has the keyboard as long as it is open.
+ * @property takesKeys whether it has the keyboard focus while it is open.
  * @property close closes it.
- * @property content what stands in it.
+ * @property content its content.
  */
 internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val content: @Composable () -> Unit) {
-    /** What it was opened from, in the window. */
+    /** The place in the window of the element that opened it. */
     var anchor: Rect by mutableStateOf(Rect.Zero)
 
-    /** Where it is itself, in the window. */
+    /** Its own place in the window. */
     var bounds: Rect = Rect.Zero
 
     /** Whether a press elsewhere closed it. */
@@ -66,7 +66,7 @@ internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val conte
 /** The open menus of the window. */
 internal val LocalOpenMenus: ProvidableCompositionLocal<OpenMenus> = staticCompositionLocalOf { OpenMenus() }
 
-/** Has Escape call [onClose] while [isOpen]. */
+/** Makes Escape call [onClose] while [isOpen]. */
 @Composable
 internal fun ClosesByEscape(isOpen: Boolean, onClose: () -> Unit) {
     if (!isOpen) return

@@ -16,14 +16,14 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * What people wrote about moments of the log, in the order of x.
+ * The notes about moments of the log, in the order of x.
  *
- * @property log whose notes they are; null while no log is open.
- * @property isDamaged whether the log has a file of notes that could not be read, which nothing may replace.
+ * @property log the log; null while none is open.
+ * @property isDamaged whether the log's file of notes could not be read, and so must not be replaced.
  */
 internal data class WrittenNotes(val log: Path? = null, val notes: List<Note> = emptyList(), val isDamaged: Boolean = false)
 
-/** The notes of the [current] log, and the file beside it that keeps them. */
+/** The notes of the [current] log, and the file beside it that stores them. */
 internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : Part<WrittenNotes>(WrittenNotes()) {
     /** The note that is being written, or changed; null for none. */
     var draft: NoteDraft? by mutableStateOf(null)
@@ -43,23 +43,23 @@ internal class LogNotes(private val current: CurrentRecording, private val notic
         }
     }
 
-    /** Begins a note at [x], or the change of [note]. */
+    /** Begins a note at [x], or an edit of [note]. */
     fun write(x: Double, note: Note? = null) {
         if (state.isDamaged) return notices.complain("The notes of this log cannot be read; repair or delete their file first.")
         draft = NoteDraft(note?.x ?: x, note?.text.orEmpty(), note)
     }
 
-    /** Goes on with the text of what is being written. */
+    /** Sets the text of the note being written. */
     fun type(text: String) {
         draft = draft?.copy(text = text.take(Note.MAX_TEXT))
     }
 
-    /** Gives up what is being written. */
+    /** Discards the note being written. */
     fun cancel() {
         draft = null
     }
 
-    /** Keeps what is being written; nothing where there is no text. */
+    /** Saves the note being written, if it has text. */
     fun keep() {
         val written = draft ?: return
         if (written.text.isBlank()) return cancel()
@@ -69,7 +69,7 @@ internal class LogNotes(private val current: CurrentRecording, private val notic
         if (save(state.notes - setOfNotNull(written.replaced) + Note(written.x, written.text.trim()))) draft = null
     }
 
-    /** Takes [note] away. */
+    /** Removes [note]. */
     fun remove(note: Note) {
         save(state.notes - note)
     }

@@ -7,13 +7,13 @@ import badlog.viewer.theme.Icons
 /**
  * Which parts of the window are open.
  *
- * @property library whether the list of logs stands at the left.
- * @property topics whether the topics stand beside it.
- * @property inspector which panel stands at the right, or null for none.
- * @property main what fills the middle.
- * @property front which part is seen where the window is too narrow for more than one.
- * @property statistics of what the panel of statistics tells.
- * @property help whether the help sheet lies above everything.
+ * @property library whether the list of logs is open on the left.
+ * @property topics whether the topics are open beside it.
+ * @property inspector the panel on the right, or null for none.
+ * @property main the content of the middle.
+ * @property front the visible part, if the window is too narrow for more than one.
+ * @property statistics the range of the statistics panel.
+ * @property help whether the help is open above everything.
  */
 internal data class Panels(
     val library: Boolean = true,
@@ -24,24 +24,24 @@ internal data class Panels(
     val statistics: StatisticsRange = StatisticsRange.SHOWN,
     val help: Boolean = false,
 ) {
-    /** Fills the middle with [view], or with the graphs again when that is what fills it. */
+    /** Shows [view] in the middle, or the graphs if it is already shown. */
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
 
-    /** Opens [tab] at the right, or closes it when it is open. */
+    /** Opens [tab] on the right, or closes it if it is open. */
     fun toggled(tab: InspectorTab): Panels = if (inspector == tab) withoutInspector() else inspecting(tab)
 
-    /** Shows [tab] at the right. */
+    /** Shows [tab] on the right. */
     fun inspecting(tab: InspectorTab): Panels = copy(inspector = tab, front = FrontPart.DETAILS)
 
-    /** Closes the panel at the right. */
+    /** Closes the panel on the right. */
     fun withoutInspector(): Panels = copy(inspector = null, front = FrontPart.GRAPHS)
 }
 
 /**
- * What the panel at the right shows.
+ * The tabs of the panel on the right.
  *
- * @property title what the window calls it.
- * @property icon what stands for it on a button.
+ * @property title its label.
+ * @property icon its icon on a button.
  */
 internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     EVENTS("Events", Icons.Flag),
@@ -54,7 +54,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     VIDEO("Video", Icons.Video),
 }
 
-/** What statistics are of. */
+/** The range of statistics. */
 internal enum class StatisticsRange {
     /** The selection, or else the visible range. */
     SHOWN,
@@ -69,7 +69,7 @@ internal enum class StatisticsRange {
 /** The parts of the window, of which a narrow one shows one at a time. */
 internal enum class FrontPart { LOGS, TOPICS, GRAPHS, DETAILS }
 
-/** What fills the middle of the window. */
+/** The content of the middle of the window. */
 internal enum class MainView {
     /** The graphs of the open recording. */
     GRAPHS,

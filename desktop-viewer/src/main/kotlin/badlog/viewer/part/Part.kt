@@ -5,15 +5,15 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 
 /**
- * A part of the window: an immutable state, and what changes it. Whoever draws the state is drawn again when it changes. To be used
- * on the window's thread only.
+ * A part of the window: an immutable state, and actions that change it. Composables that draw the state are recomposed when it
+ * changes. Use it only on the window's thread.
  */
 internal open class Part<S>(initial: S) {
-    /** How things stand. */
+    /** The current state. */
     var state: S by mutableStateOf(initial)
         private set
 
-    /** Replaces the state by what [transition] makes of it. */
+    /** Replaces the state by the result of [transition]. */
     fun change(transition: S.() -> S) {
         state = state.transition()
     }

@@ -10,12 +10,12 @@ import badlog.viewer.part.Part
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.view.AxisView
 
-/** Lets the cursor run by itself. */
+/** Plays the recording by moving the cursor. */
 internal class Player(private val current: CurrentRecording, private val view: AxisView) : Part<Playback>(Playback()) {
-    /** What is played: when looping the selection or what is visible, else to the end of the selection or of everything. */
+    /** The played range: when looping, the selection or the visible range; otherwise, up to the end of the selection or of everything. */
     private val range: Span get() = view.selection ?: if (state.loops) view.viewport.visible else view.viewport.full
 
-    /** Starts the cursor, from the beginning when it stands at the end; or halts it. */
+    /** Starts playback, from the start if the cursor is at the end; or pauses it. */
     fun toggle() {
         if (!state.isPlaying && current.recording == null) return
         val range = range
@@ -27,13 +27,13 @@ internal class Player(private val current: CurrentRecording, private val view: A
         change { copy(isPlaying = !isPlaying) }
     }
 
-    /** Plays what it plays again and again, or no longer. */
+    /** Turns looping on or off. */
     fun toggleLoop() = change { copy(loops = !loops) }
 
-    /** Lets [seconds] pass. */
+    /** Advances by [seconds]. */
     fun advance(seconds: Double) {
         val open = current.recording ?: return change { copy(isPlaying = false) }
-        // A machine that was asleep must not jump to the end.
+        // After sleeping, the machine must not jump to the end.
         val distance = seconds.coerceIn(0.0, MAX_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
         val step = state.advanced(view.cursor, distance, range)
         view.placeCursor(step.cursor)
@@ -44,7 +44,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
     private fun follow(x: Double) {
         val visible = view.viewport.visible
         if (x in visible) return
-        // Most of the room for what comes, and the way back is not filled with pages.
+        // Leaves most of the room for what follows, and does not fill the history with steps.
         val from = x - visible.width * LEAD
         view.change { moved(from, from + visible.width) }
     }
@@ -69,7 +69,7 @@ internal fun PlayerFrames(player: Player) {
     }
 }
 
-/** Returns how much of x passes in a second at speed 1: what its unit says, or else all of it in a minute. */
+/** Returns how much of x passes in a second at speed 1: according to its unit, or else all of it in a minute. */
 internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9

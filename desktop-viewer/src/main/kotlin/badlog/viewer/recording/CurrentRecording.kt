@@ -7,15 +7,15 @@ import badlog.viewer.part.Part
 
 /** The recording that the window shows, if any. */
 internal class CurrentRecording : Part<OpenRecording?>(null) {
-    /** It; null before one was opened. */
+    /** The recording; null before one was opened. */
     val recording: OpenRecording? get() = state
 
-    /** Shows [recording] from now on: another one, or the same file read or calculated anew. */
+    /** Shows [recording] from now on: another one, or the same file read or calculated again. */
     fun replace(recording: OpenRecording) = change { recording }
 }
 
-/** The events of the [current] recording, and which of them are listed and marked. */
+/** The events of the [current] recording, and which of them are listed and have marks. */
 internal class FilteredEvents(private val current: CurrentRecording) : Part<EventFilter>(EventFilter()) {
-    /** Those that the filter lets through. */
+    /** The events that pass the filter. */
     val matching: EventTimeline by derivedStateOf { current.recording?.let { state.over(it.events, it.eventLogs) } ?: EventTimeline.NONE }
 }

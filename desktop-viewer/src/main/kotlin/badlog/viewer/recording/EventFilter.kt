@@ -5,7 +5,7 @@ import badlog.plot.search.Query
 import badlog.plot.timeline.EventTimeline
 
 /**
- * Which events are listed and marked.
+ * Which events are listed and have marks.
  *
  * @property text words that the text or the topic of an event must contain, regardless of case; empty for any.
  * @property topics the names of the topics whose events count; empty, or of other recordings, for all.
@@ -14,12 +14,12 @@ internal data class EventFilter(val text: String = "", val topics: Set<String> =
     /** Whether it lets everything through. */
     val isOff: Boolean get() = text.isBlank() && topics.isEmpty()
 
-    /** Those of [events], the events of [logs], that it lets through. */
+    /** Returns those of [events], the events of [logs], that pass it. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 
     /** Those of [topics] that are among [logs]: a filter stays when another recording is opened, which may have none of them. */
     fun topicsOf(logs: List<EventLog>): Set<String> = logs.mapNotNullTo(HashSet()) { log -> log.name.takeIf { it in topics } }
 
-    /** Adds [topic] to [topics], or takes it out. */
+    /** Adds [topic] to [topics], or removes it. */
     fun toggled(topic: String): EventFilter = copy(topics = if (topic in topics) topics - topic else topics + topic)
 }

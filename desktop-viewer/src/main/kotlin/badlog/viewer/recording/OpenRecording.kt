@@ -49,13 +49,13 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * A recording whose file was read, with all that can be drawn of it.
+ * A recording that was read, with everything that can be drawn of it.
  *
- * @property file where it was read from; absolute.
- * @param read what the file holds.
- * @property definitions those of the formulas that are calculated in it.
- * @property vocabulary what its topics are called.
- * @property layout the layout that lies beside it.
+ * @property file the file it was read from; absolute.
+ * @param read the content of the file.
+ * @property definitions the definitions of the formulas calculated in it.
+ * @property vocabulary the names of its signals.
+ * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
@@ -73,13 +73,13 @@ internal class OpenRecording(
     private val own = read.withSignals(vocabulary)
     private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
 
-    /** What the file holds, and its [station]'s. */
+    /** The content of the file, and of its [station]'s. */
     val logged: LogView = beside?.both ?: own
 
-    /** What rules are run over. */
+    /** The view on which rules run. */
     val forRules: LogView get() = beside?.forRules ?: own
 
-    /** The names of the topics that its [station] brings. */
+    /** The names of the topics from its [station]. */
     val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
 
     /** What match it is of. */
@@ -87,16 +87,16 @@ internal class OpenRecording(
 
     private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
 
-    /** What the file holds, and the topics that the formulas make of it. */
+    /** The content of the file, and the topics of formulas. */
     val view: LogView = calculated?.view ?: logged
 
-    /** What each of [definitions] comes to, in their order. */
+    /** The result of each of [definitions], in order. */
     val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
 
     /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
     val signals: List<Signal> = signalsOf(view, formulas)
 
-    /** The topics of which nothing was logged: only a search lists them. */
+    /** The topics without any logged value: only a search lists them. */
     val empty: List<Signal> = view.recording.topics.filter { it !== view.xAxis.topic && it.samples.isEmpty() && it.texts.size == 0 }
         .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
 
@@ -108,7 +108,7 @@ internal class OpenRecording(
     /** Returns what can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** The graphs that it begins with: those of the [layout] beside it, as far as it has them, or else of its topics. */
+    /** The initial graphs: those of the [layout] beside it, as far as it has them, or else of its topics. */
     val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
 
     /**
@@ -142,20 +142,20 @@ internal class OpenRecording(
     /** The places the cursor steps to. */
     val cursorSteps: CursorSteps = CursorSteps(view.xAxis.clocks)
 
-    /** What a person would call it: the match, or else the name of the file. */
+    /** Its name for people: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
     /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
     fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
 
-    /** The poses that its topics tell. */
+    /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
 
     private val modules by lazy { swerveModulesOf(view.recording.topics) }
 
     /** The picture of its field; null for none, or where it cannot be drawn. */
     val fieldPicture: ImageBitmap? by lazy {
-        // Skia refuses what only begins as a picture.
+        // Skia rejects data that only begins like a picture.
         runCatching { field.picture?.let { Image.makeFromEncoded(it).toComposeImageBitmap() } }.getOrNull()
     }
 
@@ -168,7 +168,7 @@ internal class OpenRecording(
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
-    /** Returns the same file with the formulas [definitions] instead. Takes its time. */
+    /** Returns the same file with the formulas [definitions] instead. It may take a while. */
     fun withFormulas(definitions: List<String>): OpenRecording =
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
@@ -198,7 +198,7 @@ internal class OpenRecording(
     fun withField(field: FieldFile): OpenRecording =
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
-    /** Finds out now what the first frame needs, so that the window's thread does not have to. */
+    /** Calculates in advance what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
         forRules

@@ -10,13 +10,13 @@ import kotlinx.coroutines.launch
 import java.nio.file.Path
 
 /**
- * Opens recordings and keeps the open one as its file is. A file asked for takes the place of the one before. To be used on the
- * window's thread only.
+ * Opens recordings, and keeps the open one up to date with its file. A requested file replaces the previous one. Use it only on
+ * the window's thread.
  *
- * @param scope where files are watched; its thread is the window's.
- * @param watcher keeps what was opened as its file is.
- * @param reader reads them.
- * @param show shows what was read.
+ * @param scope the scope for watching files; its thread is the window's.
+ * @param watcher keeps the open recording up to date with its file.
+ * @param reader reads recordings.
+ * @param show shows a recording.
  */
 internal class RecordingLoader(
     private val scope: CoroutineScope,
@@ -28,11 +28,11 @@ internal class RecordingLoader(
     private var reading: Job? = null
     private var watching: Job? = null
 
-    /** Whether a recording is on its way. */
+    /** Whether a recording is being read. */
     var isReading: Boolean by mutableStateOf(false)
         private set
 
-    /** Reads [file] and shows it; what is shown now stays until then, and when [file] cannot be read. */
+    /** Reads [file] and shows it; the current recording stays until then, and if [file] cannot be read. */
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
@@ -50,7 +50,7 @@ internal class RecordingLoader(
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
             fun read(file: Path, read: () -> OpenRecording): Stamped {
-                // Before it is read: what is written meanwhile is a change.
+                // Determined before reading: anything written meanwhile is a change.
                 val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
                 return Stamped(read(), stamp)
             }

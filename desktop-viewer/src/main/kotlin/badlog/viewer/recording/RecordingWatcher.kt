@@ -13,8 +13,8 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.TimeSource
 
 /**
- * Watches the file of the open recording: a robot's simulation may be writing it. While it grows, a row that is half written is
- * left for later.
+ * Watches the file of the open recording, which a robot's simulation may be writing. While it grows, an incomplete row is left
+ * for later.
  *
  * @param read reads the file again: up to its last line end, or all of it.
  * @param update shows what was read.
@@ -58,17 +58,17 @@ internal class RecordingWatcher(
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (_: IOException) {
-        // The next look at the file shows whether it is gone.
+        // The next check of the file shows whether it is gone.
         null
     }
 
     private companion object {
         val POLL = 300.milliseconds
 
-        /** A file that has not changed for so long is read to its very end. */
+        /** A file that has not changed for this long is read to its end. */
         val SETTLED = 2000.milliseconds
 
-        /** Reading a large file again and again must leave the machine to the robot's simulation. */
+        /** Reading a large file repeatedly must not slow down the robot's simulation. */
         fun restAfter(reading: Duration): Duration = reading * 4
     }
 }
@@ -81,7 +81,7 @@ internal class RecordingWatcher(
  */
 internal data class FileStamp(val size: Long, val modifiedMillis: Long) {
     companion object {
-        /** That of [file] now; null when it is not there or cannot be looked at. */
+        /** Returns the current stamp of [file]; null if it does not exist or cannot be accessed. */
         fun of(file: Path): FileStamp? = try {
             val attributes = Files.readAttributes(file, BasicFileAttributes::class.java)
             FileStamp(attributes.size(), attributes.lastModifiedTime().toMillis())

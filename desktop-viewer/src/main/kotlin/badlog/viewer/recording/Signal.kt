@@ -16,12 +16,12 @@ import badlog.recording.TopicKind
 
 /**
  * What can be drawn as one line: a topic, or what an attribute derives from one. The same name means the same signal in
- * every recording of a robot, which is how graphs, layouts and comparisons speak of it.
+ * every recording of a robot, which is how graphs, layouts and comparisons refer to it.
  *
  * @property name the full name, unique in its recording.
- * @property isDerived whether it was calculated rather than logged; its [title] then stands in brackets.
- * @property line it as a line of a graph.
- * @property definition the formula that makes it; null for all that no formula makes.
+ * @property isDerived whether it was calculated rather than logged; its [title] is then in brackets.
+ * @property line the signal as a line of a graph.
+ * @property definition the formula that calculates it; null if there is none.
  */
 internal class Signal(val name: String, val isDerived: Boolean, val line: GraphSeries, val definition: String? = null) {
     /** The unit, `ul` for none. */
@@ -30,7 +30,7 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
     /** The topic it comes from. */
     val topic: Topic get() = line.topic
 
-    /** What each number means, where the numbers stand for states, else null. */
+    /** The names of the states, if the numbers stand for states; otherwise null. */
     val states: List<String>? get() = line.states
 
     /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
@@ -39,10 +39,10 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
     /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
     val holds: Boolean get() = line.holds
 
-    /** Whether nothing was logged of it. */
+    /** Whether it has no logged values. */
     val isEmpty: Boolean get() = topic.samples.isEmpty() && topic.texts.size == 0
 
-    /** What a search can ask of it; the first call looks through its samples. */
+    /** Its traits for searches; the first call examines its samples. */
     val traits: Set<Trait> by lazy { line.traits }
 
     /** The folder it belongs to; empty for the root folder. */
@@ -66,9 +66,9 @@ internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = n
 }
 
 /**
- * Returns what [signal] says at [position], or at its end for null: a number with its unit or the name of a state; `–` for a gap. A
- * logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where it is to
- * be short, as beside a name that it would crowd out.
+ * Returns the value of [signal] at [position], or at its end for null: a number with its unit or the name of a state; `–` for a
+ * gap. A logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where
+ * it is to be short, as beside a name that it would crowd out.
  */
 internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)

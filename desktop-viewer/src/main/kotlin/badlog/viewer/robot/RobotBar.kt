@@ -35,7 +35,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.SearchField
 import badlog.viewer.theme.ToolButton
 
-/** The connection to a robot: which one, how it stands, and what it asks. */
+/** The connection to a robot: which one, its status, and its questions. */
 @Composable
 internal fun RobotBar(link: RobotLink, settings: SettingsStore) {
     val state = link.state
@@ -96,7 +96,7 @@ private fun TrustLine(question: RobotQuestion) {
 
 @Composable
 private fun PasswordLine(question: RobotQuestion) {
-    // Kept nowhere else: it is gone with the question.
+    // Not stored anywhere else: it disappears with the question.
     var typed by remember(question) { mutableStateOf("") }
     val onEnter = Modifier.fillMaxWidth().entering { question.answer(typed) }
     SearchField(typed, question.text, onEnter, Icons.Robot, isSecret = true) { typed = it }

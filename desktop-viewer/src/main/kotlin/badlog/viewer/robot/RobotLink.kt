@@ -30,8 +30,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Brings the logs of a robot into the folder that the window shows, as they come into being and while the robot is disabled. To be
- * used on the window's thread only.
+ * Copies the logs of a robot to the folder that the window shows, as they are created and while the robot is disabled. Use it only
+ * on the window's thread.
  *
  * @param scope where it works; its thread is the window's.
  * @param folder where logs go; null while no folder is open.
@@ -60,7 +60,7 @@ internal class RobotLink(
         }
         change { saying("Looking for the robot…").copy(isOn = true) }
         job = scope.launch {
-            // Two at a time would be in each other's way.
+            // Two at a time would interfere with each other.
             before?.join()
             val fetch = LogFetch(addresses, FetchOptions(target, anyway = anyway), hosts, Questions())
             while (true) {
@@ -72,14 +72,14 @@ internal class RobotLink(
         }
     }
 
-    /** Leaves the robot alone; what has come of a log is kept for the next time. */
+    /** Disconnects; the copied part of a log is kept for the next time. */
     fun disconnect() {
         job?.cancel()
         job = null
         change { saying("").copy(isOn = false) }
     }
 
-    /** Fetches what is new; whether to look again. */
+    /** Fetches new logs. Returns whether to check again. */
     private suspend fun once(fetch: LogFetch): Boolean {
         try {
             val summary = runInterruptible(Dispatchers.IO) { fetch.run(Listener()) }
@@ -117,7 +117,7 @@ internal class RobotLink(
 
     private fun logs(count: Int) = if (count == 1) "1 log" else "$count logs"
 
-    /** Says on the window's thread what happens on another. */
+    /** Reports on the window's thread what happens on another one. */
     private inner class Listener : FetchListener {
         private val percent = AtomicInteger(-1)
         private var left = 0

@@ -1,7 +1,7 @@
 package badlog.viewer.robot
 
 /**
- * What a robot asks of the person at the window before its logs come.
+ * A question to the person at the window before logs can be fetched.
  *
  * @property text the question.
  * @property isPassword whether the answer is a password; else it is yes or no.
@@ -10,10 +10,10 @@ package badlog.viewer.robot
 internal class RobotQuestion(val text: String, val isPassword: Boolean, val answer: (String?) -> Unit)
 
 /**
- * A log that comes.
+ * A log being copied.
  *
- * @property name what the robot calls it.
- * @property share how much of it is here, from 0 to 1.
+ * @property name its name on the robot.
+ * @property share the copied fraction, 0 to 1.
  */
 internal data class ComingLog(val name: String, val share: Float)
 
@@ -22,11 +22,11 @@ internal data class ComingLog(val name: String, val share: Float)
  *
  * @property isShown whether the connection is shown.
  * @property isAsked whether the keyboard is to go to the field of the robot's number as soon as that is there.
- * @property isOn whether the robot is looked for, again and again.
- * @property status how things stand, in a sentence; empty before anything was tried.
- * @property isTrouble whether that hinders logs from coming.
- * @property mayBeEnabled whether logs do not come because nobody knows whether the robot is enabled.
- * @property coming the log that comes now, or null.
+ * @property isOn whether the robot is searched for repeatedly.
+ * @property status the status, as a sentence; empty before the first attempt.
+ * @property isTrouble whether that prevents fetching.
+ * @property mayBeEnabled whether fetching waits because it is unknown whether the robot is enabled.
+ * @property coming the log being copied, or null.
  * @property question what the person is asked, or null.
  */
 internal data class RobotLinkState(
@@ -39,7 +39,7 @@ internal data class RobotLinkState(
     val coming: ComingLog? = null,
     val question: RobotQuestion? = null,
 ) {
-    /** Nothing but [status] is known. */
+    /** Returns the state with only a new [status]. */
     fun saying(status: String, isTrouble: Boolean = false): RobotLinkState =
         copy(status = status, isTrouble = isTrouble, mayBeEnabled = false, coming = null, question = null)
 }

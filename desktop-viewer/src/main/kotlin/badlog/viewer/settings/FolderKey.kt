@@ -4,7 +4,7 @@ import java.nio.file.Path
 import java.security.MessageDigest
 import java.util.HexFormat
 
-/** A name for a file of what is kept about [folder]: its path may be longer than a file's name can be. */
+/** Returns a name for a file with data about [folder], whose path may be too long for a file name. */
 internal fun keyOf(folder: Path): String {
     val path = folder.toAbsolutePath().normalize().toString()
     val digest = MessageDigest.getInstance("SHA-256").digest(path.encodeToByteArray())

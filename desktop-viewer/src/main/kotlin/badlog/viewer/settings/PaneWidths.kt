@@ -3,17 +3,17 @@ package badlog.viewer.settings
 import kotlinx.serialization.Serializable
 
 /**
- * How wide the parts beside the graphs are, in dp.
+ * The widths of the parts beside the graphs, in dp.
  *
- * @property logs of the list of logs.
- * @property topics of the list of topics.
- * @property details of the panel at the right.
+ * @property logs the width of the list of logs.
+ * @property topics the width of the list of topics.
+ * @property details the width of the panel on the right.
  */
 @Serializable
 internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 348f) {
     /**
-     * Returns the same in a window [room] wide: no part narrower than it can be, and as long as they can, all leave the graphs enough room.
-     * A part that is not there has no width.
+     * Returns the same in a window [room] wide: no part is narrower than its minimum, and if possible, all leave enough room for the
+     * graphs. A closed part has no width.
      */
     fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
         val least = LEAST.only(hasLogs, hasTopics, hasDetails)
@@ -31,7 +31,7 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
         )
     }
 
-    /** Returns the same after a drag by so much of what was [seen]; what is not seen stays as it is. */
+    /** Returns the widths after a drag [by] from those [seen]; invisible parts do not change. */
     fun draggedFrom(seen: PaneWidths, by: PaneWidths): PaneWidths = PaneWidths(
         logs = if (seen.logs > 0) seen.logs + by.logs else logs,
         topics = if (seen.topics > 0) seen.topics + by.topics else topics,

@@ -4,17 +4,17 @@ import badlog.viewer.theme.Theme
 import kotlinx.serialization.Serializable
 
 /**
- * What a person has chosen, kept from one start to the next.
+ * The user's settings, stored between starts.
  *
  * @property theme light, dark, or as the system is.
  * @property recentFolders the folders opened last, the latest first.
- * @property previewTopic the topic of which the list of logs draws a small line; null for the battery's voltage.
- * @property graphHeight how high a graph is, in dp.
- * @property fitsGraphs whether graphs share the window's height instead where they are few enough.
+ * @property previewTopic the topic that the list of logs previews; null for the battery voltage.
+ * @property graphHeight the height of a graph, in dp.
+ * @property fitsGraphs whether graphs share the window's height instead, if they are few enough.
  * @property window where the window was; null before the first time.
  * @property panes how wide the parts beside the graphs are.
  * @property robot the robot that logs were fetched from last, as it was typed.
- * @property stations of which logs the Driver Station's log of the same match is shown, and of which it is not, by their paths; the latest last.
+ * @property stations whether the Driver Station's log of the same match is shown with a log, by the log's path; the latest last.
  * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
  * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
  */
@@ -47,11 +47,11 @@ internal data class Settings(
         copy(fields = if (file == null) fields - folder else fields.latest(mapOf(folder to file)))
 }
 
-/** This with [changes], of which the latest [MAX_LOGS] stay. */
+/** Returns this map with [changes], limited to the latest [MAX_LOGS]. */
 private fun <T> Map<String, T>.latest(changes: Map<String, T>): Map<String, T> =
     (filterKeys { it !in changes } + changes).toList().takeLast(MAX_LOGS).toMap()
 
-/** Returns what two windows have made of the settings: what [mine] has not changed since [before] is as in [theirs]. */
+/** Returns the merged settings of two windows: what [mine] has not changed since [before] is as in [theirs]. */
 internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
     fun <T> of(property: (Settings) -> T) = property(if (property(mine) == property(before)) theirs else mine)
     val recent = of(Settings::recentFolders)

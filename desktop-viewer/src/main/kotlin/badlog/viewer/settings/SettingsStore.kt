@@ -16,7 +16,7 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Keeps [Settings] in a file of the user's. A missing or damaged one is as none. */
+/** Stores [Settings] in a file of the user. A missing or damaged file is ignored. */
 internal class SettingsFile(private val file: Path) {
     private val json = Json {
         ignoreUnknownKeys = true
@@ -24,7 +24,7 @@ internal class SettingsFile(private val file: Path) {
         coerceInputValues = true
     }
 
-    /** Returns what was kept. */
+    /** Returns what was stored. */
     fun read(): Settings = readWhole() ?: Settings()
 
     private fun readWhole(): Settings? = try {
@@ -38,10 +38,9 @@ internal class SettingsFile(private val file: Path) {
     }
 
     /**
-     * Keeps what of [settings] was changed since they were [before]; the rest stays as another window has kept it. Replaces what was kept
-     * only by a whole file.
+     * Stores those of [settings] that changed since [before]; the rest stays as another window has stored it. Writes atomically.
      *
-     * @throws IOException when it cannot be written.
+     * @throws IOException if it cannot be written.
      */
     fun write(settings: Settings, before: Settings) {
         val both = readWhole()?.let { merged(settings, before, it) } ?: settings
@@ -49,16 +48,16 @@ internal class SettingsFile(private val file: Path) {
     }
 
     companion object {
-        /** What such a file is called. */
+        /** The name of the file. */
         const val NAME = "settings.json"
     }
 }
 
 /**
- * What the person has chosen.
+ * The user's settings.
  *
- * @param file keeps it from one start to the next.
- * @param kept what [file] holds.
+ * @param file stores them between starts.
+ * @param kept the content of [file].
  */
 internal class SettingsStore(private val file: SettingsFile, private val notices: Notices, private val kept: Settings = Settings()) :
     Part<Settings>(kept) {
@@ -75,12 +74,12 @@ internal class SettingsStore(private val file: SettingsFile, private val notices
         }
     }
 
-    /** Writes at once what else would be written in a moment: the window is about to go. */
+    /** Writes immediately what would otherwise be written a moment later, because the window is about to close. */
     fun saveNow() {
         try {
             file.write(state, written)
         } catch (_: IOException) {
-            // There is no window any more to say it in.
+            // There is no longer a window to report it in.
         }
     }
 

@@ -18,18 +18,18 @@ import kotlinx.coroutines.runInterruptible
 import java.nio.file.Path
 
 /**
- * The Driver Station's log of the match that [robot] is the log of.
+ * The Driver Station's log of the same match as [robot].
  *
- * @property robot a log that was opened; null before one was.
- * @property found that of the Driver Station; null while none is known.
+ * @property robot an opened log; null before one was opened.
+ * @property found the Driver Station's log; null while none is known.
  */
 internal data class StationOfLog(val robot: Path? = null, val found: FoundStation<LogFile>? = null)
 
 /**
- * Finds the Driver Station's log of the same match as the current recording, and shows it with that where a person wants it, which is
- * remembered for each log. To be used on the window's thread only.
+ * Finds the Driver Station's log of the same match as the current recording, and shows it with that if a person wants it, which is
+ * remembered for each log. Use it only on the window's thread.
  *
- * @param folder gives the folder of logs.
+ * @param folder returns the folder of logs.
  * @param find finds it, off the window's thread.
  */
 internal class StationChoice(
@@ -44,13 +44,13 @@ internal class StationChoice(
     /** The Driver Station's log that belongs to the current recording; null where none is known. */
     val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
 
-    /** The log to offer: found, and neither shown nor left out by a person yet; null without one. */
+    /** The log to offer: found, and neither shown nor dismissed by a person yet; null if there is none. */
     val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
 
     /** Whether it is shown. */
     val isShown: Boolean get() = current.recording?.station != null
 
-    /** Looks for that of whatever is opened, until cancelled. */
+    /** Searches for that of each opened log, until cancelled. */
     suspend fun run() = snapshotFlow { current.recording?.file to folder() }.collectLatest { (file, folder) ->
         if (state.robot != file) change { StationOfLog(file) }
         val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
@@ -61,7 +61,7 @@ internal class StationChoice(
         show()
     }
 
-    /** Shows it with the current recording from now on, or leaves it out. */
+    /** Shows it with the current recording from now on, or hides it. */
     fun choose(isShown: Boolean) {
         val file = current.recording?.file ?: return
         settings.change { withStation(file.toString(), isShown) }

@@ -16,7 +16,7 @@ import java.nio.file.Path
 
 /**
  * Returns the Driver Station's log of the same match as [robot], in its folder, in the folder of logs [library], or where the Driver
- * Station of this computer keeps its logs; null when none can be told to be it. Interrupting the thread gives up.
+ * Station of this computer keeps its logs; null if none can be identified. Interrupting the thread cancels.
  */
 internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
@@ -45,5 +45,5 @@ private fun checkInterrupt() {
 /** Where a Driver Station keeps its logs, on Windows. */
 private val OF_THIS_COMPUTER: Path? = System.getenv("PUBLIC")?.let { Path.of(it, "Documents", "FRC", "Log Files", "DSLogs") }
 
-/** More than a team plays on a day would take long, and much memory. */
+/** More than a team plays in a day would take too long, and too much memory. */
 private const val MAX_READ = 40

@@ -41,7 +41,7 @@ internal fun StationOffer(stations: StationChoice) {
 
 /** Returns how well two logs are aligned: `± 0.02 s`. */
 internal fun alignmentText(fit: ClockFit): String {
-    // The Driver Station logs every 20 ms: nothing can be known better.
+    // The Driver Station logs every 20 ms: a better precision is impossible.
     val error = ceil(maxOf(fit.error, PERIOD) * HUNDRED) / HUNDRED
     return "± ${roundedText(error)} s" + if (fit.edges == 0) ", by the clocks alone" else ""
 }

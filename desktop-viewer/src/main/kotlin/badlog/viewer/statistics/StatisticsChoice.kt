@@ -5,13 +5,13 @@ import badlog.recording.Topic
 import badlog.viewer.part.Part
 
 /**
- * What the table of statistics shows. Never changes; each transition gives a new one.
+ * What the table of statistics shows. Immutable; each transition returns a new one.
  *
  * @property topics the names of the topics, in the order of their columns.
- * @property statistics the figures of each topic.
- * @property sort what the rows are sorted by; null for their own order.
+ * @property statistics the statistics of each topic.
+ * @property sort the column by which rows are sorted; null for their own order.
  * @property isDescending whether the largest comes first.
- * @property isOverAll whether every log of the folder has a row; else the open one and those checked.
+ * @property isOverAll whether every log of the folder has a row; otherwise only the open one and the checked ones.
  */
 internal data class StatisticsChoice(
     val topics: List<String> = emptyList(),
@@ -25,21 +25,21 @@ internal data class StatisticsChoice(
         get() = listOf(LabelColumn, DateColumn) +
             topics.flatMap { topic -> Statistic.entries.filter { it in statistics }.map { FigureColumn(topic, it) } }
 
-    /** Adds [topic], or takes it out. */
+    /** Adds or removes [topic]. */
     fun toggled(topic: String): StatisticsChoice = copy(topics = if (topic in topics) topics - topic else topics + topic)
 
-    /** Adds [statistic], or takes it out. */
+    /** Adds or removes [statistic]. */
     fun toggled(statistic: Statistic): StatisticsChoice =
         copy(statistics = if (statistic in statistics) statistics - statistic else statistics + statistic)
 
-    /** Sorts by [column]; the other way round when it does already. */
+    /** Sorts by [column]; reverses the order if it already is. */
     fun sortedBy(column: StatisticsColumn): StatisticsChoice = copy(sort = column, isDescending = sort == column && !isDescending)
 }
 
 /** A column of the table of statistics. */
 internal sealed interface StatisticsColumn
 
-/** What the recording is called. */
+/** The name of the recording. */
 internal data object LabelColumn : StatisticsColumn
 
 /** When it was recorded. */
@@ -47,7 +47,7 @@ internal data object DateColumn : StatisticsColumn
 
 /** A [statistic] of a [topic]. */
 internal data class FigureColumn(val topic: String, val statistic: Statistic) : StatisticsColumn {
-    /** Its figure in [row]; NaN where it has none. */
+    /** Returns its value in [row]; NaN if there is none. */
     fun of(row: StatisticsRow): Double = row.statistics[topic]?.let(statistic::of) ?: Double.NaN
 
     /** Its unit in [row]; `ul` for none. */

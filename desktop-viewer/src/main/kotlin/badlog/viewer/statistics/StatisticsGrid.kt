@@ -14,7 +14,7 @@ import java.nio.file.Path
  * The table of statistics, ready to be shown or exported.
  *
  * @property columns its columns, from left to right.
- * @property rows its rows, sorted as the choice wants them; rows without a figure come last whichever way it is sorted.
+ * @property rows its rows, sorted according to the choice; rows without a value always come last.
  */
 internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoice) {
     val columns: List<StatisticsColumn> = choice.columns
@@ -28,22 +28,22 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
     private val names = choice.topics.zip(shortNames(choice.topics)).toMap()
 
-    /** Returns what the heading of [column] calls its topic: no more of its path than tells it from the others. */
+    /** Returns the name of the topic in the heading of [column]: only as much of its path as distinguishes it from the others. */
     fun nameOf(column: FigureColumn): String = names.getValue(column.topic)
 
-    /** Returns the unit of all of [column]; null where recordings differ. */
+    /** Returns the unit of all of [column]; null if recordings differ. */
     fun unitOf(column: FigureColumn): String? {
         val units = figures.getValue(column).units
         return if (units.size > 1) null else units.firstOrNull() ?: Topic.UNITLESS
     }
 
-    /** Returns whether the figure of [row] is the smallest of [column], and not all are the same. */
+    /** Returns whether the value of [row] is the smallest of [column], and not all are the same. */
     fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == min }
 
     /** Returns whether it is the largest. */
     fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == max }
 
-    /** Returns what stands in [column] of [row]; the unit only where that of the column is not one. */
+    /** Returns the text of [column] in [row], with the unit only if the column does not have a single one. */
     fun textOf(column: StatisticsColumn, row: StatisticsRow): String = when (column) {
         LabelColumn -> row.label
 
@@ -61,7 +61,10 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         )
     }
 
-    /** Returns the table as CSV (RFC 4180): exact figures, an empty cell for none; beside a column of several units one that says them. */
+    /**
+     * Returns the table as CSV (RFC 4180): exact values, and an empty cell for none; a column with several units is followed by one with
+     * the units.
+     */
     fun toCsv(): String {
         val head = ArrayList(listOf("Log", "Date", "File"))
         for ((column, facts) in figures) {
@@ -85,7 +88,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     private class FigureFacts(val min: Double, val max: Double, val units: List<String>)
 }
 
-/** Returns [text] as a cell of CSV: in quotes where it must be. */
+/** Returns [text] as a cell of CSV: quoted if necessary. */
 internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
 
 // How many samples there are is known exactly, however many they are.

@@ -18,9 +18,10 @@ import java.time.format.DateTimeFormatter
 /**
  * What the table of statistics is made from.
  *
- * @property topics the names of all topics that can be asked for, by folder.
- * @property drawn of the topics those that a recording on the screen has, by name.
- * @property rowsOf finds the figures of some of them in every recording; takes its time, so not for the window's thread.
+ * @property topics the names of all selectable topics, by folder.
+ * @property drawn those topics that a recording on the screen has, by name.
+ * @property rowsOf returns the statistics of some of them in every recording; it takes a while, so do not use it on the
+ * window's thread.
  */
 internal class StatisticsSource(
     val topics: List<String>,
@@ -32,7 +33,7 @@ internal class StatisticsSource(
         topics.filter { name -> drawn[name]?.isFoundBy(query, found) ?: query.matches(name, KNOWN) }
 
     private companion object {
-        /** What is known of a topic of a log that is not open: that it has figures. */
+        /** What is known about a topic of a log that is not open: that it has numbers. */
         val KNOWN = setOf(Trait.NUMBER)
     }
 }
@@ -81,7 +82,7 @@ internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
 
 private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
 
-/** Each of [logs], the newest first, with the figures of all its topics that are known without reading it again. */
+/** Returns each of [logs], the newest first, with the statistics of all its topics that are known without reading it again. */
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(

@@ -165,7 +165,7 @@ private fun Head(statistics: SelectedStatistics, grid: StatisticsGrid, actions: 
     }
 }
 
-/** Says what [color] means behind a figure. */
+/** Explains the meaning of [color] behind a value. */
 @Composable
 private fun Legend(text: String, color: Color) {
     Text(
@@ -183,7 +183,7 @@ private fun TableHint(text: String) {
 
 private val NARROW = 640.dp
 
-/** Selects among the topics of [source] those that the table has; the selected ones stand first, as they always must be found. */
+/** Selects among the topics of [source] those that the table has; the selected ones come first, so that they can always be found. */
 @Composable
 internal fun StatisticsTopics(statistics: SelectedStatistics, source: StatisticsSource, found: Set<String>, modifier: Modifier) {
     var query by remember { mutableStateOf("") }

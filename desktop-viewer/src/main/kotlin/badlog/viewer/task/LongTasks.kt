@@ -17,34 +17,35 @@ import java.util.concurrent.atomic.AtomicReference
  * Something a person waits for.
  *
  * @property id identifies it.
- * @property title what is being done, as the status bar says it.
- * @property share how much is done, from 0 to 1; null while that is not known.
- * @property cancel gives it up.
+ * @property title what is being done, for the status bar.
+ * @property share the fraction done, 0 to 1; null while unknown.
+ * @property cancel cancels it.
  */
 internal data class LongTask(val id: Int, val title: String, val share: Float?, val cancel: () -> Unit)
 
 /**
- * What a person waits for, each with its progress and a way to give it up. To be used on the window's thread only.
+ * Tasks that a person waits for, each with its progress and a way to cancel it. Use it only on the window's
+ * thread.
  *
- * @param scope where work is launched; its thread is the window's.
- * @param notices hear what did not work.
+ * @param scope the scope for work; its thread is the window's.
+ * @param notices receive failures.
  */
 internal class LongTasks(private val scope: CoroutineScope, private val notices: Notices) {
     private val mutable = mutableStateListOf<LongTask>()
     private var lastId = 0
 
-    /** Those that run now. */
+    /** The running tasks. */
     val all: List<LongTask> get() = mutable
 
     /**
-     * Runs [work] off the window's thread, then [done] with its result on it. [work] may report how much of it is done, from 0 to
-     * 1, as often as it likes; cancelling interrupts its thread. An [IOException] becomes a complaint, so its message
-     * must be a sentence for a person.
+     * Runs [work] off the window's thread, then [done] with its result on it. [work] may report the fraction done, 0 to 1, as
+     * often as it likes; cancelling interrupts its thread. An [IOException] becomes an error notice, so its message must be a
+     * sentence for people.
      */
     fun <T> run(title: String, work: (progress: (Float) -> Unit) -> T, done: (T) -> Unit): Job {
         val id = ++lastId
         val share = AtomicReference<Float?>(null)
-        // At once, or a task that is given up before it has begun would never be taken off the list.
+        // Started immediately, because a task cancelled before its start would otherwise never be removed from the list.
         return scope.launch(start = CoroutineStart.UNDISPATCHED) {
             mutable += LongTask(id, title, null, coroutineContext.job::cancel)
             val shown = launch {

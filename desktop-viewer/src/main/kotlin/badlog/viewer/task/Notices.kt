@@ -3,32 +3,32 @@ package badlog.viewer.task
 import androidx.compose.runtime.mutableStateListOf
 
 /**
- * A sentence for the person at the window, shown until it is dismissed or has been there for a while.
+ * A sentence for the person at the window, shown until it is dismissed or a while has passed.
  *
  * @property id identifies it.
- * @property isError whether something did not work.
- * @property action what can be done about it at once, or null.
+ * @property isError whether something failed.
+ * @property action an action that it offers, or null.
  */
 internal data class Notice(val id: Int, val text: String, val isError: Boolean, val action: NoticeAction? = null)
 
-/** What a notice offers to do, as its button says it. */
+/** The action that a notice offers, with the label of its button. */
 internal class NoticeAction(val label: String, val run: () -> Unit)
 
-/** The sentences that the window shows at its foot, the latest last. To be used on the window's thread only. */
+/** The notices at the bottom of the window, the latest last. Use it only on the window's thread. */
 internal class Notices {
     private val mutable = mutableStateListOf<Notice>()
     private var lastId = 0
 
-    /** Them. */
+    /** The notices. */
     val all: List<Notice> get() = mutable
 
-    /** Says that something went well, and offers [action]. */
+    /** Reports a success, and offers [action]. */
     fun say(text: String, action: NoticeAction? = null) = add(text, isError = false, action)
 
-    /** Says that something did not work: what, where, and what to do next, in one sentence. */
+    /** Reports a failure: what, where, and what to do next, in one sentence. */
     fun complain(text: String) = add(text, isError = true, action = null)
 
-    /** Takes notice [id] away. */
+    /** Removes notice [id]. */
     fun dismiss(id: Int) {
         mutable.removeAll { it.id == id }
     }

@@ -9,7 +9,9 @@ import java.awt.GraphicsEnvironment
 import java.io.IOException
 import java.nio.file.Path
 
-/** Returns what opens [place], a file or a folder, by the system's program for it; null where the system cannot. Runs in [scope]. */
+/**
+ * Returns the action that opens [place], a file or a folder, with the system's program for it; null if the system cannot. Runs in [scope].
+ */
 internal fun openAction(place: Path, scope: CoroutineScope, notices: Notices): NoticeAction? {
     val canOpen = !GraphicsEnvironment.isHeadless() && Desktop.isDesktopSupported() &&
         Desktop.getDesktop().isSupported(Desktop.Action.OPEN)

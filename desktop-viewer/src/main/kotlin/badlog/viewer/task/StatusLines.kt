@@ -23,7 +23,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import kotlinx.coroutines.delay
 
-/** What stands along the window's foot while there is something to say: what runs, and what did or did not work. */
+/** The lines at the bottom of the window: running tasks, and notices of successes and failures. */
 @Composable
 internal fun StatusLines(notices: Notices, tasks: LongTasks) {
     Column(Modifier.fillMaxWidth()) {

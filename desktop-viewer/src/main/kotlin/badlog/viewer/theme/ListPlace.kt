@@ -6,7 +6,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.snapshots.Snapshot
 
-/** Scrolls [list] as far as needed to show item [index], whenever another one is meant. */
+/** Scrolls [list] as far as necessary to show item [index], whenever that changes. */
 @Composable
 internal fun KeepInSight(list: LazyListState, index: Int) {
     LaunchedEffect(index) {
@@ -24,7 +24,7 @@ internal fun KeepInSight(list: LazyListState, index: Int) {
     }
 }
 
-/** Leaves a list that stands at its top there when [items] come in above: a new log is not to appear out of sight. */
+/** Keeps a list that is scrolled to its top there when [items] are added above, so that a new log is visible. */
 @Composable
 internal fun StayAtTop(list: LazyListState, items: List<Any>) {
     remember(items) {

@@ -35,7 +35,7 @@ internal class Palette private constructor(val isDark: Boolean) {
     /** Returns the color of line [index], from 0; further ones begin again. */
     fun line(index: Int): Color = lines[index.mod(LINE_COLORS)]
 
-    /** Returns the color of a lane in state [index], from 0: a line's color, quiet enough for text upon it. */
+    /** Returns the color of a lane in state [index], from 0: a line's color, muted enough for text on top of it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
 
     /** Returns the color that shades [mode]. */
@@ -48,13 +48,13 @@ internal class Palette private constructor(val isDark: Boolean) {
     companion object {
         private const val OPAQUE = 0xFF shl 24
 
-        /** For bright rooms. */
+        /** The light theme. */
         val LIGHT = Palette(isDark = false)
 
-        /** For dark rooms. */
+        /** The dark theme. */
         val DARK = Palette(isDark = true)
     }
 }
 
-/** The colors of the theme of now. */
+/** The colors of the current theme. */
 internal val LocalPalette = staticCompositionLocalOf { Palette.LIGHT }

@@ -26,7 +26,10 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import java.awt.Cursor
 
-/** The line between two parts of the window: [onDrag] hears by how many dp it is dragged to the right, [onReset] of a double click. */
+/**
+ * The line between two parts of the window: [onDrag] receives by how many dp it is dragged to the right, [onReset] is called for a double
+ * click.
+ */
 @Composable
 internal fun PaneDivider(description: String, onDrag: (Float) -> Unit, onReset: () -> Unit) {
     val palette = LocalPalette.current

@@ -38,10 +38,10 @@ import androidx.compose.ui.text.input.VisualTransformation
 import androidx.compose.ui.unit.dp
 
 /**
- * A field of one line, to search with where no other [icon] says what for; [hint] stands in it while it is empty. Escape empties it
- * and gives the keyboard back.
+ * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it
+ * and releases the keyboard focus.
  *
- * @param isSecret whether nobody is to read what is typed.
+ * @param isSecret whether the text is hidden.
  */
 @Composable
 internal fun SearchField(
@@ -56,7 +56,7 @@ internal fun SearchField(
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
     val isFocused by interactions.collectIsFocusedAsState()
-    // All of it is the field: a click beside the text has to give it the keyboard, or what is typed runs commands.
+    // The whole area is the field: a click beside the text must give it the keyboard focus, or else typing would run commands.
     BasicTextField(
         text,
         onChange,
@@ -97,7 +97,7 @@ internal fun SearchField(
     }
 }
 
-/** Takes the keyboard to a field whenever a person has [asked] once more for it; how often that was before the field was there does not count. */
+/** Moves the keyboard focus to a field whenever a person has [asked] for it again; requests before the field existed do not count. */
 @Composable
 internal fun rememberAskedFocus(asked: Int): FocusRequester {
     val focus = remember { FocusRequester() }

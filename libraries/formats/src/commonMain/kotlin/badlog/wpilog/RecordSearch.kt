@@ -3,16 +3,16 @@ package badlog.wpilog
 import kotlin.math.abs
 
 /**
- * Tells records from what only looks like them: a WPILOG has neither check sums nor marks between its records, but each of
- * them names an entry that was begun, has a size that fits its type, and a time near that of the one before.
+ * Distinguishes records from bytes that only look like them: a WPILOG has neither checksums nor marks between its records,
+ * but each of them names a started entry, has a size that fits its type, and a time near that of the previous one.
  *
- * Every answer depends on the bytes alone, never on how many of them have come: where they do not suffice, it is
+ * Every result depends only on the bytes, never on how many of them have arrived: if they are not enough, it is
  * [RecordLook.MORE].
  */
 internal class RecordSearch(private val sink: RecordSink) {
     private val head = RecordHead()
 
-    /** What the bytes at [at] look like, behind a record at [near] µs, or NaN behind none; reads them into [head]. */
+    /** Returns what the bytes at [at] look like after a record at [near] µs, or NaN if there was none; reads them into [head]. */
     fun look(head: RecordHead, bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val possible = head.read(bytes, at, until)
         if (possible != RecordLook.FITTING) return possible
@@ -29,14 +29,15 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (isControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
     }
 
-    /** Whether two times, in µs, are so near each other as those of records that follow each other. True where one is NaN. */
+    /** Returns whether two times, in µs, are as close as those of consecutive records. True if one is NaN. */
     fun isNear(one: Double, other: Double): Boolean = !(abs(one - other) > NEAR_MICROS)
 
     /**
-     * The first place from [from] and before [end] at which the records go on after damage, several fitting ones in a row.
+     * Returns the first place from [from] and before [end] at which records continue after damage, several fitting ones in a row.
      *
-     * @param isInside whether the place lies in what may as well be a record; the first ones there have to be of types with one size.
-     * @return [NOWHERE]; or where it has to be looked again when more bytes have come, as [waiting] of that place.
+     * @param isInside whether the place is inside bytes that may themselves be a record; the first records there must be of types
+     * with a fixed size.
+     * @return also [NOWHERE]; or [waiting] of the place where the search must continue when more bytes have arrived.
      */
     fun find(bytes: ByteArray, from: Int, end: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): Int {
         for (at in from until minOf(end, until)) {
@@ -49,7 +50,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (end <= until || isEnd) NOWHERE else waiting(until)
     }
 
-    /** Whether fitting records in a row begin at [from], the first of them at a time that goes with the others'. */
+    /** Returns whether fitting records in a row begin at [from], the first of them at a time consistent with the others. */
     private fun rowAt(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): RecordLook {
         var at = from
         var fitting = 0
@@ -70,7 +71,7 @@ internal class RecordSearch(private val sink: RecordSink) {
             if (look == RecordLook.ODD) {
                 if (fitting == 0 || ++odd > MOST_ODD + fitting) return RecordLook.NONE
             } else {
-                // What was lost may have taken minutes, but no log goes on hours away.
+                // The lost part may have been minutes long, but no log continues hours later.
                 if (fitting == 0 && head.id != 0 && abs(head.micros - near) > FAR_MICROS) return RecordLook.NONE
                 fitting++
             }
@@ -90,11 +91,11 @@ internal class RecordSearch(private val sink: RecordSink) {
 
     private fun isSure() = head.id == 0 || head.hasOneSize
 
-    // Damage may look like one record and end where a true one begins, but hardly at its time.
+    // Damage may look like a record and end where a real one begins, but hardly with its time.
     private fun rowOf(fitting: Int, least: Int, firstStep: Double, longestStep: Double) =
         if (fitting >= least && !(firstStep > longestStep)) RecordLook.FITTING else RecordLook.NONE
 
-    /** Whether the next records from [from] on fit, so that the one before them surely ends there. */
+    /** Returns whether the next records from [from] on fit, so that the previous one certainly ends there. */
     fun allFit(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
         var at = from
         var last = Double.NaN
@@ -113,7 +114,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return RecordLook.FITTING
     }
 
-    /** Whether records go on at [from], some of them odd, so that the odd one before them has its true size. */
+    /** Returns whether records continue at [from], some of them odd, so that the odd one before them has its correct size. */
     fun goesOn(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
         var at = from
         var fitting = 0
@@ -135,34 +136,34 @@ internal class RecordSearch(private val sink: RecordSink) {
     }
 
     companion object {
-        /** What [find] returns where records go on nowhere. */
+        /** The result of [find] if records continue nowhere. */
         const val NOWHERE = -1
 
-        /** What [find] returns where it has to look at [at] again. */
+        /** Returns the result of [find] for having to search from [at] again. */
         fun waiting(at: Int): Int = NOWHERE - 1 - at
 
         /** The place that [waiting] was given to return [found]. */
         fun waitsAt(found: Int): Int = NOWHERE - 1 - found
 
-        /** So many fitting records in a row are no accident. */
+        /** This many fitting records in a row are not a coincidence. */
         private const val ENOUGH = 10
 
-        /** So many of them have to be of types with one size where a record may stand in any case. */
+        /** How many of them must be of types with a fixed size if the place may be inside a record. */
         private const val SURE = 2
 
-        /** So many are enough where the file ends, or where they are very large. */
+        /** How many are enough at the end of the file, or if they are very large. */
         private const val LEAST_AT_END = 3
         private const val LEAST_FAR = 5
 
-        /** So many odd ones may be among them, beside one for each fitting one. */
+        /** How many odd ones may be among them, in addition to one for each fitting one. */
         private const val MOST_ODD = 2
         private const val GOES_ON = 4
         private const val PATIENCE = 100
 
-        /** No farther than so many bytes is looked, which bounds the memory. */
+        /** The maximum number of bytes to look ahead, which bounds the memory. */
         private const val FARTHEST = 1 shl 20
 
-        /** One minute: so far apart are the times of records that follow each other. */
+        /** One minute: the maximum distance between the times of consecutive records. */
         private const val NEAR_MICROS = 6e7
         private const val TIGHT_MICROS = 1e5
 

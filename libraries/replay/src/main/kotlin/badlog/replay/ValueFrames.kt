@@ -9,11 +9,11 @@ import java.nio.ByteOrder
 
 /** Writes values as NT4's binary frames: MessagePack arrays of a topic's id, microseconds, type and value. */
 internal class ValueFrames(private val signals: List<Signal>) {
-    /** [updates] in frames about as long as a network packet, so that a ping never waits for long. */
+    /** Returns [updates] in frames about as long as a network packet, so that a ping never waits for long. */
     fun of(updates: List<Update>): List<ByteBuffer> {
         val frames = ArrayList<ByteBuffer>()
         val packer = MessagePack.newDefaultBufferPacker()
-        // The packer counts on when it is cleared.
+        // The packer keeps counting when it is cleared.
         var begin = 0L
         for (update in updates) {
             pack(packer, update)
@@ -39,7 +39,7 @@ internal class ValueFrames(private val signals: List<Signal>) {
         }
     }
 
-    /** Packs the [bytes] that a record of a WPILOG has for a value of [type]. */
+    /** Packs the [bytes] of a value of [type] from a record of a WPILOG. */
     private fun packPayload(packer: MessageBufferPacker, type: SignalType, bytes: ByteArray) {
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
         fun array(width: Int, pack: () -> Unit) {
@@ -87,10 +87,10 @@ internal class ValueFrames(private val signals: List<Signal>) {
 }
 
 /**
- * Answers the questions for the time in a client's binary [frame]; whatever else it says about values is of no interest.
+ * Answers the requests for the time in a client's binary [frame]; other values in it are ignored.
  *
  * @param micros the server's time.
- * @return the answer, or null when nothing was asked.
+ * @return the answer, or null if there was no request.
  * @throws RuntimeException that is a `MessagePackException` when the frame is not one of NT4's.
  */
 internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {

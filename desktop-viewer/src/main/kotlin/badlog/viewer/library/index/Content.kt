@@ -8,7 +8,7 @@ import badlog.recording.Topic
 /**
  * Whether there is anything to see in a file.
  *
- * @property saying what stands beside a log that is grayed; empty for one that is not.
+ * @property saying the text beside a gray log; empty for others.
  */
 internal enum class Content(val saying: String) {
     /** There is. */
@@ -17,28 +17,28 @@ internal enum class Content(val saying: String) {
     /** It has none. */
     NO_SAMPLES("no samples"),
 
-    /** No number changes and no event is logged. */
+    /** No number changes, and no event is logged. */
     NOTHING_CHANGES("idle log"),
 
     /** It is over before anything can have happened. */
     TOO_SHORT("shorter than a second"),
 
-    /** The robot was off duty all the time, and it was not a match: in a match, that it never moved is the story. */
+    /** The robot was never enabled, and it was not a match: in a match, that would be worth seeing. */
     NEVER_ENABLED("never enabled"),
 
-    /** It cannot be read though its name says that it is a log. */
+    /** It cannot be read, although its name is that of a log. */
     UNREADABLE("cannot be read"),
 
-    /** Something else that only shares its ending with logs, such as a spreadsheet of texts; it is not listed. */
+    /** Something else that only has the same ending as logs, such as a spreadsheet of texts; it is not listed. */
     NO_LOG(""),
 }
 
 /**
- * Returns whether there is anything to see in [view]. Only what surely is nothing counts as nothing: a change of a single
- * number, or a single event, is something.
+ * Returns whether there is anything to see in [view]. In doubt, there is: a change of a single number, or a single event,
+ * is enough.
  *
- * @param time the topic that only shows where on x a row stands, or null.
- * @param seconds how long it is, or null where it is unknown.
+ * @param time the topic that only has the x of each row, or null.
+ * @param seconds its length, or null if unknown.
  */
 internal fun contentOf(view: LogView, topics: List<TopicSummary>, time: Topic?, seconds: Double?): Content = when {
     view.recording.sampleCount == 0L -> Content.NO_SAMPLES
@@ -50,7 +50,7 @@ internal fun contentOf(view: LogView, topics: List<TopicSummary>, time: Topic?, 
 
 private fun changes(topic: TopicSummary) = topic.statistics.count > 0 && topic.statistics.min != topic.statistics.max
 
-/** An event is news, and so is a state that becomes another. */
+/** Returns whether [topic] has an event, or a state that changes. */
 private fun hasNews(topic: Topic): Boolean {
     val texts = topic.texts
     return texts.size > 0 && (texts.size < topic.counts.total || texts.dictionary.size > 1)

@@ -17,7 +17,7 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
-/** Runs the rules over the logs of [folder]: those of the file of rules that is nearest to each. To be used by one thread at a time. */
+/** Runs the rules over the logs of [folder]: those of the nearest file of rules. Use it on one thread at a time. */
 internal class FolderSearch(private val folder: Path) {
     private class Known(val rules: RuleSet, val key: Int, val since: TimeMark)
 
@@ -29,7 +29,7 @@ internal class FolderSearch(private val folder: Path) {
     /**
      * Returns what the rules find in [file]. Reads it again, on one core.
      *
-     * @param checkpoint is called again and again; to give up, it may throw a [CancellationException], the only exception that comes out.
+     * @param checkpoint called repeatedly; to cancel, it may throw a [CancellationException], the only exception that is passed on.
      */
     fun found(file: LogFile, checkpoint: () -> Unit): LogFound {
         val known = rulesFor(file.path)
@@ -45,7 +45,7 @@ internal class FolderSearch(private val folder: Path) {
         } catch (_: OutOfMemoryError) {
             null
         } catch (_: RuntimeException) {
-            // A bug that one file shows must not cost all the others.
+            // A bug that affects one file must not affect all others.
             null
         }
         return LogFound(known.key, rules)
@@ -61,7 +61,7 @@ internal class FolderSearch(private val folder: Path) {
     }
 
     private companion object {
-        /** So long a file of rules may have changed without anybody noticing. */
+        /** How long a changed file of rules may go unnoticed. */
         val REST = 3.seconds
     }
 }

@@ -10,14 +10,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Keeps what is known of the logs of [folder], so that they need not be read again: in one file of [cache], which may be
- * deleted at any time. What is damaged, of another version, or found out when signals were called differently there, is as nothing.
+ * Stores what is known about the logs of [folder], so that they need not be read again: in one file in [cache], which may be
+ * deleted at any time. A file that is damaged, of another version, or made with different names of signals is ignored.
  */
 internal class IndexCache(cache: Path, folder: Path) {
     private val file = cache.resolve("logs-${keyOf(folder)}.index")
     private val names by lazy { FolderRules.of(folder.resolve(SignalsFile.NAME)).rules.signals.toJson().hashCode() }
 
-    /** Returns what was kept. */
+    /** Returns what was stored. */
     fun load(): List<LogEntry> = try {
         IndexFormat.decode(Files.readAllBytes(file), names).orEmpty()
     } catch (_: IOException) {
@@ -27,9 +27,9 @@ internal class IndexCache(cache: Path, folder: Path) {
     }
 
     /**
-     * Keeps [entries] instead of what was kept, which a crash leaves as it was.
+     * Stores [entries] atomically, replacing what was stored.
      *
-     * @throws IOException when they cannot be written.
+     * @throws IOException if they cannot be written.
      */
     fun save(entries: Collection<LogEntry>) {
         val bytes = IndexFormat.encode(entries, names)

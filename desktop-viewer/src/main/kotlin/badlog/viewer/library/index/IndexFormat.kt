@@ -12,16 +12,16 @@ import java.util.zip.CRC32
 
 /**
  * The bytes of an index: [MAGIC], [VERSION], the CRC-32 of the rest; then every different text once; then the entries, which
- * speak of texts by their place. Numbers are big-endian.
+ * refer to texts by index. Numbers are big-endian.
  */
 internal object IndexFormat {
     private const val MAGIC = 0x62616478
     private const val HEAD = 12
 
-    /** To be raised whenever the bytes, or what is found out about a file, change their meaning. */
+    /** Increase it whenever the meaning of the bytes, or of what is stored about a file, changes. */
     const val VERSION = 5
 
-    /** Returns the bytes of [entries], found out with signals that are called as [names] stands for. */
+    /** Returns the bytes of [entries], made with the names of signals identified by [names]. */
     fun encode(entries: Collection<LogEntry>, names: Int = 0): ByteArray {
         val bodyBytes = ByteArrayOutputStream(entries.sumOf { it.topics.size } * 220 + 1024)
         val texts = TextTable()
@@ -42,7 +42,7 @@ internal object IndexFormat {
         return all.putInt(HEAD - 4, checksum(all.array())).array()
     }
 
-    /** Returns the entries of [bytes]; null when they are not an index of this version and these [names], or damaged. */
+    /** Returns the entries of [bytes]; null if they are damaged, or not an index of this version and these [names]. */
     fun decode(bytes: ByteArray, names: Int = 0): List<LogEntry>? {
         if (bytes.size < HEAD) return null
         val buffer = ByteBuffer.wrap(bytes)
@@ -50,7 +50,7 @@ internal object IndexFormat {
         return try {
             decode(buffer)
         } catch (_: RuntimeException) {
-            // Whatever a damaged index makes of a path, a number of topics or a kind: it is none that we wrote.
+            // A damaged index may contain any path, number of topics or kind: badlog did not write it.
             null
         }
     }
@@ -69,25 +69,28 @@ internal object IndexFormat {
     private fun checksum(bytes: ByteArray): Int = CRC32().apply { update(bytes, HEAD, bytes.size - HEAD) }.value.toInt()
 }
 
-/** Reads how many of something follow, each of [minBytes] or more; so no damaged number asks for more memory than the file. */
+/**
+ * Reads the number of items that follow, each of at least [minBytes], so that a damaged number cannot request more memory than the file
+ * has.
+ */
 internal fun ByteBuffer.count(minBytes: Int): Int {
     val count = getInt()
     require(count >= 0 && count.toLong() * minBytes <= remaining()) { "$count of something do not fit." }
     return count
 }
 
-/** Numbers texts in the order in which they are met. */
+/** Numbers texts in order of first appearance. */
 internal class TextTable {
     private val places = LinkedHashMap<String, Int>()
 
     /** All of them. */
     val all: Collection<String> get() = places.keys
 
-    /** Returns the place of [text]; -1 for null. */
+    /** Returns the index of [text]; -1 for null. */
     fun placeOf(text: String?): Int = if (text == null) -1 else places.getOrPut(text) { places.size }
 }
 
-/** Writes entries as [EntryReader] reads them. */
+/** Writes entries in the form that [EntryReader] reads. */
 internal class EntryWriter(private val out: DataOutputStream, private val texts: TextTable) {
     /** Writes [entry]. */
     fun write(entry: LogEntry) = with(entry) {
@@ -155,7 +158,7 @@ internal class EntryWriter(private val out: DataOutputStream, private val texts:
     private fun text(text: String?) = out.writeInt(texts.placeOf(text))
 }
 
-/** Reads entries as [EntryWriter] wrote them; throws some [RuntimeException] when the bytes are not entries. */
+/** Reads entries written by [EntryWriter]; throws a [RuntimeException] if the bytes are not entries. */
 internal class EntryReader(private val buffer: ByteBuffer, private val texts: Array<String>) {
     /** Reads the next entry. */
     fun read() = LogEntry(
@@ -214,7 +217,7 @@ internal class EntryReader(private val buffer: ByteBuffer, private val texts: Ar
         /** No entry has fewer bytes. */
         const val MIN_BYTES = 4 + 2 * 8 + 4 * 4 + 8 + 1 + 8 + 4 + 8 + 3 * 4 + 1 + 4 + 8 + 4 + 4 + 1 + 4 + 4
 
-        /** Seconds that are of a year with four digits. */
+        /** Seconds within years of four digits. */
         private val PLAUSIBLE = -62_000_000_000L..250_000_000_000L
     }
 }

@@ -8,8 +8,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * What is known of a folder's logs, and which of them are to be read next: the newest first. Time is what the caller says it
- * is, counted from anywhere. May be used by several threads at once.
+ * What is known about a folder's logs, and which of them to read next: the newest first. The caller provides the time,
+ * counted from any moment. Thread-safe.
  *
  * @param cached what was known before.
  */
@@ -24,7 +24,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
     private var read = 0
     private var changes = 0
 
-    /** Takes in that [files] are what is in the folder at [now]. */
+    /** Updates the queue to [files], the content of the folder at [now]. */
     @Synchronized
     fun found(files: List<LogFile>, now: Duration) {
         present = files.associateBy { it.path }
@@ -38,7 +38,7 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
                 changes++
             }
         }
-        // Only the first look finds what was known before; later ones know it themselves.
+        // Only the first update needs what was known before; later ones have it.
         remembered.clear()
         waiting = files.filterTo(TreeSet(NEWEST_FIRST)) { isToRead(it, now) }
     }
@@ -46,23 +46,23 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
     private fun isToRead(file: LogFile, now: Duration) = known[file.path]?.source != file && file.path !in busy &&
         file !in passedOver && now >= (notBefore[file.path] ?: Duration.ZERO)
 
-    /** Takes out the file that is to be read next; null when there is none. [finished] or [abandoned] must follow. */
+    /** Removes and returns the next file to read; null if there is none. Call [finished] or [abandoned] afterwards. */
     @Synchronized
     fun take(): LogFile? = waiting.pollFirst()?.also { busy.add(it.path) }
 
-    /** Takes in what was read of a file, at [now] and in [took]. */
+    /** Adds the result of reading a file, at [now] and in [took]. */
     @Synchronized
     fun finished(entry: LogEntry, now: Duration, took: Duration) {
         busy.remove(entry.file)
         read++
         if (entry.file !in present) return
         known[entry.file] = entry
-        // A log that is being written is read again and again, but must not keep the machine busy.
+        // A log that is being written is read repeatedly, but must not keep the machine busy.
         notBefore[entry.file] = now + maxOf(MIN_REST, took * REST_PER_READING)
         changes++
     }
 
-    /** Takes in what the rules [found] in the file of [entry], unless that has changed meanwhile. */
+    /** Adds what the rules [found] in the file of [entry], unless that has changed in the meantime. */
     @Synchronized
     fun searched(entry: LogEntry, found: LogFound) {
         val now = known[entry.file] ?: return
@@ -71,13 +71,13 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         changes++
     }
 
-    /** Says that reading [file] was given up. */
+    /** Records that reading [file] was cancelled. */
     @Synchronized
     fun abandoned(file: LogFile) {
         busy.remove(file.path)
     }
 
-    /** Reads none of the files that wait now, until they change. */
+    /** Skips all files that are currently waiting, until they change. */
     @Synchronized
     fun passOverWaiting() {
         passedOver += waiting
@@ -85,14 +85,14 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
         changes++
     }
 
-    /** Reads what was passed over after all, from the next look on. */
+    /** Reads the skipped files after all, from the next update on. */
     @Synchronized
     fun wantAll() {
         passedOver.clear()
         changes++
     }
 
-    /** Returns how things stand. */
+    /** Returns the current state. */
     @Synchronized
     fun state() = IndexState(
         entries = known.values.toList(),
@@ -103,8 +103,8 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
     ).also { if (it.waiting == 0) read = 0 }
 
     /**
-     * Returns what is known of the newest files, up to the first that is not known yet; the newest first. Where there are files
-     * that can only be logs, only of those.
+     * Returns what is known about the newest files, up to the first unknown one; the newest first. If there are files that can
+     * only be logs, only those are included.
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {
@@ -122,12 +122,12 @@ internal class IndexQueue(cached: Collection<LogEntry> = emptyList()) {
 }
 
 /**
- * How the index of a folder stands.
+ * The state of a folder's index.
  *
- * @property entries all that is known, in no order.
- * @property read how many files were read since there last was nothing to read.
- * @property waiting how many are being read, or will be.
- * @property passedOver how many a person does not want to be read now.
- * @property changes another number whenever [entries] or [passedOver] have changed.
+ * @property entries everything known, in no particular order.
+ * @property read the number of files read since the queue was last empty.
+ * @property waiting the number of files being read, or waiting.
+ * @property passedOver the number of files skipped at the person's request.
+ * @property changes a different number whenever [entries] or [passedOver] have changed.
  */
 internal class IndexState(val entries: List<LogEntry>, val read: Int, val waiting: Int, val passedOver: Int, val changes: Int)

@@ -26,21 +26,20 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Knows the logs of [folder] and keeps knowing them: looks at the folder again and again, and reads what is new or has grown,
- * on all cores.
+ * Keeps an index of the logs of [folder]: lists the folder repeatedly, and reads new or grown files, on all cores.
  *
- * A look costs about 2 ms for 1,000 files on a drive of the machine's own. Asking the system to report changes instead would
- * cost less, but it reports none on network drives, and late on macOS.
+ * Listing takes about 2 ms for 1,000 files on a local drive. Having the system report changes would cost less, but it reports
+ * none on network drives, and late on macOS.
  *
- * @param cache where what is known is kept; null to keep it nowhere.
- * @param cores how many files are read at once.
+ * @param cache stores the index; null for none.
+ * @param cores the number of files read at once.
  */
 internal class Indexing(
     private val folder: Path,
     private val cache: IndexCache?,
     private val cores: Int = Runtime.getRuntime().availableProcessors(),
 ) {
-    // Not the default dispatcher's threads: what a person waits for at the window must not wait behind a folder of logs.
+    // Not the default dispatcher's threads: work that a person waits for must not wait behind a folder of logs.
     private val readers = Dispatchers.IO.limitedParallelism(cores)
     private val search = FolderSearch(folder)
     private var searching: Job? = null
@@ -52,25 +51,25 @@ internal class Indexing(
 
     private val updateCount = MutableStateFlow(0)
 
-    /** Another number whenever anything of the below may have changed. */
+    /** A different number whenever any of the following may have changed. */
     val updates: StateFlow<Int> get() = updateCount
 
-    /** What is known; replaced once, when the cache has been read. */
+    /** The index; replaced once, when the cache has been read. */
     @Volatile
     var queue = IndexQueue()
         private set
 
-    /** Why the folder, or a part of it, cannot be looked at, as a sentence; null when all is well. */
+    /** Why the folder, or a part of it, cannot be read, as a sentence; null if all is well. */
     @Volatile
     var trouble: String? = null
         private set
 
-    /** Whether the folder has been looked at. */
+    /** Whether the folder has been listed. */
     @Volatile
     var hasLooked = false
         private set
 
-    /** Looks and reads until cancelled. */
+    /** Lists and reads until cancelled. */
     suspend fun run() = withContext(Dispatchers.IO) {
         cache?.let { queue = IndexQueue(it.load()) }
         saved = queue.state().changes
@@ -121,13 +120,13 @@ internal class Indexing(
 
     private fun tellUpdate() = updateCount.update { it + 1 }
 
-    /** Leaves the logs that wait unread. */
+    /** Skips the logs that are waiting to be read. */
     fun stopReading() {
         queue.passOverWaiting()
         tellUpdate()
     }
 
-    /** Reads what [stopReading] left. */
+    /** Reads what [stopReading] skipped. */
     fun readAll() {
         queue.wantAll()
         tellUpdate()
@@ -147,7 +146,7 @@ internal class Indexing(
     private suspend fun CoroutineScope.read(file: LogFile) {
         var isDone = false
         try {
-            // One whose samples fill much of the memory is not read beside another one.
+            // A log whose samples fill much of the memory is not read in parallel with another large one.
             if (file.size > LARGE) largeFile.lock()
             val began = started.elapsedNow()
             val entry = try {
@@ -163,11 +162,11 @@ internal class Indexing(
         }
     }
 
-    /** Runs the rules over the logs over which they were not run, the newest first, as long as no file waits to be read. */
+    /** Runs the rules over the logs on which they have not run, the newest first, while no file is waiting to be read. */
     private suspend fun searchAll() = coroutineScope {
         while (true) {
             val state = queue.state()
-            // A log that is being written is for its own window.
+            // A log that is being written is left to its own window.
             val settled = System.currentTimeMillis() - SETTLED.inWholeMilliseconds
             val entry = state.entries
                 .filter { it.isReadable && !it.isGray && it.source.modified < settled && it.found?.key != search.keyOf(it.file) }
@@ -191,7 +190,7 @@ internal class Indexing(
             cache.save(state.entries)
             saved = state.changes
         } catch (_: IOException) {
-            // The logs are read again at the next start: slower, but nothing that a person must do anything about.
+            // The logs are read again at the next start: slower, but nobody needs to do anything.
             saved = state.changes
         }
     }
@@ -200,17 +199,17 @@ internal class Indexing(
         val LOOK_PERIOD: Duration = 300.milliseconds
         val SAVE_PERIOD: Duration = 4.seconds
 
-        /** A log that was not written for so long is whole. */
+        /** A log that was not written for this long is complete. */
         val SETTLED: Duration = 3.seconds
 
-        /** Looking and saving take no more than a twentieth of the time. */
+        /** Listing and saving take at most a twentieth of the time. */
         const val REST_PER_LOOK = 20
 
         const val LARGE = 64L shl 20
     }
 }
 
-/** Does [work] while all else that the machine has to do goes before it. */
+/** Does [work] with low priority. */
 private inline fun <T> unhurried(work: () -> T): T {
     val thread = Thread.currentThread()
     val before = thread.priority
@@ -222,7 +221,7 @@ private inline fun <T> unhurried(work: () -> T): T {
     }
 }
 
-/** Why [folder] cannot be looked at, which failed with [e]. */
+/** Returns why [folder] cannot be read, which failed with [e]. */
 internal fun troubleWith(folder: Path, e: IOException): String = when (e) {
     is AccessDeniedException -> "$folder cannot be read: permission denied; ask the owner."
     is NoSuchFileException -> "$folder does not exist any more; connect its drive, or open another folder."

@@ -14,8 +14,8 @@ private const val LARGE = 16L shl 20
 private const val SAMPLE = 1 shl 17
 
 /**
- * False for a large file that shows at its beginning that it is not a log: a disk image in a `.gz` is not to be read to its end to
- * learn that.
+ * Returns false for a large file whose beginning shows that it is not a log: a disk image in a `.gz` need not be read to its end
+ * to find that out.
  */
 internal fun isLikelyLog(file: LogFile): Boolean {
     if (file.size < LARGE || LogName.of(file.name).isOnlyOfLogs) return true
@@ -24,7 +24,7 @@ internal fun isLikelyLog(file: LogFile): Boolean {
         try {
             parser.accept(inflated(stream.buffered()).readNBytes(SAMPLE))
         } catch (_: IOException) {
-            // Damaged from its first bytes on; reading it shows how.
+            // Damaged from its first bytes on; reading it will show the details.
             return true
         }
     }

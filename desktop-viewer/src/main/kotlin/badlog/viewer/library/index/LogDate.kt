@@ -13,11 +13,11 @@ import java.time.ZoneOffset
 /**
  * When a recording began.
  *
- * @property second wall clock time of where it was made, as seconds since 1970 in a place without an offset.
- * @property source what it comes from.
+ * @property second the local wall clock time where it was made, as seconds since 1970 without an offset.
+ * @property source its source.
  */
 internal data class LogDate(val second: Long, val source: DateSource) {
-    /** It, for people. */
+    /** The date as local time. */
     val time: LocalDateTime get() = LocalDateTime.ofEpochSecond(second, 0, ZoneOffset.UTC)
 
     companion object {
@@ -41,9 +41,9 @@ internal data class LogDate(val second: Long, val source: DateSource) {
 }
 
 /**
- * What the date of a log comes from.
+ * The source of a log's date.
  *
- * @property saying the same, for people.
+ * @property saying its text for people.
  */
 internal enum class DateSource(val saying: String) {
     VALUES("from the log’s metadata"),

@@ -7,18 +7,18 @@ import badlog.recording.TopicKind
 import java.nio.file.Path
 
 /**
- * What the library knows of a file without reading it again.
+ * What the library knows about a file without reading it again.
  *
- * @property source the file as it was when it was read.
- * @property match what match it is of.
+ * @property source the file when it was read.
+ * @property match its match.
  * @property date when it began.
- * @property duration how much of x it covers; null when x is only the number of the row.
+ * @property duration its length on x; null if x is only the number of the row.
  * @property xUnit the unit of [duration].
- * @property samples how many samples all its topics have together.
- * @property problems what is wrong in it.
+ * @property samples the number of samples of all its topics together.
+ * @property problems the number of its problems.
  * @property content whether there is anything to see.
- * @property trouble why it cannot be read, as a sentence; null when it can.
- * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null when no topic shows it.
+ * @property trouble why it cannot be read, as a sentence; null if it can.
+ * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null if no topic shows it.
  * @property batteryTopic the name of that topic.
  * @property topics its topics with numbers, in the order of the file.
  * @property found what the rules found in it; null while they have not been run.
@@ -44,7 +44,7 @@ internal data class LogEntry(
     /** The file's name without its folders. */
     val fileName: String get() = source.name
 
-    /** What a person calls it: the match, or else the name of the file. */
+    /** Its name for people: the match, or else the name of the file. */
     val title: String get() = match.match ?: fileName
 
     /** Whether it can be opened. */
@@ -57,9 +57,9 @@ internal data class LogEntry(
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
 }
 
-/** How many kinds of problems of each severity a recording has. */
+/** The number of kinds of problems of each severity in a recording. */
 internal data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, val notes: Int = 0) {
-    /** Of [severity]. */
+    /** Returns the number for [severity]. */
     fun of(severity: Severity): Int = when (severity) {
         Severity.ERROR -> errors
         Severity.WARNING -> warnings
@@ -68,7 +68,7 @@ internal data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, va
 }
 
 /**
- * What is kept of a topic with numbers without its samples.
+ * What is stored about a topic with numbers, without its samples.
  *
  * @property name the full name.
  * @property unit the unit, `ul` for none.

@@ -5,14 +5,14 @@ import badlog.recording.Severity
 /**
  * What the rules found in a log of the folder.
  *
- * @property key of the rules that were run; other rules are run anew.
- * @property rules those that found something, each once, the worst first; null where they could not be run.
+ * @property key identifies the rules that were run; with other rules, they are run again.
+ * @property rules those that found something, each once, the worst first; null if they could not be run.
  */
 internal data class LogFound(val key: Int, val rules: List<FoundRule>?) {
-    /** How bad the worst is; null where nothing was found. */
+    /** The worst severity; null if nothing was found. */
     val worst: Severity? get() = rules?.maxOfOrNull { it.severity }
 
-    /** Returns how many rules found something that is so bad. */
+    /** Returns how many rules found something of [severity]. */
     fun count(severity: Severity): Int = rules.orEmpty().count { it.severity == severity }
 }
 

@@ -6,12 +6,12 @@ import badlog.recording.Value
 import badlog.rules.signal.LoggedMatch
 
 /**
- * What match a log is of. Each is null when unknown.
+ * The match that a log is of. Each property is null if unknown.
  *
- * @property event where, such as `Mill Creek Regional`.
- * @property type such as `Qualification`.
- * @property number of the match; mostly digits, but `2-1` for the first match of the second semifinal.
- * @property alliance `Red` or `Blue` where it can be understood, else as it was logged.
+ * @property event the event, such as `Mill Creek Regional`.
+ * @property type the type, such as `Qualification`.
+ * @property number the number of the match; usually digits, but `2-1` for the first match of the second semifinal.
+ * @property alliance `Red` or `Blue` if it can be recognized, otherwise as logged.
  */
 internal data class MatchFacts(
     val event: String? = null,
@@ -19,11 +19,11 @@ internal data class MatchFacts(
     val number: String? = null,
     val alliance: String? = null,
 ) {
-    /** Which match of its event: `Qualification 42`; null without a number. */
+    /** The match within its event: `Qualification 42`; null without a number. */
     val match: String? get() = number?.let { "${type ?: "Match"} $it" }
 
     companion object {
-        /** Returns what [logged] tells, the alliance what [values] tell, and for what neither does, the name of the file. */
+        /** Returns the facts in [logged], with the alliance from [values], and otherwise from the name of the file. */
         fun of(values: List<Value>, fileName: String, logged: LoggedMatch?): MatchFacts {
             val named = matchInName(fileName)
             val number = logged?.number

@@ -5,10 +5,10 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * The course of a series in [COLUMNS] columns of the same width in x, each with its smallest and its largest value.
+ * The shape of a series in [COLUMNS] columns of equal width in x, each with its smallest and its largest value.
  *
- * @property bytes two for each column, the smallest and the largest: as shares of 255 of the way from the series' minimum to
- *   its maximum. The smallest is above the largest where the column has no value.
+ * @property bytes two for each column, the smallest and the largest value, scaled from 0 for the series' minimum to 255 for
+ *   its maximum. The smallest is above the largest if the column has no value.
  */
 internal class PreviewLine(val bytes: ByteArray) {
     init {
@@ -18,7 +18,7 @@ internal class PreviewLine(val bytes: ByteArray) {
     /** Returns whether [column] has a value. */
     fun has(column: Int): Boolean = low(column) <= high(column)
 
-    /** Returns the smallest value of [column] as a share of the way from minimum to maximum. */
+    /** Returns the smallest value of [column], from 0 for the minimum to 1 for the maximum. */
     fun low(column: Int): Float = bytes[2 * column].toUByte().toInt() / 255f
 
     /** Returns the largest value likewise. */
@@ -29,23 +29,23 @@ internal class PreviewLine(val bytes: ByteArray) {
     override fun hashCode(): Int = bytes.contentHashCode()
 
     companion object {
-        /** How many columns there are. */
+        /** The number of columns. */
         const val COLUMNS = 48
 
-        /** How many bytes that makes. */
+        /** The number of bytes. */
         const val BYTES = 2 * COLUMNS
 
         /**
-         * Returns the course of [series], whose finite values go from [min] to [max]; NaN when it has none.
+         * Returns the shape of [series], whose finite values go from [min] to [max]; NaN if it has none.
          *
-         * @param held all of x, where each value holds until the next one; null where the series is all there is.
+         * @param held all of x, if each value holds until the next one; otherwise null.
          */
         fun of(series: Series, min: Double, max: Double, held: ClosedFloatingPointRange<Double>? = null): PreviewLine {
             val bytes = ByteArray(BYTES) { if (it % 2 == 0) -1 else 0 }
             val x = series.x
             val y = series.y
             if (x.isEmpty() || min.isNaN()) return PreviewLine(bytes)
-            // Without an order in x, that of the rows says more.
+            // If x is not ordered, the order of the rows is more useful.
             val isOrdered = series.isOrdered
             val from = held?.start ?: if (isOrdered) x.first() else 0.0
             val width = if (isOrdered) (held?.endInclusive ?: x.last()) - from else x.size - 1.0

@@ -24,12 +24,12 @@ import java.nio.file.Path
 import java.util.concurrent.CancellationException
 
 /**
- * Reads [file] and keeps what the library wants to know of it. Whatever is wrong with the file becomes part of the entry.
- * It keeps to one core: the library reads several files at a time, and the window is in use.
+ * Reads [file], and returns what the library wants to know about it. Problems of the file become part of the entry. It uses
+ * one core: the library reads several files at a time, and the window is in use.
  *
- * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
- * @param checkpoint is called again and again while the file is read; to give up, it may throw a [CancellationException], the
- *   only exception that comes out.
+ * @param library the folder of logs, see [FolderRules.of]; null for only that of [file].
+ * @param checkpoint called repeatedly while the file is read; to cancel, it may throw a [CancellationException], the only
+ *   exception that is passed on.
  */
 internal fun summarize(file: LogFile, library: Path? = null, checkpoint: () -> Unit = {}): LogEntry = try {
     when {
@@ -43,11 +43,11 @@ internal fun summarize(file: LogFile, library: Path? = null, checkpoint: () -> U
 } catch (_: OutOfMemoryError) {
     withoutSamples(file, library, checkpoint)
 } catch (e: RuntimeException) {
-    // A bug that one file shows must not cost all the others.
+    // A bug that affects one file must not affect all others.
     unreadable(file, "${file.name} made badlog fail (${e.javaClass.simpleName}); send us the file.")
 }
 
-/** Returns the summary of a file whose samples do not fit into memory. */
+/** Returns the summary of a file whose samples do not fit in memory. */
 private fun withoutSamples(file: LogFile, library: Path?, checkpoint: () -> Unit): LogEntry = try {
     val recording = readRecording(file.path, LOG_FORMATS, keepSamples = false, cores = 1) { _, _ -> checkpoint() }
     summaryOf(file, library, recording).copy(content = Content.SOMETHING)
@@ -111,33 +111,33 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     )
 }
 
-/** Returns whether [recording] is a table of logs, as the window and the program save them among the logs: each row speaks of a file. */
+/** Returns whether [recording] is a table of logs, as the window and the program may save them among the logs: each row is about a file. */
 private fun isTable(recording: Recording): Boolean = recording.format == RecordingFormat.CSV &&
     recording.topics.take(3).map { it.name }.let { it == listOf("Log", "Date", "File") || it.take(2) == listOf("Match", "File") }
 
-/** Returns whether [topic] is what a logger writes for its own sake, such as the time of day that passes. */
+/** Returns whether [topic] is a logger's own data, such as the time of day. */
 private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
 
-/** A file of comma-separated values alone has no x axis, but mostly a column of the time. */
+/** Returns the time column: a plain CSV file has no x axis, but usually a time column. */
 private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
 }
 
-/** Before a sensor has been read the first time it gives 0, which no battery that feeds a robot has. */
+/** Before a sensor has been read for the first time, it returns 0, which no battery of a running robot has. */
 private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
     var lowest = Double.POSITIVE_INFINITY
     for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
     return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
 }
 
-/** Returns how many seconds [duration] in [unit] is; null when the unit is none of time. */
+/** Returns [duration] in [unit] as seconds; null if the unit is not one of time. */
 internal fun secondsOf(duration: Double, unit: String): Double? {
-    // A log without units is a plain CSV file, whose time nearly always is in seconds.
+    // A log without units is a plain CSV file, whose time is nearly always in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
     return seconds?.let { duration * it }
 }
 
-/** From the smallest to the largest of [positions] that are finite; null when none is. */
+/** Returns the range of the finite [positions]; null if there are none. */
 private fun finiteSpan(positions: DoubleArray): Span? {
     var from = Double.POSITIVE_INFINITY
     var to = Double.NEGATIVE_INFINITY

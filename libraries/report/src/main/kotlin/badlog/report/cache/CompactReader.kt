@@ -44,7 +44,7 @@ internal class CompactReader(private val bytes: ByteArray, start: Int) {
         Block(main.at).also { main.at += size }
     }
 
-    /** The value that was written. To be called once. */
+    /** Returns the value that was written. Call it once. */
     fun <T> read(deserializer: DeserializationStrategy<T>): T = Reading(main).decodeSerializableValue(deserializer)
 
     @OptIn(ExperimentalSerializationApi::class)
@@ -62,7 +62,7 @@ internal class CompactReader(private val bytes: ByteArray, start: Int) {
             return block.value as T
         }
 
-        // All of a class is written, in its order.
+        // All fields of a class are written, in order.
         override fun decodeSequentially() = true
 
         override fun decodeElementIndex(descriptor: SerialDescriptor): Int = throw SerializationException("not in order")

@@ -20,13 +20,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A folder with a report: `index.html`, and a page for each log that was added. Pages that badlog made before are replaced, other
- * files stay.
+ * A folder with a report: `index.html`, and a page for each log that was added. Earlier pages of badlog are replaced, other files
+ * are kept.
  *
- * @param logs what is read, and therefore never replaced.
- * @param rules what the pages look for; those of the report, so that index and pages agree.
- * @param virtualTopics definitions of topics that the pages show beside the logs' own, where a log can be given them.
- * @param isForced whether files are replaced that badlog did not make, too.
+ * @param logs the files that are read, and therefore never replaced.
+ * @param rules the rules of the pages; the same as those of the report, so that index and pages agree.
+ * @param virtualTopics definitions of topics that the pages show in addition to the logs' own, if they can be calculated.
+ * @param isForced whether to also replace files that badlog did not make.
  * @param field the file of the field on which the pages draw paths; null for the one beside each log, if any.
  * @param exporter makes the pages of the logs.
  */
@@ -45,22 +45,23 @@ public class ReportFolder(
     private val index = folder.resolve(INDEX)
     private val problems = LinkedHashSet<String>()
 
-    /** What is wrong with the layouts and fields beside the logs whose pages were made, a sentence each. */
+    /** A sentence for each mistake in the layouts and fields beside the logs whose pages were made. */
     public val problemsBeside: Set<String> get() = problems
 
     /**
-     * Makes sure that the index can stand there, so that nobody waits for a refusal.
+     * Checks that the index can be written, so that nobody waits in vain.
      *
-     * @throws ExportException when another file stands there.
+     * @throws ExportException if another file is in its place.
      */
     public fun checkIndex(): Unit = check(index)
 
     /**
-     * Makes the page of [log], unless it cannot be read, with the rules and what [hooks] came to.
+     * Makes the page of [log], unless it cannot be read, with the rules and the outcomes of [hooks].
      *
-     * @return where it is, or null without one.
-     * @throws ExportException when the page cannot be made, or another file stands there; the others can.
-     * @throws InterruptedException when the thread was interrupted.
+     * @return its path, or null if there is none.
+     * @throws ExportException if the page cannot be made, or another file is in its place; other pages can still
+     * be made.
+     * @throws InterruptedException if the thread was interrupted.
      */
     public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()): Path? {
         if (log.unreadable != null) return null
@@ -68,7 +69,7 @@ public class ReportFolder(
         val page = folder.resolve(name)
         check(page)
         val defined = virtualTopics - log.undefined.mapTo(HashSet()) { it.definition }
-        // A page knows its own log alone.
+        // A page only knows its own log.
         val compared = log.differences
         val layout = layoutFor(log.file.path, rules.signals)
         val ground = fieldFor(log.file.path, field)
@@ -90,8 +91,8 @@ public class ReportFolder(
     /**
      * Writes the index of [result].
      *
-     * @return where it is.
-     * @throws ExportException when it cannot be written, or another file stands there.
+     * @return its path.
+     * @throws ExportException if it cannot be written, or another file is in its place.
      */
     public fun writeIndex(result: ReportResult, title: String = "Report"): Path {
         check(index)
@@ -122,7 +123,7 @@ public class ReportFolder(
         const val INDEX = "index.html"
         const val HEAD = 16_384
 
-        /** File systems allow 255, and a page has a longer name while it is written. */
+        /** File systems allow 255, and a page has a longer name while it is being written. */
         const val MAX_BYTES = 180
 
         fun realPath(file: Path): Path = try {

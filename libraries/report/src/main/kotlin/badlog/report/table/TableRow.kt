@@ -9,16 +9,16 @@ import kotlinx.serialization.Serializable
 /**
  * A log in a [MatchTable].
  *
- * @property headers the header values by which the table is sorted; empty texts where the log has none.
- * @property cells what each question came to; empty where the log was not asked.
- * @property topics the statistics of the topics that the table was asked to sum up, in the order of the log.
+ * @property headers the header values by which the table is sorted; empty texts if the log has none.
+ * @property cells the result of each question; empty if the log was excluded.
+ * @property topics the statistics of the topics that the table summarizes, in the order of the log.
  * @property hookValues what the hooks returned.
  * @property hookFailures the hooks that failed for it.
- * @property unreadable why the file cannot be read; null when it can.
- * @property isNoLog whether it is something else than a log.
- * @property isSalvaged whether the log lost something.
+ * @property unreadable why the file cannot be read; null if it can.
+ * @property isNoLog whether it is something other than a log.
+ * @property isSalvaged whether data of the log is lost.
  * @property isWanted whether the log meets the table's condition.
- * @property undefined the virtual topics that the log could not be given.
+ * @property undefined the virtual topics that could not be calculated.
  */
 public class TableRow internal constructor(
     public val file: LogFile,
@@ -37,12 +37,12 @@ public class TableRow internal constructor(
 )
 
 /**
- * What a question to a log came to.
+ * The result of a question for a log.
  *
- * @property value the number; 1 and 0 for yes and no; NaN where it is not known, or could not be asked.
- * @property unit its unit, empty for none.
+ * @property value the number; 1 and 0 for yes and no; NaN if it is not known, or the question failed.
+ * @property unit its unit; empty for none.
  * @property word “yes” or “no”; empty for a number.
- * @property refusal why it could not be asked; null when it was.
+ * @property refusal why the question failed; null if it did not.
  */
 @Serializable
 public class TableCell internal constructor(
@@ -55,23 +55,23 @@ public class TableCell internal constructor(
 /**
  * A value that a hook returned for a log.
  *
- * @property hook what the hook is called.
- * @property name what the value is called.
- * @property text a text, or a number as one.
+ * @property hook the name of the hook.
+ * @property name the name of the value.
+ * @property text the text, or the number as text.
  */
 public class HookValue internal constructor(public val hook: String, public val name: String, public val text: String)
 
 /**
  * A column of the values of a hook.
  *
- * @property title the name of the value, with that of its hook where several hooks have such a value.
+ * @property title the name of the value, with that of its hook if several hooks have such a value.
  */
 internal class HookColumn private constructor(private val hook: String, private val name: String, val title: String) {
     /** Its text in [row]; null without one. */
     fun textIn(row: TableRow): String? = row.hookValues.find { it.hook == hook && it.name == name }?.text
 
     companion object {
-        /** What [rows] have of hooks, in the order in which it first comes. */
+        /** A column of a hook's values in [rows], in order of first appearance. */
         fun of(rows: List<TableRow>): List<HookColumn> {
             val columns = rows.flatMap { row -> row.hookValues.map { it.hook to it.name } }.distinct()
             val hooks = columns.groupBy({ it.second }, { it.first })
