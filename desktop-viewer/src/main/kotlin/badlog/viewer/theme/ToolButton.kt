@@ -31,12 +31,12 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 
 /**
- * A small button of an icon, of a text, or of both.
+ * A small button with an icon, a text, or both.
  *
- * @param description what it does: its tip, and what screen readers and tests know it by.
- * @param text what stands on it, or null for the icon alone.
- * @param color of what stands on it while it is neither on nor disabled.
- * @param isOn whether it stands for something that is on.
+ * @param description what it does: its tooltip, and its name for screen readers and tests.
+ * @param text its text; null for the icon only.
+ * @param color of its icon and text while it is neither on nor disabled.
+ * @param isOn whether what it represents is on.
  */
 @Composable
 internal fun ToolButton(
@@ -80,11 +80,11 @@ internal fun ToolButton(
     }
 }
 
-/** Explains [content] by [text] when the pointer rests on it. */
+/** Shows [text] as a tooltip when the pointer rests on [content]. */
 @Composable
 internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) = Tip({ text }, modifier, content)
 
-/** The same with a text that is only found out then. */
+/** The same with a text that is computed only then. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 internal fun Tip(text: () -> String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {

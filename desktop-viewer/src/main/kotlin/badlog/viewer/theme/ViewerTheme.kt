@@ -15,7 +15,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import kotlinx.serialization.Serializable
 
-/** Which colors the window has. */
+/** The color theme of the window. */
 @Serializable
 internal enum class Theme {
     SYSTEM,
@@ -24,8 +24,8 @@ internal enum class Theme {
     ;
 
     /**
-     * Returns what a click makes of it, where the system [isSystemDark]: always the other colors than those seen, by the system's own
-     * choice where that is so.
+     * Returns the theme after a click if the system [isSystemDark]: always the opposite of the visible colors, [SYSTEM] if that has
+     * them.
      */
     fun other(isSystemDark: Boolean): Theme {
         val wantsDark = when (this) {
@@ -41,7 +41,7 @@ internal enum class Theme {
     }
 }
 
-/** Gives [content] the colors of [theme], and small letters: much is to be seen at once. */
+/** Shows [content] in the colors of [theme] and with small text, so that more fits on the screen. */
 @Composable
 internal fun ViewerTheme(theme: Theme, content: @Composable () -> Unit) {
     val isDark = when (theme) {

@@ -11,15 +11,15 @@ import badlog.viewer.recording.FilteredEvents
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.recording.Signal
 
-/** Returns whether [signal] is a list of what happened, which no line draws. */
+/** Whether [signal] is a list of events, which is not drawn as a line. */
 internal fun OpenRecording.isEvents(signal: Signal): Boolean =
     !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
 
-/** Returns the graph to which a click on a topic adds it; null where it has a graph of its own. */
+/** Returns the graph to which a click on a topic adds it; null if it gets its own graph. */
 internal fun targetOf(board: GraphBoard, topics: TopicListing): BoardGraph? =
     topics.state.target?.let { id -> board.state.graphs.find { it.id == id } }
 
-/** Draws [signal] in the graph of [targetOf], or no longer; where there is none, in a graph of its own, see [toggleDrawn]. */
+/** Adds [signal] to the graph of [targetOf] or removes it; if there is none, toggles its own graph, see [toggleDrawn]. */
 internal fun toggleIn(
     current: CurrentRecording,
     board: GraphBoard,
@@ -36,8 +36,8 @@ internal fun toggleIn(
 }
 
 /**
- * Gives [signal] a graph of its own, with what is target or actual of the same thing; goes to that where it is out of sight, or else takes
- * it away. Of events, opens the list.
+ * Adds a graph for [signal], together with its target or actual value. If the graph exists already, scrolls to it if it is out of sight,
+ * otherwise removes it. For events, opens the list.
  */
 internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: FilteredEvents, panels: WindowPanels, signal: Signal) {
     if (signal.isEmpty) return

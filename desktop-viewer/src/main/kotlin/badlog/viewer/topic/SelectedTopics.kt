@@ -19,7 +19,7 @@ import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** What can be done with the topics that are selected. */
+/** The actions for the selected topics. */
 @Composable
 internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics: TopicListing) {
     val selected = topics.state.selected

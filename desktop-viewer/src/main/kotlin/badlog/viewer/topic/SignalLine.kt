@@ -70,11 +70,11 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
 /**
- * A signal of the list of topics. A click draws it, with Ctrl or Shift it chooses; a drag takes it to a graph, with all that are
- * selected where it is one of them.
+ * A signal in the list of topics. A click draws it, a click with Ctrl or Shift selects it; a drag takes it to a graph, together
+ * with all selected signals if it is one of them.
  *
- * @param place of the color of its line in the first graph that draws it, null when none does.
- * @param showsValue whether there is room for its value beside its name.
+ * @param place of the color of its line in the first graph that draws it; null if none does.
+ * @param showsValue whether its value fits beside its name.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -134,7 +134,7 @@ internal fun SignalLine(
         ) {
             KindMark(signal, open.isEvents(signal), place)
             val title = withMatches(signal.title, topics.state.query, palette)
-            // A tip costs as much as the rest of the row, so only the one under the pointer has it.
+            // A tooltip costs as much as the rest of the row, so only the row under the pointer has one.
             if (isHovered) {
                 val explanation = signal.definition?.let { "Formula: $it" } ?: signal.name
                 Tip(explanation, Modifier.weight(1f)) { Title(title, isDrawn = place != null, Modifier.fillMaxWidth()) }
@@ -157,7 +157,7 @@ private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
     Text(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null, maxLines = 1, overflow = TextOverflow.Ellipsis)
 }
 
-/** Returns what a drag that begins at [name] takes along. */
+/** Returns the names of the signals that a drag from [name] moves. */
 internal fun namesToTake(list: TopicList, name: String): List<String> = if (name in list.selected) list.selected else listOf(name)
 
 private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListing, row: SignalRow): List<ContextMenuItem> {
@@ -178,7 +178,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
     } + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
 }
 
-/** What sort of signal it is, or the color of its line where one is drawn at [place] of a graph. */
+/** The kind of the signal, or the color of its line if one is drawn at [place] of a graph. */
 @Composable
 internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
     val palette = LocalPalette.current
@@ -197,7 +197,7 @@ internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
     }
 }
 
-/** The value of [signal] under the cursor, or how many events it has. A leaf, as it changes while the pointer moves. */
+/** The value of [signal] at the cursor, or its number of events. A composable of its own because it changes while the pointer moves. */
 @Composable
 internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
     if (signal.isEmpty) {
@@ -230,10 +230,10 @@ private fun ValueText(text: String) {
     )
 }
 
-/** Lets what it modifies be dragged as the signals that [names] gives when the drag begins. */
+/** Makes an element draggable: it carries the signals that [names] returns when the drag begins. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun Modifier.draggedAsSignals(color: Color, names: () -> List<String>): Modifier = dragAndDropSource(
-    // Plain: a picture of the row would be recorded for every row.
+    // Only a color: a picture would be recorded for every row.
     drawDragDecoration = { drawRoundRect(color, alpha = 0.4f) },
 ) {
     DragAndDropTransferData(

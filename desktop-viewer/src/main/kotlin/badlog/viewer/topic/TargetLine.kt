@@ -17,7 +17,9 @@ import badlog.viewer.menu.ClosesByEscape
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 
-/** Says, above the list of topics, to which graph a click adds one, and ends that; nothing where each has a graph of its own. */
+/**
+ * Shows above the list of topics to which graph a click adds one, with a button that ends this; nothing if each topic gets its own graph.
+ */
 @Composable
 internal fun TargetLine(board: GraphBoard, topics: TopicListing) {
     val wanted = topics.state.target ?: return

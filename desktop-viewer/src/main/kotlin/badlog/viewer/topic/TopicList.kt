@@ -4,15 +4,15 @@ import badlog.plot.outline.MANY_FOLDERS
 import badlog.viewer.part.Part
 
 /**
- * How the list of topics is shown. Never changes; each transition gives a new one.
+ * The state of the list of topics. Immutable; each transition returns a new one.
  *
- * @property query words that must be in the full name of what is listed, regardless of case.
- * @property folded the paths of the folders that are closed; a search opens them all.
+ * @property query words that the full name of each listed topic must contain, ignoring case.
+ * @property folded the paths of the closed folders; a search opens all folders.
  * @property known the paths of all folders that were listed so far.
- * @property marked the name of the signal on which the keyboard stands, or null.
- * @property searchesAsked how often the keyboard asked for the search field.
- * @property target the graph to which a click adds a topic, by its id; null for a graph of its own.
- * @property selected the names of the signals that are selected, in the order in which they were.
+ * @property marked the name of the signal with the keyboard focus, or null.
+ * @property searchesAsked how often the search field was requested from the keyboard.
+ * @property target the id of the graph to which a click adds a topic; null for a new graph.
+ * @property selected the names of the selected signals, in the order of selection.
  */
 internal data class TopicList(
     val query: String = "",
@@ -23,30 +23,30 @@ internal data class TopicList(
     val searchesAsked: Int = 0,
     val target: Int? = null,
 ) {
-    /** Lists a log with [folders]. Where they are many, those that are new begin closed; the others stay as a person left them. */
+    /** Lists a log with [folders]. If there are many, new folders are closed at first; the others stay as the user left them. */
     fun listing(folders: Set<String>): TopicList =
         copy(folded = if (folders.size > MANY_FOLDERS) folded + (folders - known) else folded, known = known + folders, target = null)
 
-    /** Returns a click adds a topic to graph [id], or takes it out; for null it draws it in a graph of its own again. */
+    /** From now on, a click adds a topic to graph [id] or removes it; for null, it draws the topic in its own graph again. */
     fun adding(id: Int?): TopicList = copy(target = id)
 
-    /** Closes folder [path], or opens it. */
+    /** Closes or opens folder [path]. */
     fun toggledFolder(path: String): TopicList = copy(folded = if (path in folded) folded - path else folded + path)
 
-    /** Selects [name], or no longer. */
+    /** Selects or deselects [name]. */
     fun toggled(name: String): TopicList = copy(selected = if (name in selected) selected - name else selected + name)
 
-    /** Searches for [query]; the keyboard stands nowhere in what is found. */
+    /** Searches for [query]; no result has the keyboard focus. */
     fun searching(query: String): TopicList = copy(query = query, marked = null)
 
-    /** The keyboard stands [steps] further down [rows], or on the first; on none where there are none. */
+    /** Moves the keyboard focus [steps] down in [rows], or to the first; to none if there are none. */
     fun marking(steps: Int, rows: List<TopicRow>): TopicList {
         val listed = rows.filterIsInstance<SignalRow>().map { it.signal.name }
         val at = listed.indexOf(marked)
         return copy(marked = listed.getOrNull(if (at < 0) 0 else (at + steps).coerceIn(listed.indices)))
     }
 
-    /** Selects all of [rows] from the one selected last to [name], in the order in which they are listed. */
+    /** Selects all of [rows] from the last selected one to [name], in the order of the list. */
     fun selectedTo(name: String, rows: List<TopicRow>): TopicList {
         val listed = rows.filterIsInstance<SignalRow>().map { it.signal.name }
         val from = listed.indexOf(selected.lastOrNull())
@@ -57,5 +57,5 @@ internal data class TopicList(
     }
 }
 
-/** How the window's list of topics is shown. */
+/** The state of the window's list of topics. */
 internal class TopicListing : Part<TopicList>(TopicList())

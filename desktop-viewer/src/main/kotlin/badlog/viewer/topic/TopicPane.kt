@@ -69,7 +69,7 @@ import kotlinx.coroutines.withContext
 /**
  * The topics of the open recording by folder.
  *
- * @param topicsWithFindings gives the names of those that a finding is about.
+ * @param topicsWithFindings returns the names of the topics that a finding is about.
  */
 @Composable
 internal fun TopicPane(
@@ -111,7 +111,7 @@ internal fun TopicPane(
     }
 }
 
-/** In the field of the search, the arrow keys go through what is listed, and Enter draws that, or else the first. */
+/** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
 private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: List<TopicRow>, draw: (String) -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when (event.key) {
@@ -149,7 +149,7 @@ private fun Rows(
         return
     }
     val graphs = board.state
-    // As graphs color their lines: of several recordings each line has a color for each.
+    // As in graphs: with several recordings, each line has a color per recording.
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
@@ -176,7 +176,7 @@ private fun Rows(
     }
 }
 
-/** Returns what can be drawn of the folder [path] of [open]. */
+/** Returns the menu of what can be drawn of folder [path] of [open]. */
 private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): List<ContextMenuItem> {
     val names = topicsIn(path, open.signals.filter { !open.isEvents(it) }).map { it.name }
     if (names.isEmpty()) return emptyList()
@@ -214,10 +214,10 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
     }
 }
 
-/** Returns how far what lies in [depth] folders stands from the edge; deep ones keep room for their names. */
+/** Returns the indentation at [depth] folders; it is limited, so that there is room for names. */
 internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, MAX_DEPTH)).dp
 
-/** Returns [text] with what the words of [query] find in it marked. */
+/** Returns Returns [text] with the matches of the words of [query] highlighted. */
 internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
     val isFound = BooleanArray(text.length)
     for (word in Query(query).words) {
@@ -232,7 +232,7 @@ internal fun withMatches(text: String, query: String, palette: Palette): Annotat
     }
 }
 
-/** In a narrower pane a value would leave no room for the name. */
+/** In a narrower pane, a value would leave no room for the name. */
 private val ROOMY = 190.dp
 
 private const val MAX_DEPTH = 6

@@ -5,8 +5,8 @@ import badlog.viewer.recording.Signal
 import badlog.viewer.recording.isFoundBy
 
 /**
- * Returns the lines that the list of topics has for [signals]: in each folder its signals in their order, then its folders
- * by name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
+ * Returns the rows of the list of topics for [signals]: in each folder its signals in their order, then its folders by
+ * name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
  *
  * @param found the names of the topics that a finding is about.
  */
@@ -27,7 +27,7 @@ internal fun topicRows(
     return rows
 }
 
-/** Returns the paths of all folders that [signals] are in. */
+/** Returns the paths of all folders that contain [signals]. */
 internal fun foldersOf(signals: List<Signal>): Set<String> {
     val folders = HashSet<String>()
     for (signal in signals) {
@@ -37,7 +37,7 @@ internal fun foldersOf(signals: List<Signal>): Set<String> {
     return folders
 }
 
-/** Those of [signals] that the folder [path] lists, and the folders in it. */
+/** Returns those of [signals] that are in the folder [path] or in its folders. */
 internal fun topicsIn(path: String, signals: List<Signal>): List<Signal> = signals.filter { signal ->
     val folder = signal.folder.split('/').filter { it.isNotEmpty() }.joinToString("/")
     folder == path || folder.startsWith("$path/")
@@ -74,10 +74,10 @@ private class TopicFolder(val path: String, val title: String) {
 private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::title).thenBy { it.title }
 
 /**
- * A line of the list of topics.
+ * A row of the list of topics.
  *
- * @property depth in how many folders it lies.
- * @property key identifies it among the lines.
+ * @property depth the number of folders around it.
+ * @property key identifies it among the rows.
  */
 internal sealed interface TopicRow {
     val depth: Int
@@ -89,7 +89,7 @@ internal sealed interface TopicRow {
  *
  * @property path its full name.
  * @property title its own name.
- * @property count how many signals are listed in it, and in the folders in it.
+ * @property count the number of signals listed in it and its folders.
  */
 internal data class FolderRow(override val depth: Int, val path: String, val title: String, val count: Int, val isOpen: Boolean) :
     TopicRow {

@@ -31,19 +31,19 @@ import kotlin.math.roundToInt
 /**
  * A frame of a video.
  *
- * @property time when it begins, in seconds from the video's start.
+ * @property time its start, in seconds from the start of the video.
  */
 internal class VideoFrame(val time: Double, private val bitmap: Bitmap) : AutoCloseable {
-    /** It as it is drawn, upright. */
+    /** The image to draw, upright. */
     val image: ImageBitmap = bitmap.asComposeImageBitmap()
 
-    /** Gives its memory back, which is too much to wait for the collector. Nobody may draw it after that. */
+    /** Frees its memory, which is too much to leave to the garbage collector. It must not be drawn afterwards. */
     override fun close() = bitmap.close()
 }
 
-/** Makes pictures of decoded frames: upright, their pixels square, none longer than [MAX_SIDE]. */
+/** Makes pictures of decoded frames: upright, with square pixels, and with no side longer than [MAX_SIDE]. */
 internal class FramePicture : AutoCloseable {
-    /** How many quarters of a turn a frame is turned clockwise, 0 to 3: phones store them as the sensor saw them. */
+    /** The clockwise rotation of a frame in quarter turns, 0 to 3: phones store frames as the sensor saw them. */
     var turns = 0
     private val scaled: AVFrame = av_frame_alloc()
     private var scaler: SwsContext? = null
@@ -109,19 +109,19 @@ internal class FramePicture : AutoCloseable {
 
     private fun bitmapOf(width: Int, height: Int, bytes: ByteArray, stride: Int) = Bitmap().apply {
         installPixels(ImageInfo(width, height, ColorType.BGRA_8888, ColorAlphaType.OPAQUE), bytes, stride)
-        // What never changes is drawn without a copy.
+        // An immutable bitmap is drawn without a copy.
         setImmutable()
     }
 
     private companion object {
         const val BYTES = 4
 
-        /** Pixels: more than the panel has room for on most screens, and a picture of 4K would be 33 MB. */
+        /** In pixels: larger than the panel on most screens; a 4K picture would take 33 MB. */
         const val MAX_SIDE = 1280.0
     }
 }
 
-/** By how many quarters of a turn, clockwise, a video of [parameters] is to be shown. */
+/** Returns the clockwise rotation in quarter turns for a video with [parameters]. */
 internal fun quarterTurns(parameters: AVCodecParameters): Int {
     val side = parameters.coded_side_data()?.takeUnless { it.isNull } ?: return 0
     val matrix = av_packet_side_data_get(side, parameters.nb_coded_side_data(), AV_PKT_DATA_DISPLAYMATRIX) ?: return 0

@@ -5,28 +5,28 @@ import java.util.concurrent.ExecutorService
 import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicReference
 
-/** What reads the frames of one video. What it is asked for comes later; of several requests that wait, the latest wins. */
+/** Reads the frames of one video asynchronously; of several waiting requests, only the latest is answered. */
 internal interface FrameSource : AutoCloseable {
-    /** Wants the frame of the moment [seconds]; [leads] is passed on with it. */
+    /** Requests the frame at [seconds]; [leads] is passed on with it. */
     fun seek(seconds: Double, leads: Boolean)
 
-    /** Wants the frame [count] after the one that is shown, or before it when negative. */
+    /** Requests the frame [count] frames after the current one, or before it if negative. */
     fun step(count: Int)
 }
 
 /**
- * What a [FrameSource] has read.
+ * A frame read by a [FrameSource].
  *
- * @property duration how long the video lasts, in seconds; 0 where its file does not say.
- * @property leads whether the cursor is to follow: the video was stepped, or moved by itself.
+ * @property duration the duration of the video in seconds; 0 if its file does not contain it.
+ * @property leads whether the cursor follows: the user stepped or moved the video.
  */
 internal class ReadFrame(val frame: VideoFrame, val duration: Double, val leads: Boolean)
 
 /**
- * Reads [path] on a thread of its own, from its first frame on.
+ * Reads [path] on its own thread, starting with the first frame.
  *
- * @param onFrame hears of each frame, on that thread.
- * @param onFailure hears, on that thread, why there is nothing to see.
+ * @param onFrame receives each frame, on that thread.
+ * @param onFailure receives, on that thread, the reason why nothing can be shown.
  */
 internal class FrameReader(
     private val path: Path,
@@ -36,7 +36,7 @@ internal class FrameReader(
     private val thread: ExecutorService = Executors.newSingleThreadExecutor { work -> Thread(work, "video").apply { isDaemon = true } }
     private val wanted = AtomicReference<Wanted?>(null)
 
-    /** Of the thread alone. */
+    /** Used only by the thread. */
     private var file: VideoFile? = null
 
     init {

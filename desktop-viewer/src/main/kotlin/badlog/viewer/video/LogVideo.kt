@@ -23,11 +23,11 @@ import java.nio.file.Path
 /**
  * The video beside the log.
  *
- * @property file it; null for none.
- * @property frame what is shown of it; null until the first was read.
- * @property duration how long it lasts, in seconds; 0 while nobody knows.
- * @property alignment where it lies beside the log; null where video and cursor go their own ways.
- * @property problem why there is nothing to see; null while there is.
+ * @property file its file; null for none.
+ * @property frame the current frame; null until the first was read.
+ * @property duration its duration in seconds; 0 while unknown.
+ * @property alignment its position in the log's time; null if video and cursor are not linked.
+ * @property problem why nothing can be shown; null if there is no problem.
  */
 internal data class ShownVideo(
     val file: Path? = null,
@@ -38,10 +38,10 @@ internal data class ShownVideo(
 )
 
 /**
- * The video beside the [current] log: as soon as it is aligned, the cursor moves the video, and a video that is stepped moves the cursor.
+ * The video beside the [current] log: once they are aligned, the cursor moves the video, and stepping the video moves the cursor.
  *
- * @param settings remember for each log which video it was, and where that lies.
- * @param source reads a file: it is given who hears of its frames, and of why there are none.
+ * @param settings remember the video of each log and its alignment.
+ * @param source opens a file; it receives the callbacks for frames and for failures.
  */
 internal class LogVideo(
     private val scope: CoroutineScope,
@@ -55,28 +55,28 @@ internal class LogVideo(
 ) : Part<ShownVideo>(ShownVideo()) {
     private var reader: FrameSource? = null
 
-    /** Drawn until now: what draws it may still be under way. */
+    /** The previous frame: it may still be being drawn. */
     private var before: VideoFrame? = null
 
-    /** Where the video has put the cursor: from there it is not led back. */
+    /** Where the video has put the cursor: this does not move the video again. */
     private var place: Double? = null
 
-    /** How many seconds one x is; null where x is not a time, and a video has no place. */
+    /** The number of seconds per unit of x; null if x is not a time, so that a video cannot be aligned. */
     val secondsOfX: Double? get() = current.recording?.let { Units.secondsIn(it.view.xAxis.unit) }
 
-    /** Follows the cursor, and shows with each log the video that was shown with it before; ends with the window. */
+    /** Follows the cursor, and shows with each log its previous video; runs until the window closes. */
     suspend fun run() = coroutineScope {
         launch { snapshotFlow { current.recording?.file }.collect(::showRemembered) }
         launch { snapshotFlow { Followed(view.cursor, state.alignment?.startSeconds, state.file) }.collect { follow() } }
     }
 
-    /** Asks for a video, and shows it. */
+    /** Asks the user for a video and shows it. */
     fun askForVideo() {
         val log = current.recording ?: return sayNoLog(notices)
         files.toRead("Open a video", state.file?.parent ?: log.file.parent)?.let(::open)
     }
 
-    /** Shows [file] beside the log, where a video of that name lay before. */
+    /** Shows [file] beside the log, aligned as a video of that name was before. */
     fun open(file: Path) {
         if (current.recording == null) return sayNoLog(notices)
         if (secondsOfX == null) return notices.complain("The x axis of this log is not a time, so no video can be shown beside it.")
@@ -84,34 +84,34 @@ internal class LogVideo(
         remember()
     }
 
-    /** Closes the video, which does not come again with the log. */
+    /** Closes the video; it is no longer shown with the log. */
     fun close() {
         clear()
         val log = current.recording?.file ?: return
         settings.change { withVideo("$log", null) }
     }
 
-    /** Shows the frame [count] after this one, or before it when negative; the cursor follows. */
+    /** Shows the frame [count] frames after this one, or before it if negative; the cursor follows. */
     fun step(count: Int) {
         if (state.frame == null) return
         player.change { copy(isPlaying = false) }
         reader?.step(count)
     }
 
-    /** Shows the moment [seconds] from the video's start; the cursor follows. */
+    /** Shows the frame at [seconds] from the start of the video; the cursor follows. */
     fun seek(seconds: Double) {
         player.change { copy(isPlaying = false) }
         reader?.seek(seconds, leads = true)
     }
 
-    /** The robot is enabled in the frame that is shown: it belongs where the time enabled begins that is visible, or else the first. */
+    /** Aligns the current frame, in which the robot is enabled, with the start of the visible enabled period, or else of the first one. */
     fun alignEnabled() {
         val open = current.recording ?: return
         val x = enabledStart(open.enabled.map { it.span }, view.viewport.visible)
         if (x == null) notices.complain("This log does not say when the robot was enabled.") else align(x)
     }
 
-    /** Lets video and cursor go their own ways; or, where they do, the frame that is shown belongs where the cursor is. */
+    /** Unlinks video and cursor; if they are unlinked, aligns the current frame with the cursor. */
     fun toggleLink() {
         if (state.alignment == null) {
             val x = view.cursor ?: return notices.complain("Click a graph first.")
@@ -132,7 +132,7 @@ internal class LogVideo(
     private fun show(file: Path, alignment: VideoAlignment?) {
         clear()
         change { ShownVideo(file, alignment = alignment) }
-        // What another file still had under way is of no interest.
+        // Late results of another file are ignored.
         fun ifStill(action: () -> Unit) = scope.launch { if (state.file === file) action() }
         reader = source(file, { read -> ifStill { show(read) } }) { problem -> ifStill { change { copy(problem = problem.message) } } }
     }
@@ -188,12 +188,12 @@ internal class LogVideo(
     private data class Followed(val cursor: Double?, val start: Double?, val file: Path?)
 }
 
-/** Lets FFmpeg unpack its libraries into [folder] when it is loaded, rather than into the user's home. */
+/** Makes FFmpeg unpack its libraries into [folder] when it is loaded, instead of the user's home. */
 internal fun unpackFfmpegInto(folder: Path) {
     System.setProperty("org.bytedeco.javacpp.cachedir", "${folder.toAbsolutePath()}")
 }
 
-/** Returns whether [file] is a video by its name. */
+/** Whether [file] is a video, judged by its name. */
 internal fun isVideo(file: Path): Boolean = file.fileName.toString().substringAfterLast('.').lowercase() in ENDINGS
 
 private val ENDINGS = setOf("mp4", "mov", "m4v", "mkv", "webm", "avi", "mts", "mpg", "3gp")

@@ -39,12 +39,12 @@ import java.nio.file.Path
 import kotlin.math.floor
 
 /**
- * The frames of a video, each found by its time exactly: what a seek leaves out is decoded. FFmpeg is loaded when the first file is opened. To be
- * used by one thread at a time.
+ * The frames of a video. Each seek finds the exact frame, by decoding from the frame before it that the file can jump to. FFmpeg is loaded
+ * when the first file is opened. Use it from one thread at a time.
  *
  * Times are in seconds from the start of the file, as browsers count them.
  *
- * @throws VideoException when [path] is not a video that can be read.
+ * @throws VideoException if [path] is not a readable video.
  */
 internal class VideoFile(private val path: Path) : AutoCloseable {
     private val format = AVFormatContext(null)
@@ -55,15 +55,15 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
     private var origin = 0.0
     private var isAtEnd = false
 
-    /** The frame that is shown, the one after it, and the one that is being decoded. */
+    /** The current frame, the next one, and the one being decoded. */
     private var shown: TimedFrame
     private var ahead: TimedFrame
     private val picture: FramePicture
 
-    /** How long the video lasts, in seconds; 0 where the file does not say. */
+    /** The duration of the video in seconds; 0 if the file does not contain it. */
     val duration: Double get() = maxOf(0.0, format.duration() / MICROS)
 
-    /** When the frame that is shown begins. */
+    /** The start of the current frame. */
     val time: Double get() = shown.time
 
     init {
@@ -98,14 +98,14 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         return avcodec_open2(context, decoder, null as AVDictionary?) >= 0
     }
 
-    /** Shows the frame of the moment [seconds]: the last that begins then or before. The first before the start, the last beyond the end. */
+    /** Shows the frame at [seconds]: the last that begins then or earlier, but the first frame before the start. */
     fun seek(seconds: Double) {
         val isNear = seconds - shown.time in -TOLERANCE..NEAR
         if (!isNear) jump(seconds)
         while (ahead.isThere && ahead.time <= seconds + TOLERANCE) next()
     }
 
-    /** Shows the next frame; false at the end. */
+    /** Shows the next frame. Returns false at the end. */
     fun next(): Boolean {
         if (!ahead.isThere) return false
         val free = shown
@@ -115,14 +115,14 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         return true
     }
 
-    /** Shows the frame before; false at the start. */
+    /** Shows the previous frame. Returns false at the start. */
     fun previous(): Boolean {
         val before = shown.time
         seek(before - 2 * TOLERANCE)
         return shown.time < before
     }
 
-    /** Returns the picture of the frame that is shown. */
+    /** Returns the picture of the current frame. */
     fun picture(): VideoFrame = VideoFrame(shown.time, picture.of(shown.frame, format.streams(stream)))
 
     override fun close() {
@@ -134,7 +134,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         avformat_close_input(format)
     }
 
-    /** Goes to a frame at [seconds] or before, from which decoding leads there. */
+    /** Jumps to a frame at [seconds] or earlier from which decoding can start. */
     private fun jump(seconds: Double) {
         var back = 0.0
         do {
@@ -151,12 +151,12 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
             shown.clear()
             decode(ahead)
             next()
-            // Of frames that were stored in another order, a seek may end behind the one that is wanted.
+            // If frames are stored in another order, a seek may end after the requested one.
             back = if (back == 0.0) 1.0 else back * 2
         } while ((!shown.isThere || shown.time > seconds + TOLERANCE) && target > 0)
     }
 
-    /** Decodes the next frame into [into]; false, and nothing there, at the end of the file. */
+    /** Decodes the next frame into [into]. Returns false at the end of the file, and [into] is then empty. */
     private fun decode(into: TimedFrame): Boolean {
         into.clear()
         val latest = shown.time
@@ -173,7 +173,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         }
     }
 
-    /** Gives the decoder what comes next in the file; what it cannot use is left out. */
+    /** Passes the next packet of the file to the decoder; packets that it cannot use are skipped. */
     private fun feed() {
         while (true) {
             if (av_read_frame(format, packet) < 0) {
@@ -205,10 +205,10 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         const val MICROS = 1e6
         const val THREADS = 2
 
-        /** In seconds: alignments are rounded to as much. No camera has shorter frames. */
+        /** In seconds. Alignments are rounded to this; no camera has shorter frames. */
         const val TOLERANCE = 1e-4
 
-        /** So many seconds are decoded rather than jumped over. */
+        /** Distances up to this many seconds are decoded instead of jumped over. */
         const val NEAR = 0.5
     }
 }

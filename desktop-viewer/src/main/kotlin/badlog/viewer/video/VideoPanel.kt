@@ -25,7 +25,7 @@ import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
 import java.util.Locale
 
-/** The video beside [open], and what aligns it. */
+/** The video beside [open], and the buttons that align it. */
 @Composable
 internal fun VideoPanel(video: LogVideo, open: OpenRecording, modifier: Modifier = Modifier) {
     Column(modifier) {
@@ -65,7 +65,7 @@ private fun ColumnScope.ShownFrame(video: LogVideo, shown: ShownVideo, frame: Vi
     Image(
         frame.image,
         "Video at ${secondsText(frame.time)}",
-        // As wide as the panel, unless what stands below had no room.
+        // As wide as the panel, unless the controls below would not fit.
         Modifier.weight(1f, fill = false).aspectRatio(frame.image.width.toFloat() / frame.image.height).align(Alignment.CenterHorizontally),
         contentScale = ContentScale.FillBounds,
     )
@@ -102,7 +102,7 @@ private fun Hint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
-/** Returns [seconds] from the video's start, as in `1:23.467`. */
+/** Returns Returns [seconds] from the start of the video as text, such as `1:23.467`. */
 internal fun secondsText(seconds: Double): String {
     val millis = Math.round(maxOf(0.0, seconds) * MILLIS)
     return String.format(Locale.ROOT, "%d:%02d.%03d", millis / MINUTE, millis / MILLIS % SECONDS, millis % MILLIS)

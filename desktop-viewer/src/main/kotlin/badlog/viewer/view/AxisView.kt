@@ -9,78 +9,78 @@ import badlog.plot.cursor.Cursors
 import badlog.plot.range.Viewport
 
 /**
- * What all graphs share of x: the part of it that is visible, the cursor, the selection, and what is being dragged. To be used on
- * the window's thread only.
+ * The state of x that all graphs share: the visible range, the cursors, the selection, and the current drag. Use it only on the
+ * window's thread.
  */
 internal class AxisView {
     private var state by mutableStateOf(AxisState())
 
-    // Each read by itself, so that a cursor that moves draws nothing again but the cursor. What is put together of them for a
-    // snapshotFlow needs an equals of its own, as data classes have: else each move of the cursor flows on as news.
+    // Each is read separately, so that moving the cursor redraws only the cursor. Combinations of them for a snapshotFlow
+    // need their own equals, as data classes have; otherwise each move of the cursor emits a new value.
 
-    /** Which part of x is visible. */
+    /** The visible range of x. */
     val viewport: Viewport by derivedStateOf { state.viewport }
 
     /** The cursors, the same in all graphs. */
     val cursors: Cursors by derivedStateOf { state.cursors }
 
-    /** Where on x values are read; null for nowhere. */
+    /** The x at which values are read; null for none. */
     val cursor: Double? by derivedStateOf { state.cursors.x }
 
-    /** Whether the cursor stays where it is rather than going with the pointer. */
+    /** Whether the cursor stays where it is instead of following the pointer. */
     val isCursorPinned: Boolean by derivedStateOf { state.cursors.isPinned }
 
-    /** Where the cursor stands that is compared with the first; null for nowhere. */
+    /** The x of the second cursor, which is compared with the first; null for none. */
     val secondCursor: Double? by derivedStateOf { state.cursors.second }
 
-    /** The part of x that a person has selected, or null. */
+    /** The selected range of x, or null. */
     val selection: Span? by derivedStateOf { state.selection }
 
-    /** What is being dragged over a graph now, or null. */
+    /** The current drag over a graph, or null. */
     val gesture: PlotGesture? by derivedStateOf { state.gesture }
 
-    /** Shows all of [full], as of another recording: without a cursor and a selection. */
+    /** Shows all of [full], as for another recording: without cursor and selection. */
     fun show(full: Span) {
         state = AxisState(Viewport(full))
     }
 
-    /** Replaces the visible range by what [transition] makes of it. */
+    /** Replaces the visible range by the result of [transition]. */
     fun change(transition: Viewport.() -> Viewport) {
         state = state.copy(viewport = state.viewport.transition())
     }
 
-    /** Puts the cursors where [step] leads to. */
+    /** Replaces the cursors by the result of [step]. */
     fun changeCursors(step: Cursors.() -> Cursors) {
         state = state.copy(cursors = state.cursors.step())
     }
 
-    /** Places the cursor at [x], as it is: pinned, or where the pointer could be. */
+    /** Places the cursor at [x]; a pinned cursor stays pinned. */
     fun placeCursor(x: Double) = changeCursors { if (isPinned) pinnedAt(x) else hovering(x) }
 
-    /** Pins the cursor at [x], and shows that. */
+    /** Pins the cursor at [x] and shows it. */
     fun goTo(x: Double) {
         state = state.copy(cursors = state.cursors.pinnedAt(x), viewport = state.viewport.revealing(x))
     }
 
-    /** Pins the cursor at [x], and shows what is around [span]. */
+    /** Pins the cursor at [x] and shows the surroundings of [span]. */
     fun goTo(x: Double, span: Span) {
         state = state.copy(cursors = state.cursors.pinnedAt(x), viewport = state.viewport.around(span.from, span.to).revealing(x))
     }
 
-    /** Selects [span]; null for nothing. */
+    /** Selects [span]; null selects nothing. */
     fun select(span: Span?) {
         state = state.copy(selection = span)
     }
 
-    /** Is being dragged by [gesture] from now on; null when that has ended. */
+    /** Sets the current drag to [gesture]; null when it has ended. */
     fun drag(gesture: PlotGesture?) {
         state = state.copy(gesture = gesture)
     }
 
     /**
-     * Cancels what a person is in the middle of: a drag, else the selection, else the second cursor, else the pinned one, else the cursor.
+     * Cancels the first of these that exists: drag, selection, second cursor, pinned cursor, cursor.
      *
-     * @return whether there was anything.
+     * @return whether there was one.
      */
     fun cancel(): Boolean {
         val before = state

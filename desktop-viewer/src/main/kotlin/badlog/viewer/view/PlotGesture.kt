@@ -7,12 +7,12 @@ import badlog.plot.range.Viewport
 /**
  * A drag over the graphs.
  *
- * @property graph over which graph it began; null for the axis and the overview.
- * @property startX where on x it began.
- * @property startY where on the left axis of that graph.
- * @property x where on x it is now.
- * @property y where on that axis.
- * @property before what was seen when it began.
+ * @property graph the graph over which it began; null for the axis and the overview.
+ * @property startX the x at which it began.
+ * @property startY the value on the left axis of that graph at which it began.
+ * @property x the current x.
+ * @property y the current value on that axis.
+ * @property before the viewport when it began.
  */
 internal data class PlotGesture(
     val kind: DragKind,
@@ -23,9 +23,9 @@ internal data class PlotGesture(
     val x: Double = startX,
     val y: Double = startY,
 ) {
-    /** The part of x it has gone over. */
+    /** The range of x it covers. */
     val xSpan: Span get() = Span(minOf(startX, x), maxOf(startX, x))
 
-    /** The part of y it has gone over. */
+    /** The range of y it covers. */
     val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
 }
