@@ -3,7 +3,7 @@ package badlog.page.export
 import badlog.page.dom.saveFile
 import badlog.page.view.Notice
 import badlog.page.view.Scene
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.files.Blob
@@ -12,23 +12,27 @@ import kotlin.js.Date
 import kotlin.js.Promise
 
 /**
- * Promises [table] as a file. It is made in slices, so that the page stays responsive: if one slice is not enough, [notice] shows the
- * progress. Closing the notice cancels the work; the result is then null.
+ * Promises the table of [draft] as a file. It is made in slices, so that the page stays responsive: if one slice is not enough, [notice] shows
+ * the progress. Closing the notice cancels the work; the result is then null.
  */
-internal fun fileOf(table: CsvTable, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(table, notice, resolve).next() }
+internal fun fileOf(draft: CsvDraft, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(draft, notice, resolve).next() }
 
-/** Saves [table] under [name], and says how its rows were made if the log has none. */
-internal fun saveTable(scene: Scene, name: String, table: CsvTable) {
-    if (table.rowCount == 0) return scene.notice.say("There are no samples in the visible range; show a part of the log that has some.")
-    fileOf(table, scene.notice).then { file ->
+/** Saves the table of [draft] under [name], and says how its rows were made if the log has none. */
+internal fun saveTable(scene: Scene, name: String, draft: CsvDraft) {
+    fileOf(draft, scene.notice).then { file ->
         if (file == null) return@then
-        saveFile(file, fileNameOf(scene, name, ".csv"))
-        if (table.remark.isNotEmpty()) scene.notice.say("Saved ${table.rowCount} rows${table.remark}.")
+        val table = draft.table
+        if (table.rowCount == 0) {
+            scene.notice.say("There are no samples in the visible range; show a part of the log that has some.")
+        } else {
+            saveFile(file, fileNameOf(scene, name, ".csv"))
+            if (table.remark.isNotEmpty()) scene.notice.say("Saved ${table.rowCount} rows${table.remark}.")
+        }
     }
 }
 
-private class TableSlices(private val table: CsvTable, private val notice: Notice, private val done: (Blob?) -> Unit) {
-    private val parts = arrayListOf(Blob(arrayOf(table.header)))
+private class TableSlices(private val draft: CsvDraft, private val notice: Notice, private val done: (Blob?) -> Unit) {
+    private val parts = ArrayList<Blob>()
     private var row = 0
 
     /** The number of rows made at a time: a row may have one cell, or thousands. */
@@ -37,9 +41,11 @@ private class TableSlices(private val table: CsvTable, private val notice: Notic
 
     fun next() {
         if (isCancelled) return done(null)
-        val texts = ArrayList<String>()
-        // A browser runs the timers of a hidden page only once a second.
+        // A browser wakes a page that nobody sees only once a second.
         val end = Date.now() + if (document.asDynamic().hidden == true) HIDDEN_SLICE else SLICE
+        while (draft.step()) if (Date.now() > end) return goOn("Preparing", draft.share)
+        val table = draft.table
+        val texts = arrayListOf(if (parts.isEmpty()) table.header else "")
         do {
             val begin = Date.now()
             texts += table.text(row, rows)
@@ -47,14 +53,14 @@ private class TableSlices(private val table: CsvTable, private val notice: Notic
             if (Date.now() - begin < FEW) rows *= 2
         } while (row < table.rowCount && Date.now() < end)
         parts += Blob(texts.toTypedArray())
-        if (row < table.rowCount) {
-            val tenths = (row / (table.rowCount / TENTHS)).toInt()
-            notice.show("Making the table: ${tenths * 10} %") { isCancelled = true }
-            window.setTimeout(::next, 0)
-        } else {
-            notice.hide()
-            done(Blob(parts.toTypedArray(), BlobPropertyBag("text/csv")))
-        }
+        if (row < table.rowCount) return goOn("Making", row.toDouble() / table.rowCount)
+        notice.hide()
+        done(Blob(parts.toTypedArray(), BlobPropertyBag("text/csv")))
+    }
+
+    private fun goOn(what: String, share: Double) {
+        notice.show("$what the table: ${(share * TENTHS).toInt() * 10} %") { isCancelled = true }
+        window.setTimeout(::next, 0)
     }
 
     private companion object {

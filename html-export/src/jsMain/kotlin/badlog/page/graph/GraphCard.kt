@@ -21,7 +21,7 @@ import badlog.plot.board.BoardGraph
 import badlog.plot.board.asBoardGraph
 import badlog.plot.board.lineNames
 import badlog.plot.search.Query
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import badlog.plot.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -312,7 +312,7 @@ internal class GraphCard(
 
     private fun offerFiles() {
         val table = MenuEntry("${graph.title} as a table (CSV)") {
-            saveTable(scene, graph.title, CsvTable.of(scene.view, scene.range.now.takeIf { scene.range.isZoomed }, graph.series))
+            saveTable(scene, graph.title, CsvDraft.of(scene.view, scene.range.now.takeIf { scene.range.isZoomed }, graph.series))
         }
         val entries = imageEntries(scene, graph.title) { listOf(::drawOn) } + table
         openMenu(saveButton, element.parentElement.unsafeCast<HTMLElement>(), entries)

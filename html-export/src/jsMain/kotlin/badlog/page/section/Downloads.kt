@@ -11,7 +11,7 @@ import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
 import badlog.page.export.fileOf
 import badlog.page.view.Notice
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import badlog.recording.Recording
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -61,7 +61,7 @@ internal class Downloads(private val about: About, recording: Element, private v
 
     /** For an undamaged file with rows, its own text; for others what was read, so that damaged parts are left out or repaired. */
     private fun csv(): Promise<Blob?> = if (read.isSalvaged || !read.format.hasRows) {
-        fileOf(CsvTable.ofAll(LogView.of(read)), notice)
+        fileOf(CsvDraft.ofAll(LogView.of(read)), notice)
     } else {
         ownCsv()
     }

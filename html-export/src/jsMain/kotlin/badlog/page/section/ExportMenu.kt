@@ -10,7 +10,7 @@ import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
 import badlog.page.graph.GraphCard
 import badlog.page.view.Scene
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import org.w3c.dom.HTMLElement
 
 /** The menu of what can be exported: on paper, as pictures, as tables. [board] has the graphs of the board. */
@@ -31,11 +31,11 @@ internal class ExportMenu(private val scene: Scene, private val printing: Printi
         return buildList {
             add(MenuEntry("Print, or save as PDF: findings and board") { printing.open(isWhole = false) })
             add(MenuEntry("Print all graphs") { printing.open(isWhole = true) })
-            add(MenuEntry("Visible range as a table (CSV)") { saveTable(scene, "range", CsvTable.ofAll(scene.view, shown)) })
+            add(MenuEntry("Visible range as a table (CSV)") { saveTable(scene, "range", CsvDraft.ofAll(scene.view, shown)) })
             if (cards.isEmpty()) return@buildList
             addAll(imageEntries(scene, "Board") { cards.map { it::drawOn } })
             val lines = cards.flatMap { it.graph.series }.distinct()
-            add(MenuEntry("Board as a table (CSV)") { saveTable(scene, "Board", CsvTable.of(scene.view, shown, lines)) })
+            add(MenuEntry("Board as a table (CSV)") { saveTable(scene, "Board", CsvDraft.of(scene.view, shown, lines)) })
         }
     }
 }

@@ -4,7 +4,7 @@ import badlog.analysis.Span
 import badlog.bag.RecordingWriter
 import badlog.file.writeAtomically
 import badlog.plot.board.BoardGraph
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import badlog.recording.RecordingFormat
 import badlog.rules.ofPart
 import badlog.rules.timeText
@@ -60,13 +60,13 @@ internal class CutSaver(
 
     /** Saves the same for a spreadsheet. */
     fun saveTable() = ask("part", ".csv") { recording, span, target, progress ->
-        tableFile(recording, CsvTable.ofAll(recording.view, span), target, progress)
+        tableFile(recording, CsvDraft.ofAll(recording.view, span), target, progress)
     }
 
     /** Saves the same with only the lines of [graphs]. */
     fun saveTable(graphs: List<BoardGraph>) = ask("board", ".csv") { recording, span, target, progress ->
         val lines = graphs.flatMap { it.lines }.distinct().mapNotNull { recording.signal(it)?.line }
-        tableFile(recording, CsvTable.of(recording.view, span, lines), target, progress)
+        tableFile(recording, CsvDraft.of(recording.view, span, lines), target, progress)
     }
 
     private fun ask(name: String, ending: String, write: (OpenRecording, Span, Path, (Float) -> Unit) -> String) {

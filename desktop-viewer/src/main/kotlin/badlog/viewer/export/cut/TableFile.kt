@@ -1,7 +1,7 @@
 package badlog.viewer.export.cut
 
 import badlog.file.writeAtomically
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import badlog.viewer.recording.OpenRecording
 import java.io.IOException
 import java.nio.file.Files
@@ -13,13 +13,18 @@ import java.nio.file.Path
  * @return what was written, as a sentence.
  * @throws IOException with a sentence for the user, if there is nothing to write or [target] is the recording's own file.
  */
-internal fun tableFile(recording: OpenRecording, table: CsvTable, target: Path, progress: (Float) -> Unit = {}): String {
+internal fun tableFile(recording: OpenRecording, draft: CsvDraft, target: Path, progress: (Float) -> Unit = {}): String {
+    while (draft.step()) {
+        if (Thread.interrupted()) throw InterruptedException()
+        progress(draft.share.toFloat() * PREPARED)
+    }
+    val table = draft.table
     requireOther(recording, table.rowCount, target)
     writeAtomically(target) { out ->
         out.write(table.header.encodeToByteArray())
         for (row in 0 until table.rowCount step ROWS) {
             if (Thread.interrupted()) throw InterruptedException()
-            progress(row.toFloat() / table.rowCount)
+            progress(PREPARED + (1 - PREPARED) * row / table.rowCount)
             out.write(table.text(row, ROWS).encodeToByteArray())
         }
     }
@@ -35,3 +40,6 @@ internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
 }
 
 private const val ROWS = 2000
+
+/** The share of the progress after which rows are written. */
+private const val PREPARED = 0.2f

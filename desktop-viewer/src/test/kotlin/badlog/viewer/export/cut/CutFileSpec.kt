@@ -3,7 +3,7 @@ package badlog.viewer.export.cut
 import badlog.analysis.Span
 import badlog.file.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.plot.table.CsvTable
+import badlog.plot.table.CsvDraft
 import badlog.recording.Severity
 import badlog.recording.Value
 import badlog.viewer.export.armBag
@@ -54,7 +54,7 @@ class CutFileSpec : FunSpec({
         val part = readRecording(target, LOG_FORMATS)
         part.problems.filter { it.severity != Severity.NOTE }.shouldBeEmpty()
         part.topics.single { it.name == "Gain" }.samples.toList() shouldBe listOf(1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
-        tableFile(open, CsvTable.ofAll(open.view, Span(1.0, 1.5)), target) shouldContain "one at each sample of “Gyro”"
+        tableFile(open, CsvDraft.ofAll(open.view, Span(1.0, 1.5)), target) shouldContain "one at each sample of “Gyro”"
         Files.readAllLines(target).size shouldBe 102
         shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), target) }.message shouldContain "no samples"
     }
@@ -74,7 +74,7 @@ class CutFileSpec : FunSpec({
 
     test("a CSV file of a part begins with titles and units") {
         val target = folder.resolve("part.csv")
-        tableFile(whole, CsvTable.ofAll(whole.view, Span(0.02, 0.04)), target)
+        tableFile(whole, CsvDraft.ofAll(whole.view, Span(0.02, 0.04)), target)
         Files.readAllLines(target).first() shouldBe "Time (s),Arm/Angle (deg),Arm/Current (A),Arm/Mode"
         Files.readAllLines(target).size shouldBe 3
     }

@@ -56,6 +56,23 @@ class CsvTableSpec : FunSpec({
         }
     }
 
+    test("a table is prepared a topic at a time, and is the same as one that is made at once") {
+        val rows = listOf("0,1,2,3,idle", "1,2,3,4,", "2,3,4,5,shot")
+        val view = bagView(listOf("Time|xaxis", "A", "B", "C", "Log|log"), rows)
+        val own = timedView(timedTopic("A", 0.0 to 1.0, 0.1 to 2.0), timedTopic("B", 0.05 to 3.0))
+        for ((log, topics) in listOf(view to 4, own to 2)) {
+            val draft = CsvDraft.ofAll(log)
+            val shares = ArrayList<Double>()
+            while (draft.step()) shares += draft.share
+            // Each topic is looked at, and has a column.
+            (shares.size > topics * 2 - 1) shouldBe true
+            shares.all { it > 0 && it <= 1 } shouldBe true
+            shares.last() shouldBe 1.0
+            draft.step() shouldBe false
+            textOf(draft.table) shouldBe textOf(CsvTable.ofAll(log))
+        }
+    }
+
     test("x comes first, then each topic with its unit, of the visible range alone") {
         val view = bagView(listOf("A", "Time|xaxis", "Log|log"), listOf("1,0,begun", "2,1,", "3,2,\"shot, missed\"", "4,3,"))
         linesOf(CsvTable.ofAll(view, Span(1.0, 2.0))) shouldContainExactly listOf("Time (V),A (V),Log", "1,2,", "2,3,\"shot, missed\"")
