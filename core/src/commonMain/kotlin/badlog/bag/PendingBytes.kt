@@ -32,7 +32,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
     var sawCarriageReturn = false
         private set
 
-    /** How many bytes have been read before [start]. */
+    /** The number of bytes read before [start]. */
     var passed = 0L
         private set
 

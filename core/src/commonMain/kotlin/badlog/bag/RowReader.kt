@@ -34,7 +34,7 @@ internal class RowReader(
     // The columns have room for this many rows.
     private var roomyRows = SAMPLE_ROWS
 
-    /** How many rows have been read. */
+    /** The number of rows read. */
     var rowCount = 0
         private set
 

@@ -19,10 +19,10 @@ import badlog.recording.TopicKind
  * @property spans its place on the x axis.
  */
 internal class CutPart(val recording: Recording, val rows: List<IntRange>, val spans: List<Span>) {
-    /** How many rows it has. */
+    /** The number of its rows. */
     val rowCount: Int get() = rows.sumOf { it.count() }
 
-    /** How many samples it has. */
+    /** The number of its samples. */
     val sampleCount: Long
         get() = if (recording.rowCount == 0) recording.sampleCount else rowCount.toLong() * recording.topics.size
 }

@@ -16,7 +16,7 @@ import java.nio.file.Path
  * @param only the topics to include.
  */
 internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers, only: TopicChoice) {
-    /** The smallest and the largest x, or null without any. */
+    /** The smallest and the largest x, or null if there is none. */
     val range: ClosedFloatingPointRange<Double>? = view.xAxis.range
 
     /** The number of seconds in one unit of x, or null if x is not a time. */

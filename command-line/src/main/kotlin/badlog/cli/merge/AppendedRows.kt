@@ -13,7 +13,7 @@ internal class AppendedRows(logs: List<LogPart>) {
     private val rowParts = IntArray(total)
     private val rows = IntArray(total)
 
-    /** How many rows there are. */
+    /** The number of rows. */
     var size = 0
         private set
 

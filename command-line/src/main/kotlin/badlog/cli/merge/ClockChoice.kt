@@ -121,7 +121,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         }
 }
 
-/** How many seconds one of x is. */
+/** The number of seconds per unit of x. */
 internal val LogPart.secondsPerX: Double
     get() = Units.secondsIn(axis.unit) ?: 1.0
 

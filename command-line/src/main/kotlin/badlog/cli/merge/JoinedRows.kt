@@ -4,7 +4,7 @@ package badlog.cli.merge
 internal class JoinedRows(private val groups: List<AppendedRows>) {
     private val rows = List(groups.size) { IntArray(groups.sumOf { it.size }) }
 
-    /** How many rows there are. */
+    /** The number of rows. */
     var size = 0
         private set
 

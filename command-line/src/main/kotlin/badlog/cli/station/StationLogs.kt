@@ -18,7 +18,7 @@ internal class StationLogs(private val folder: Path) {
     private val logs: List<LogFile> by lazy { reading(folder) { stationLogsIn(folder) } }
     private val starts by lazy { logs.associateWith(::startOf) }
 
-    /** How many there are. */
+    /** Their number. */
     val size: Int get() = logs.size
 
     /**

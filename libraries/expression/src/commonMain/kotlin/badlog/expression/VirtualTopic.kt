@@ -69,7 +69,7 @@ internal class VirtualTopicHeading(private val text: String) {
     val name: String
     val unit: String
 
-    /** How many characters it has. */
+    /** The number of its characters. */
     val length: Int
 
     init {

@@ -27,7 +27,7 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
     // The last four bytes passed to the inflater.
     private var tail = 0
 
-    /** How many bytes have been inflated so far. */
+    /** The number of bytes inflated so far. */
     public var inflatedBytes: Long = 0L
         private set
 

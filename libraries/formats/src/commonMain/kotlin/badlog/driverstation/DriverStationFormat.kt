@@ -11,7 +11,7 @@ public object DriverStationFormat : LogFormat {
 
     override fun parser(keepSamples: Boolean): LogParser = DriverStationParser(keepSamples)
 
-    /** How many bytes [startOf] needs. */
+    /** The number of bytes that [startOf] needs. */
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
     /** Returns when a log with the first [HEAD_SIZE] bytes [head] began, in s since 1970; null if those are not the start of such a log. */

@@ -43,7 +43,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private var seconds = -1.0
     private var fraction = 0.0
 
-    /** How many records and entries have been read so far. */
+    /** The number of records and entries read so far. */
     override val rowCount: Int get() = splitter.count
 
     override var maxRows: Int = BagParser.MAX_ROWS

@@ -14,7 +14,7 @@ internal class IgnoredMessages {
         if (count++ == 0) first = "“$client” sent $what"
     }
 
-    /** A sentence about them, or null without any. */
+    /** A sentence about them, or null if there are none. */
     @get:Synchronized
     val note: String?
         get() = when (count) {

@@ -17,7 +17,7 @@ internal class OwnTopics(firstId: Int) {
     private val byName = HashMap<String, Topic>()
     private val byPublisher = HashMap<Long, Topic>()
 
-    /** How many publishers there are. */
+    /** The number of publishers. */
     val size: Int get() = byPublisher.size
 
     fun publish(request: Request.Publish): JsonObject {

@@ -120,7 +120,7 @@ internal class RecordStore {
 internal class IntList {
     private var numbers = IntArray(16)
 
-    /** How many there are. */
+    /** Their number. */
     var size = 0
         private set
 

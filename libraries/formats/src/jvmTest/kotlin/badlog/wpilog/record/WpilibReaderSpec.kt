@@ -48,7 +48,7 @@ private fun beginsGap(topic: Topic, index: Int): Boolean {
     return !topic.isSparse && before.isNotEmpty() && !before.last().isNaN()
 }
 
-/** The value as the script prints it; null where there is none. */
+/** The value as the script prints it; null if there is none. */
 private fun valueOf(topic: Topic, texts: Map<Int, String>, index: Int, type: String): Any? {
     val number = topic.samples.getOrElse(index) { Double.NaN }
     return when (type) {

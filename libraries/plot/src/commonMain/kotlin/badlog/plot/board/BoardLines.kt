@@ -22,7 +22,7 @@ public class BoardLines(private val view: LogView, others: List<Graph> = emptyLi
     /** The names of all lines that show something, the topics first. */
     public val names: List<String> get() = topics.values.filter(::isDrawable).map { it.name } + derived.keys
 
-    /** Returns the line called [name]; null where there is none. */
+    /** Returns the line called [name]; null if there is none. */
     public operator fun get(name: String): GraphSeries? = found.getOrPut(name) { topics[name]?.let(view::seriesOf) ?: derived[name] }
 }
 

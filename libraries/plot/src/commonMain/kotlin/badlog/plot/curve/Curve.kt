@@ -24,7 +24,7 @@ public class Curve(private val series: Series, private val holdsUntil: Double? =
 
     private var isCorner = BooleanArray(0)
 
-    /** How many points there are. */
+    /** The number of points. */
     public var size: Int = 0
         private set
 

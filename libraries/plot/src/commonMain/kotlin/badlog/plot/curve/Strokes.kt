@@ -10,7 +10,7 @@ public class Strokes {
     public var points: DoubleArray = DoubleArray(0)
         private set
 
-    /** How many strokes there are. One may be a single point. */
+    /** The number of strokes. One may be a single point. */
     public var count: Int = 0
         private set
 

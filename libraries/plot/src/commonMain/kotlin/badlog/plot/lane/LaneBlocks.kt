@@ -21,7 +21,7 @@ public class LaneBlocks {
     public var states: IntArray = IntArray(0)
         private set
 
-    /** How many blocks there are. */
+    /** The number of blocks. */
     public var size: Int = 0
         private set
 

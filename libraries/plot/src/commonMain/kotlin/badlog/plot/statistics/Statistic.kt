@@ -54,10 +54,10 @@ public enum class Statistic(
     /** The area under the values. */
     INTEGRAL("integral", "the area under the values, each as long as it holds"),
 
-    /** How many samples have a value. */
+    /** The number of samples with a value. */
     SAMPLES("samples", "how many samples have a value", isCount = true),
 
-    /** How many samples have none. */
+    /** The number of samples without a value. */
     GAPS("gaps", "how many samples have no value", isCount = true),
     ;
 

@@ -12,7 +12,7 @@ public class EventMarks {
     private var pixels = DoubleArray(0)
     private var looks = IntArray(0)
 
-    /** How many there are. */
+    /** Their number. */
     public var size: Int = 0
         private set
 

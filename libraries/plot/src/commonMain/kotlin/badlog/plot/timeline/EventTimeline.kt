@@ -21,10 +21,10 @@ public class EventTimeline private constructor(
     private val logOf: IntArray,
     private val cells: IntArray,
 ) {
-    /** How many there are. */
+    /** Their number. */
     public val size: Int get() = x.size
 
-    /** How many have an x; they are the first ones. */
+    /** The number of events with an x; these are the first ones. */
     public val placedCount: Int = x.size - x.count { it.isNaN() }
 
     private val places = x.copyOf(placedCount).let { Series(it, it) }
@@ -53,7 +53,7 @@ public class EventTimeline private constructor(
     /** Returns the event nearest to [position]; -1 when none has an x. */
     public fun nearest(position: Double): Int = places.nearest(position)
 
-    /** Returns the event nearest to [position] if it is no further than [distance], else null. */
+    /** Returns the event nearest to [position] if it is no further than [distance], otherwise null. */
     public fun nearest(position: Double, distance: Double): Event? =
         nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
 

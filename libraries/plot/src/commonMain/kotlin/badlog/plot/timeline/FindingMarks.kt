@@ -45,11 +45,11 @@ public class FindingMarks {
     private var runEnds = IntArray(0)
     private var onePixel = 1.0
 
-    /** How many glyphs there are. */
+    /** The number of glyphs. */
     public var size: Int = 0
         private set
 
-    /** How many runs there are. */
+    /** The number of runs. */
     public var runCount: Int = 0
         private set
 

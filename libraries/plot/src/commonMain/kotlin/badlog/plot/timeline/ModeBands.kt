@@ -9,7 +9,7 @@ public class ModeBands {
     private var right = DoubleArray(FIRST_BANDS)
     private var modes = IntArray(FIRST_BANDS)
 
-    /** How many there are. */
+    /** Their number. */
     public var size: Int = 0
         private set
 

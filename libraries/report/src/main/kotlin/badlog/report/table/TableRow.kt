@@ -67,7 +67,7 @@ public class HookValue internal constructor(public val hook: String, public val 
  * @property title the name of the value, with that of its hook if several hooks have such a value.
  */
 internal class HookColumn private constructor(private val hook: String, private val name: String, val title: String) {
-    /** Its text in [row]; null without one. */
+    /** Its text in [row]; null if there is none. */
     fun textIn(row: TableRow): String? = row.hookValues.find { it.hook == hook && it.name == name }?.text
 
     companion object {

@@ -12,7 +12,7 @@ import badlog.analysis.Span
 public class Trail(public val times: DoubleArray, public val x: DoubleArray, public val y: DoubleArray) {
     private val clock = Series(times, x)
 
-    /** How many samples there are, gaps included. */
+    /** The number of samples, gaps included. */
     public val size: Int get() = times.size
 
     /** The range of x over samples where both are finite; null if there are none. */

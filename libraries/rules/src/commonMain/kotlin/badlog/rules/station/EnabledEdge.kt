@@ -29,7 +29,7 @@ public fun LogView.enabledEdges(): List<EnabledEdge> {
     }.take(MAX_EDGES)
 }
 
-/** How many seconds one of x is; what is not a unit of time counts as a second. */
+/** The number of seconds per unit of x; what is not a unit of time counts as a second. */
 internal val LogView.secondsPerX: Double get() = Units.secondsIn(xAxis.unit) ?: 1.0
 
 private const val MAX_EDGES = 200

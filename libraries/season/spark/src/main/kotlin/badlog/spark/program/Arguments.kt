@@ -9,7 +9,7 @@ internal class UsageException(override val message: String) : Exception(message)
  * @property named what is named there, in order.
  */
 internal class Arguments private constructor(val named: List<String>, private val options: Map<String, String>) {
-    /** The value of the option [name]; null where it is not given. */
+    /** The value of the option [name]; null if it is not given. */
     fun option(name: String): String? = options[name]
 
     /** The value of the option [name], which has to be given. */
