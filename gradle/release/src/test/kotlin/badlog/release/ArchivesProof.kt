@@ -46,6 +46,12 @@ class ArchivesProof : FunSpec({
         RELEASE.list().orEmpty().filter { it.replace(PLATFORM, "linux-x64") !in guide }.shouldBeEmpty()
     }
 
+    test("the guides come as a site, too") {
+        val names = entriesOf(File(RELEASE, "badlog-docs-$VERSION.zip")).map { it.name.removePrefix("badlog-docs-$VERSION/") }
+        names shouldContainAll listOf("docs/README.md", "samples/practice.bag", "site/index.html", "site/search-index.js", "site/api/index.html")
+        names shouldContainAll listOf("site/samples/qualification-42.bag.html", "site/report/index.html")
+    }
+
     test("no archive says when it was made, so that the same commit makes the same bytes") {
         val commit = Instant.ofEpochSecond(System.getProperty("badlog.commitTime").toLong())
         archives.flatMap { archive ->
