@@ -35,7 +35,7 @@ internal class Console(
     private val outSpelling = Spelling(outCharset)
     private val errSpelling = Spelling(errCharset)
 
-    /** Whether [file] only stands for the standard input or output, and is gone when the program ends. */
+    /** Returns whether [file] only stands for the standard input or output, and is gone when the program ends. */
     fun isStandIn(file: Path): Boolean = file.toString() in names
 
     /** Whether results are lost, because nobody reads them any more or the disk is full. */

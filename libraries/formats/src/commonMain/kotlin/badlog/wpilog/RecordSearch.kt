@@ -142,7 +142,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         /** Returns the result of [find] for having to search from [at] again. */
         fun waiting(at: Int): Int = NOWHERE - 1 - at
 
-        /** The place that [waiting] was given to return [found]. */
+        /** Returns the place that [waiting] was given to return [found]. */
         fun waitsAt(found: Int): Int = NOWHERE - 1 - found
 
         /** This many fitting records in a row are not a coincidence. */

@@ -71,7 +71,7 @@ internal class HookColumn private constructor(private val hook: String, private 
     fun textIn(row: TableRow): String? = row.hookValues.find { it.hook == hook && it.name == name }?.text
 
     companion object {
-        /** A column of a hook's values in [rows], in order of first appearance. */
+        /** Returns a column of a hook's values in [rows], in order of first appearance. */
         fun of(rows: List<TableRow>): List<HookColumn> {
             val columns = rows.flatMap { row -> row.hookValues.map { it.hook to it.name } }.distinct()
             val hooks = columns.groupBy({ it.second }, { it.first })

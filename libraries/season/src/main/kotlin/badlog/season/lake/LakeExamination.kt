@@ -17,16 +17,16 @@ import java.sql.SQLException
 import java.util.concurrent.ConcurrentHashMap
 import java.util.zip.CRC32
 
-/** What a file turned out to be, when a lake wanted it. */
+/** What a file for a lake turned out to be. */
 public sealed interface ExaminedLog {
     /** A log, whose files are written; [entry] is for the tables. */
     public class Written internal constructor(public val entry: LakeEntry) : ExaminedLog
 
-    /** Something else than a log, or one that cannot be read; [message] says why. */
+    /** Something other than a log, or a log that cannot be read; [message] says why. */
     public class None internal constructor(public val message: String, public val isNoLog: Boolean) : ExaminedLog
 }
 
-/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Safe for several threads. */
+/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe. */
 internal class LakeExamination(private val rules: RuleSet, private val engine: Engine, private val hasSamples: Boolean = true) {
     private val programs = ConcurrentHashMap<LogShape, RuleProgram>()
 

@@ -30,7 +30,7 @@ public object LakeLayout {
     /** The folders of the tables that have records of many logs, in the order in which they are written. */
     public val TABLES: List<String> = LakeTable.entries.map { it.table }
 
-    /** The columns of [table], one of [TABLES], and their types as DuckDB calls them. */
+    /** Returns the columns of [table], one of [TABLES], and their types as DuckDB calls them. */
     public fun columnsOf(table: String): List<Pair<String, String>> =
         LakeTable.entries.first { it.table == table }.fields.map { (name, type) -> name to type.type }
 

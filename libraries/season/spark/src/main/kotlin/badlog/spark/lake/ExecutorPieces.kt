@@ -28,7 +28,7 @@ internal object ExecutorPieces {
         Runtime.getRuntime().addShutdownHook(Thread { made.values.forEach(LakePieces::close) })
     }
 
-    /** The one for [work]. */
+    /** Returns the one for [work]. */
     fun of(work: LakeWork): LakePieces = made.computeIfAbsent(work) {
         LakePieces(checkNotNull(RuleSet.fromJson(it.rules)) { "The rules cannot be read: ${it.rules}" }, it.hasSamples)
     }

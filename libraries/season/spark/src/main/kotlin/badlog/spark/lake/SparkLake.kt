@@ -120,7 +120,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         return spark.parallelize(tables, minOf(tables.size, MAX_TASKS)).flatMap(ReadRegister(lake, work)).collect()
     }
 
-    /** The logs in [folder]; where that is a lake, those that it was made of. */
+    /** Returns the logs in [folder]; where that is a lake, those that it was made of. */
     private fun logsOf(folder: String): List<RemoteLog> {
         val other = RemoteFolder(folder, configuration, LakeLayout.DRAFT)
         if (!other.has(LakeLayout.MARK)) return logsIn(folder, configuration.value())

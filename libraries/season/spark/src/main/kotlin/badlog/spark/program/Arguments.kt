@@ -9,13 +9,13 @@ internal class UsageException(override val message: String) : Exception(message)
  * @property named what is named there, in order.
  */
 internal class Arguments private constructor(val named: List<String>, private val options: Map<String, String>) {
-    /** The value of the option [name]; null if it is not given. */
+    /** Returns the value of the option [name]; null if it is not given. */
     fun option(name: String): String? = options[name]
 
-    /** The value of the option [name], which has to be given. */
+    /** Returns the value of the option [name], which has to be given. */
     fun required(name: String): String = options[name] ?: throw UsageException("$name is missing.")
 
-    /** The limit for the size of files, in bytes. */
+    /** Returns the limit for the size of files, in bytes. */
     fun maxBytes(): Long {
         val text = options[MAX_SIZE] ?: return Long.MAX_VALUE
         val megabytes = text.toLongOrNull()?.takeIf { it in 1..MOST_MEGABYTES }

@@ -26,7 +26,7 @@ public class LakeQuery(private val spark: SparkSession, private val address: Str
     }
 
     /**
-     * The answer to [sql], which is calculated when it is used.
+     * Returns the answer to [sql], which is calculated when it is used.
      *
      * @throws org.apache.spark.sql.AnalysisException when it is wrong, or names what is not there.
      */

@@ -12,7 +12,7 @@ internal class SampleColumns private constructor(private val types: Map<String, 
     /** Files whose columns have the same types: [types] has those of the columns that are mixed. */
     class Kind(val files: List<String>, val types: Map<String, String>)
 
-    /** What to read the files as: of a column whose name [typeOf] changes into a type, that type. */
+    /** Returns what to read the files as: of a column whose name [typeOf] changes into a type, that type. */
     fun schema(typeOf: (String) -> String): String = FIXED + types.entries.joinToString("") { (name, type) ->
         ", ${quoted(name)} ${typeOf(name).takeIf { it != name } ?: type}"
     }

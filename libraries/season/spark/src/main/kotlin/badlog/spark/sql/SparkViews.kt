@@ -75,7 +75,7 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         }.reduce(Dataset<Row>::unionByName)
     }
 
-    /** A column for each topic, which has its statistics in one. */
+    /** Returns a column for each topic, which has its statistics in one. */
     private fun matchStatistics(): Dataset<Row> {
         make(LakeLayout.MATCHES)
         make("statistics")
@@ -98,11 +98,11 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
     }
 }
 
-/** The columns of a table of all logs, as Spark declares them: known, so that no file is opened to learn them. */
+/** Returns the columns of a table of all logs, as Spark declares them: known, so that no file is opened to learn them. */
 private fun schemaOf(table: String): String =
     LakeLayout.columnsOf(table).joinToString { (name, type) -> "${quoted(name)} ${sparkType(type)}" }
 
-/** What Spark calls the type that DuckDB calls [type]. */
+/** Returns what Spark calls the type that DuckDB calls [type]. */
 private fun sparkType(type: String): String = when {
     type.endsWith("[]") -> "ARRAY<${sparkType(type.removeSuffix("[]"))}>"
 
@@ -122,8 +122,8 @@ private fun sparkType(type: String): String = when {
     else -> type
 }
 
-/** [name] as a name in Spark's SQL, whatever stands for its quotes. */
+/** Returns [name] as a name in Spark's SQL, whatever stands for its quotes. */
 internal fun quoted(name: String): String = "`${name.replace("`", "``")}`"
 
-/** [text] as a literal of Spark's SQL. */
+/** Returns [text] as a literal of Spark's SQL. */
 internal fun literal(text: String): String = "'${text.replace("\\", "\\\\").replace("'", "\\'")}'"

@@ -35,7 +35,8 @@ internal class RemoteLog(val source: LogSource, val files: List<String>) : Seria
 }
 
 /**
- * What may be logs in [folder] and, if it [isDeep], in the folders in it, in their natural order, as `badlog lake` finds them on a disk.
+ * Returns what may be logs in [folder] and, if it [isDeep], in the folders in it, in their natural order, as `badlog lake` finds them on
+ * a disk.
  *
  * @throws IOException when it cannot be looked into.
  */
@@ -80,7 +81,7 @@ private fun logOf(first: FileStatus, second: FileStatus?, top: Path): RemoteLog 
     return RemoteLog(source, parts.map { it.path.toString() })
 }
 
-/** What a lake knows the file at [path] by: on a disk, what every program calls it. */
+/** Returns what a lake knows the file at [path] by: on a disk, what every program calls it. */
 internal fun addressOf(path: Path): String = if (path.toUri().scheme in DISK) path.toUri().path else path.toString()
 
 private fun plainPath(status: FileStatus) = java.nio.file.Path.of(status.path.toUri().path)
