@@ -53,6 +53,8 @@ async def talk(command):
         numbers, _ = await ask("statistics", log=log, topics=["battery voltage", "total current"], **{"from": start, "to": end})
         before, _ = await ask("find", log=log, question="each(Browned Out, Battery Voltage, Total Current)")
         compared, _ = await ask("table", values=["min(battery voltage)", "count(Browned Out)"])
+        query = "SELECT log, \"System/Battery Voltage\".min AS lowest FROM match_statistics ORDER BY lowest"
+        ranked, _ = await ask("sql", query=query)
         _, pictures = await ask("graph", log=log, topics=evidence[:4], **{"from": start, "to": end})
 
         refused = await client.call_tool("describe_log", {"log": "../README.md"})
@@ -69,6 +71,7 @@ async def talk(command):
             "brownouts": before["answers"][0]["times"],
             "firstBefore": before["answers"][0]["occurrences"][0]["before"],
             "rows": len(compared["rows"]),
+            "worst": ranked["rows"][0],
             "isPng": base64.b64decode(pictures[0].data).startswith(b"\x89PNG\r\n\x1a\n") and pictures[0].mime_type == "image/png",
             "isRefused": refused.is_error,
         }

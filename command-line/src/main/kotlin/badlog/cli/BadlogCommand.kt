@@ -64,7 +64,7 @@ internal class BadlogCommand(
         InfoCommand(),
         OpenCommand(computer),
         RecoverCommand(),
-        ConvertCommand(),
+        ConvertCommand(parts),
         CutCommand(),
         MergeCommand(),
         ExportCommand(),

@@ -5,6 +5,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
+import badlog.cli.part.PartLoader
 import badlog.cli.topic.OnlyOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -16,16 +17,16 @@ import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog convert`. */
-internal class ConvertCommand :
+internal class ConvertCommand(private val parts: PartLoader) :
     LogCommand(
         "convert",
         "Writes logs in another format.",
         "Every number is kept to its last bit; what the format cannot hold is listed. A WPILOG has no rows: a bag or CSV " +
-            "made from it has the last value of each topic in each row. Without --out, match.bag becomes match.csv beside it. " +
-            "A file whose name ends in .gz is compressed.",
+            "made from it has the last value of each topic in each row. docs/season.md describes the columns of Parquet files. Without " +
+            "--out, match.bag becomes match.csv beside it. A file whose name ends in .gz is compressed.",
     ) {
-    private val to by option("--to").choice(LogFormat.entries.associateBy { it.option }, metavar = "FORMAT")
-        .help("${LogFormat.entries.joinToString { it.option }}; default: from the name after --out.")
+    private val to by option("--to").choice(*OPTIONS.toTypedArray(), metavar = "FORMAT")
+        .help("${OPTIONS.joinToString()}; default: from the name after --out.")
     private val output by OutputOptions()
     private val isGzip by option("-z", "--gzip").flag().help("Compress the results, and add .gz to their names.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
@@ -46,9 +47,10 @@ internal class ConvertCommand :
     )
 
     override fun makeTask(): Task {
-        val format = to ?: output.outPath?.let(LogFormat::ofName)
-            ?: throw UsageError("name the format: ${LogFormat.entries.joinToString(" or ") { "--to ${it.option}" }}")
         if (period != null && rowsAt != null) throw UsageError("--period and --rows-at exclude each other")
+        if (isParquet()) return parquetTask()
+        val format = LogFormat.entries.find { it.option == to } ?: output.outPath?.let(LogFormat::ofName)
+            ?: throw UsageError("name the format: ${OPTIONS.joinToString(" or ") { "--to $it" }}")
         if (!format.hasRows && (period != null || rowsAt != null)) {
             throw UsageError("--period and --rows-at belong to --to bag and --to csv; a WPILOG has no rows")
         }
@@ -56,5 +58,20 @@ internal class ConvertCommand :
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
         val rows = Rows(period, rowsAt)
         return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, only.choice, rows, isChangesOnly, isJson)
+    }
+
+    private fun isParquet() =
+        to == ParquetTask.OPTION || (to == null && output.outPath.toString().endsWith(ParquetTask.ENDING, ignoreCase = true))
+
+    private fun parquetTask(): Task {
+        val others = listOf("--gzip" to isGzip, "--x" to (xTopic != null), "--period" to (period != null), "--rows-at" to (rowsAt != null))
+        (others + ("--changes-only" to isChangesOnly)).firstOrNull { it.second }?.let { (option, _) ->
+            throw UsageError("$option has no effect on Parquet files; leave it out")
+        }
+        return ParquetTask(paths, output.plan(paths), virtual.definitions, only.choice, parts, isJson)
+    }
+
+    private companion object {
+        val OPTIONS = LogFormat.entries.map { it.option } + ParquetTask.OPTION
     }
 }

@@ -1,16 +1,13 @@
 package badlog.cli.convert
 
-import badlog.analysis.LogView
 import badlog.analysis.resampled
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
-import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
@@ -22,7 +19,6 @@ import badlog.cli.output.newLog
 import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.cli.recover.Damage
-import badlog.cli.search.signalsBeside
 import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
@@ -33,7 +29,6 @@ import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 import badlog.report.UndefinedJson
 import badlog.report.withX
-import badlog.rules.withVirtualTopics
 import badlog.terminal.Progress
 import badlog.wpilog.Omission
 import badlog.wpilog.record.RecordEntry
@@ -70,19 +65,13 @@ internal class ConvertTask(
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: Progress): Outcome {
-        val read = readLog(input.file, progress)
-        if (read.topics.isEmpty()) {
-            throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
-        }
-        val with = LogView.of(read).withVirtualTopics(virtualTopics, signalsBeside(input.file))
-        val all = only.of(with.view, input.file, needed = listOfNotNull(xTopic, rows.topic))
-        val fit = if (format.hasRows) withRows(all, input.file) else WithRows(all, Omissions())
+        val log = LogToConvert(input, virtualTopics, only, needed = listOfNotNull(xTopic, rows.topic), progress)
+        val fit = if (format.hasRows) withRows(log.wanted, input.file) else WithRows(log.wanted, Omissions())
         val recording = fit.recording
         val name = FileName.of(input.file)
         val converted = name.with(format.ending, isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
-        val formulas = with.view.recording.topics.drop(read.topics.size).mapTo(HashSet()) { it.name }
-        val calculated = recording.copy(values = emptyList(), topics = recording.topics.filter { it.name in formulas })
+        val calculated = recording.copy(values = emptyList(), topics = recording.topics.filter { it.name in log.added })
         val leftOut = fit.leftOut + write(input.file, recording, calculated, target, progress)
         val count = if (format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
@@ -90,7 +79,7 @@ internal class ConvertTask(
             "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
         }
         val text = listOf("${input.file} -> $target", wrapped("  ", count + leftOut.tail, INDENT)) + leftOut.lines +
-            undefinedLines(with.errors) +
+            undefinedLines(log.all.errors) +
             lossLines(recording.problems)
         val json = ConvertJson(
             target.toString(),
@@ -98,7 +87,7 @@ internal class ConvertTask(
             recording.rowCount,
             recording.sampleCount,
             leftOut.all,
-            with.errors.map(::UndefinedJson),
+            log.all.errors.map(::UndefinedJson),
         )
         return Outcome(recording.isSalvaged, text.joinToString("\n"), jsonOf(json))
     }

@@ -13,8 +13,8 @@ internal class LakeCommand(private val parts: PartLoader) :
     LogCommand(
         "lake",
         "Makes Parquet files of logs, for DuckDB, Spark, pandas and others.",
-        "The folder --out gets a file per log and tables of all: matches, topics, statistics, events, findings. Run again, it only " +
-            "reads logs that changed, and removes those whose files are gone. docs/season.md describes the files.",
+        "Writes a file per log, and tables of all logs (matches, topics, statistics, events, findings), to the folder --out. Run " +
+            "again, it reads only logs that changed, and removes those whose files are gone. docs/season.md describes the files.",
     ) {
     private val out by option(
         "-o",

@@ -59,18 +59,29 @@ internal class LakeTask(private val paths: List<Path>, private val out: Path, pr
     }
 }
 
-/** Updates the lake [lake] to [logs], which were found below [paths]. */
-internal fun refreshed(service: SeasonService, lake: Path, paths: List<Path>, logs: LogFiles, console: Console): LakeReport {
+/**
+ * Updates the lake [lake] to [logs], which were found below [paths].
+ *
+ * @param waits whether to wait while another badlog writes to that lake; otherwise, that is an error.
+ */
+internal fun refreshed(
+    service: SeasonService,
+    lake: Path,
+    paths: List<Path>,
+    logs: LogFiles,
+    console: Console,
+    waits: Boolean = false,
+): LakeReport {
     val rules = rulesBeside(paths, console::warn)
+    val named = logs.files.map { it to logs.nameOf(it) }
+    var isTold = false
+    val isBusy = {
+        if (waits && !isTold) console.warn("Another badlog is making tables of the same logs; waiting until it has finished.")
+        isTold = true
+        waits
+    }
     return console.progress("lake").use { bar ->
-        service.refresh(
-            lake,
-            logs.files.map {
-                it to logs.nameOf(it)
-            },
-            paths,
-            rules,
-        ) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+        service.refresh(lake, named, paths, rules, isBusy) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
     }
 }
 

@@ -1,18 +1,27 @@
 package badlog.cli.part
 
+import badlog.analysis.LogView
 import badlog.file.LogFile
 import badlog.rules.RuleSet
+import badlog.rules.signal.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 
-/** What `badlog lake` and `badlog sql` call: folders of logs as tables. Each function throws [SeasonException] if it fails. */
+/**
+ * What `badlog lake`, `badlog sql`, `badlog convert --to parquet` and the assistant's tool `sql` call: folders of logs as tables. Each
+ * function throws [SeasonException] if it fails.
+ */
 public interface SeasonService {
+    /** The version of the layout of lakes. */
+    public val layoutVersion: Int
+
     /** Returns whether [folder] is a lake. */
     public fun isLake(folder: Path): Boolean
 
     /**
      * Updates the lake [lake] to [logs], each with its name there. Other logs below [roots] are removed from it.
      *
+     * @param isBusy called from time to time while another badlog writes to that lake; returns whether to wait until it has finished.
      * @param progress called with the number of changed logs that are done. An exception from it stops the work and is passed on.
      */
     public fun refresh(
@@ -20,11 +29,33 @@ public interface SeasonService {
         logs: List<Pair<LogFile, String>>,
         roots: List<Path>,
         rules: RuleSet,
+        isBusy: () -> Boolean,
         progress: (done: Int, total: Int) -> Unit,
     ): LakeReport
 
-    /** Opens [lake] for queries, whose answers may also be written to the Parquet file [output], if it is not null. */
-    public fun open(lake: Path, output: Path?): SqlSession
+    /**
+     * Opens [lake] for queries, whose answers may also be written to the Parquet file [output], if it is not null.
+     *
+     * @param isConfined whether those who ask must not learn where files are: queries read nothing but the tables then.
+     */
+    public fun open(lake: Path, output: Path?, isConfined: Boolean = false): SqlSession
+
+    /** Begins to write logs as Parquet files. */
+    public fun parquet(): ParquetSession
+}
+
+/** Writes logs as Parquet files, see [SeasonService.parquet]. */
+public interface ParquetSession : AutoCloseable {
+    /**
+     * Writes the samples of [view] to [target], and where some topics share rows and others have times of their own, the latter to a second
+     * file beside it.
+     *
+     * @param log what the column `log` holds.
+     * @param file the name of the log's file.
+     * @param signals what topics are called that tell match and time.
+     * @return each file and how many rows it has; nothing where the log has no samples.
+     */
+    public fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<Pair<Path, Long>>
 }
 
 /** Thrown if something cannot be done with a lake. The message is for the user. */
@@ -63,6 +94,9 @@ public interface SqlSession : AutoCloseable {
 
     /** Returns the tables that queries can use. */
     public fun tables(): List<SqlTable>
+
+    /** Ends the query that runs at the moment on another thread, which fails then. */
+    public fun cancel()
 }
 
 /**

@@ -18,8 +18,8 @@ internal class SqlCommand(private val parts: PartLoader, private val input: Inpu
     SubCommand(
         "sql",
         "Answers SQL about logs.",
-        "Logs become tables first, which are cached; later questions only read logs that changed. Without a query, it reads queries from " +
-            "the standard input, each ended by a semicolon. Queries read these tables, nothing else, and change nothing. " +
+        "Logs become tables first, which are cached; later queries read only logs that changed. Without a query, it reads queries from " +
+            "the standard input, each ended by a semicolon. Queries read only these tables and change nothing. " +
             "docs/season.md describes the tables.",
     ) {
     private val folder by argument("FOLDER").path().help("A folder of logs, a log, or a lake made by badlog lake.")

@@ -6,6 +6,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.lake.refreshed
+import badlog.cli.part.LakeCache
 import badlog.cli.part.PartLoader
 import badlog.cli.part.SeasonException
 import badlog.cli.part.SeasonService
@@ -15,7 +16,6 @@ import badlog.cli.text.wrapped
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.zip.CRC32
 
 /**
  * Answers [query] about the logs below [folder], or the queries in [input] if it is null.
@@ -47,20 +47,14 @@ internal class SqlTask(
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
         val logs = LogFiles(listOf(folder), console)
         if (logs.files.isEmpty()) {
+            val isThere = Files.exists(folder)
             console.warn(
-                if (Files.exists(
-                        folder,
-                    )
-                ) {
-                    "No logs found. Name a log, or the folder it is in."
-                } else {
-                    "There is no file $folder; check the spelling."
-                },
+                if (isThere) "No logs found. Name a log, or the folder it is in." else "There is no file $folder; check the spelling.",
             )
             return null to ExitCode.NOTHING
         }
-        val lake = cacheFolder().resolveSibling(CACHE).resolve(keyOf(folder))
-        val report = refreshed(service, lake, listOf(folder), logs, console)
+        val lake = LakeCache(cacheFolder(), service.layoutVersion).lakeOf(folder)
+        val report = refreshed(service, lake, listOf(folder), logs, console, waits = true)
         val missing = report.logs.filter { it.message != null && !it.isNoLog }
         for (log in missing) console.warn(log.message.orEmpty())
         return lake to if (missing.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
@@ -90,14 +84,7 @@ internal class SqlTask(
     private fun nameOf(name: String) = if (PLAIN.matches(name)) name else "\"${name.replace("\"", "\"\"")}\""
 
     private companion object {
-        const val CACHE = "lakes"
         const val INDENT = 2
-        const val HEX = 16
         val PLAIN = Regex("[a-z_][a-z0-9_]*")
-
-        fun keyOf(folder: Path): String {
-            val path = folder.toRealPath().toString()
-            return "${folder.toRealPath().fileName ?: "root"}-${CRC32().apply { update(path.encodeToByteArray()) }.value.toString(HEX)}"
-        }
     }
 }

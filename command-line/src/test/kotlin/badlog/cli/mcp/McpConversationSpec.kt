@@ -40,6 +40,7 @@ class McpConversationSpec : FunSpec({
         found.getValue("current").jsonObject.getValue("value").jsonPrimitive.double shouldBeGreaterThan 230.0
         found.getValue("brownouts").jsonPrimitive.int shouldBe 5
         found.getValue("rows").jsonPrimitive.int shouldBeGreaterThanOrEqual 3
+        found.getValue("worst").jsonArray.map { it.jsonPrimitive.content } shouldBe listOf("qualification-42.bag", "6.73")
         found.getValue("isPng").jsonPrimitive.boolean shouldBe true
         found.getValue("isRefused").jsonPrimitive.boolean shouldBe true
     }

@@ -81,6 +81,9 @@ class PartLoaderSpec : FunSpec({
             val without = programOf(jars, "mcp", folder.toString())
             without.errorReader().readText() shouldContain "badlog mcp needs badlog's part “season”, but the folder ${folder / "season"} is missing"
             without.waitFor() shouldBe ExitCode.NOTHING.code
+            val converted = programOf(jars, "convert", log.toString(), "--to", "parquet")
+            converted.errorReader().readText() shouldContain "badlog convert --to parquet needs badlog's part “season”"
+            converted.waitFor() shouldBe ExitCode.NOTHING.code
             val info = programOf(jars, "info", log.toString())
             info.inputReader().readText() shouldContain "Speed"
             info.waitFor() shouldBe ExitCode.WHOLE.code

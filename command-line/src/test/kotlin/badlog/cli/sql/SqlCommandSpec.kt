@@ -5,17 +5,27 @@ import badlog.cli.Badlog
 import badlog.cli.Ended
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
+import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.inFolder
+import badlog.cli.part.LakeCache
+import badlog.cli.part.SeasonService
 import badlog.cli.with
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.async
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
+import java.nio.channels.FileChannel
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.WRITE
+import java.util.ServiceLoader
 import kotlin.io.path.div
 import kotlin.io.path.exists
+import kotlin.time.Duration.Companion.minutes
 
 class SqlCommandSpec : FunSpec({
     test("a query about a folder of logs is answered as a table, CSV and JSON") {
@@ -66,6 +76,25 @@ class SqlCommandSpec : FunSpec({
             val ended = asked(folder, "SELECT 1 AS one;\nSELECT nothing;\nSELECT\n 2 AS two;\nquit\nSELECT 3;")
             ended.out shouldBe "one\n  1\ntwo\n  2\n"
             ended.err shouldContain "nothing"
+        }
+    }
+
+    test("a query waits while another badlog makes the tables of the same logs") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            badlog("sql", folder, "SELECT 1")
+            val lake = LakeCache(cacheFolder(), ServiceLoader.load(SeasonService::class.java).first().layoutVersion).lakeOf(folder)
+            FileChannel.open(lake / ".lock", WRITE).use { channel ->
+                val lock = channel.lock()
+                val out = ByteArrayOutputStream()
+                val err = ByteArrayOutputStream()
+                val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
+                val code = async(Dispatchers.IO) { Badlog(console).run(listOf("sql", "$folder", "SELECT count(*) AS logs FROM matches", "--csv")) }
+                eventually(2.minutes) { err.toString(Charsets.UTF_8) shouldContain "Another badlog is making tables of the same logs; waiting" }
+                lock.release()
+                code.await() shouldBe ExitCode.WHOLE
+                out.toString(Charsets.UTF_8) shouldBe "logs\n1\n"
+            }
         }
     }
 

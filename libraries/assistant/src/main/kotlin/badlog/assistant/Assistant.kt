@@ -2,6 +2,7 @@ package badlog.assistant
 
 import badlog.assistant.call.AssistantTool
 import badlog.assistant.log.LogFolder
+import badlog.assistant.log.LogLake
 import badlog.assistant.log.OpenLogs
 import badlog.assistant.tool.DescribeLog
 import badlog.assistant.tool.FindInLogs
@@ -9,15 +10,18 @@ import badlog.assistant.tool.FindingsOfLogs
 import badlog.assistant.tool.GraphOfTopics
 import badlog.assistant.tool.ListLogs
 import badlog.assistant.tool.SamplesOfTopics
+import badlog.assistant.tool.SqlOverLogs
 import badlog.assistant.tool.StatisticsOfTopics
 import badlog.assistant.tool.TableOfLogs
 import badlog.cli.command.ExitCode
 import badlog.cli.part.McpService
+import badlog.cli.part.SeasonService
 import badlog.file.UnreadableFileException
 import kotlinx.coroutines.runBlocking
 import java.io.InputStream
 import java.io.OutputStream
 import java.nio.file.Path
+import java.util.ServiceLoader
 
 /** The service behind `badlog mcp`. */
 internal class Assistant : McpService {
@@ -32,20 +36,31 @@ internal class Assistant : McpService {
         System.setProperty("java.awt.headless", "true")
         // The protocol's library prints a greeting, which a person would take for an error.
         System.setProperty("kotlin-logging.logStartupMessage", "false")
-        runBlocking { AssistantServer(toolsOf(logs, cache), logs.root.toString()).serve(input, output) }
+        val lake = seasonService()?.let { LogLake(logs, cache, it) }
+        runBlocking { AssistantServer(toolsOf(logs, cache, lake), logs.root.toString()).serve(input, output) }
         return ExitCode.WHOLE
     }
 }
 
-/** Returns all tools for [logs]. `sql` belongs here as soon as there is a library for it. */
-internal fun toolsOf(logs: LogFolder, cache: Path?): List<AssistantTool> {
+/** Returns what makes tables of logs; null if that is not installed. */
+internal fun seasonService(): SeasonService? =
+    ServiceLoader.load(SeasonService::class.java, Assistant::class.java.classLoader).firstOrNull()
+
+/**
+ * Returns all tools for [logs].
+ *
+ * @param cache where answers are kept; null for nowhere.
+ * @param lake the tables of the logs; null if nothing can make them.
+ */
+internal fun toolsOf(logs: LogFolder, cache: Path?, lake: LogLake?): List<AssistantTool> {
     val open = OpenLogs(logs)
-    return listOf(
+    return listOfNotNull(
         ListLogs(logs, cache),
         DescribeLog(open),
         FindingsOfLogs(logs, cache),
         FindInLogs(logs, cache),
         TableOfLogs(logs, cache),
+        lake?.let { SqlOverLogs(it) },
         StatisticsOfTopics(open),
         SamplesOfTopics(open),
         GraphOfTopics(open),

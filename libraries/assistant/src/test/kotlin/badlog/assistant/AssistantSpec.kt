@@ -24,7 +24,7 @@ class AssistantSpec : FunSpec({
         asking(SAMPLES) {
             val tools = client.listTools().tools
             tools.map { it.name } shouldContainExactly
-                listOf("list_logs", "describe_log", "findings", "find", "table", "statistics", "samples", "graph")
+                listOf("list_logs", "describe_log", "findings", "find", "table", "sql", "statistics", "samples", "graph")
             for (tool in tools) {
                 tool.annotations.shouldNotBeNull().readOnlyHint shouldBe true
                 tool.description.shouldNotBeNull().length shouldBeGreaterThan 60
@@ -52,8 +52,20 @@ class AssistantSpec : FunSpec({
             val battery = log.array("topics").first { it.text("name") == "System/Battery Voltage" }
             battery.text("unit") shouldBe "V"
             battery.text("min") shouldBe "6.73"
+            battery.text("rateHz") shouldBe "49.96"
             data("describe_log", "log" to "practice.bag").array("problems").texts("severity") shouldContain "error"
             data("describe_log", "log" to MATCH, "only" to "PDP/*").array("topics").texts("name").forEach { it shouldContain "PDP/" }
+        }
+    }
+
+    test("SQL asks all logs at once, and without a query says what there is") {
+        asking(SAMPLES) {
+            val lowest = data("sql", "query" to "SELECT log, \"System/Battery Voltage\".min AS lowest FROM match_statistics WHERE log = '$MATCH'")
+            lowest.array("columns").map { it.jsonPrimitive.content } shouldContainExactly listOf("log VARCHAR", "lowest DOUBLE")
+            lowest.array("rows").single().jsonArray.map { it.jsonPrimitive.content } shouldContainExactly listOf(MATCH, "6.73")
+            val tables = data("sql").array("tables")
+            tables.texts("name") shouldContainAll listOf("matches", "samples", "findings")
+            refusal("sql", "query" to "SELECT nothing FROM matches") shouldContain "nothing"
         }
     }
 

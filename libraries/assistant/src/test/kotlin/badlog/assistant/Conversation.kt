@@ -1,6 +1,7 @@
 package badlog.assistant
 
 import badlog.assistant.log.LogFolder
+import badlog.assistant.log.LogLake
 import io.kotest.assertions.withClue
 import io.kotest.matchers.shouldBe
 import io.modelcontextprotocol.kotlin.sdk.client.Client
@@ -67,7 +68,9 @@ internal fun asking(folder: Path, talk: suspend Conversation.() -> Unit) {
     val toServer = Pipe.open()
     val toClient = Pipe.open()
     val logs = LogFolder(folder)
-    val server = AssistantServer(toolsOf(logs, cache = null), logs.root.toString())
+    val caches = Files.createTempDirectory("badlog-assistant-cache")
+    val lake = LogLake(logs, caches.resolve("answers"), checkNotNull(seasonService()))
+    val server = AssistantServer(toolsOf(logs, cache = null, lake), logs.root.toString())
     runBlocking {
         val serving = launch(Dispatchers.IO) {
             server.serve(Channels.newInputStream(toServer.source()), Channels.newOutputStream(toClient.sink()))
@@ -86,6 +89,7 @@ internal fun asking(folder: Path, talk: suspend Conversation.() -> Unit) {
         serving.join()
         client.close()
     }
+    caches.toFile().deleteRecursively()
 }
 
 /** A folder of logs that is removed afterwards. */

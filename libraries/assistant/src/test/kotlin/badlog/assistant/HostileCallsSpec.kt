@@ -146,7 +146,7 @@ class HostileCallsSpec : FunSpec({
                 refusal("samples", "log" to "a.bag", "topics" to List(200) { "Speed" }) shouldContain "at most"
                 refusal("samples", "log" to "a.bag", "topics" to emptyList<String>()) shouldContain "at least one"
                 refusal("samples", "log" to "a.bag", "topics" to listOf("Speed"), "from" to 3, "to" to 1) shouldContain "before"
-                refusal("samples", "log" to "a.bag", "topics" to listOf("Speed"), "from" to 1e9) shouldContain "reaches from"
+                refusal("samples", "log" to "a.bag", "topics" to listOf("Speed"), "from" to 1e9) shouldContain "extends from"
                 refusal("findings", "severity" to "terrible") shouldContain "error, warning or note"
                 refusal("graph", "log" to "a.bag", "topics" to listOf("Speed"), "width" to 1e6) shouldContain "from 400 to"
                 refusal("find", "question" to "(".repeat(1_900)).length shouldBeLessThanOrEqual 5_000

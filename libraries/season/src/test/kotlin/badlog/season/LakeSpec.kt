@@ -11,8 +11,10 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.StandardOpenOption.APPEND
+import java.nio.file.StandardOpenOption.WRITE
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.div
 import kotlin.io.path.exists
@@ -214,6 +216,24 @@ class LakeSpec : FunSpec({
             refresh(folder / "logs", folder / "lake")
             (folder / "lake/lake.json").writeText("""{"format":"badlog-lake","version":99}""")
             shouldThrow<LakeException> { refresh(folder / "logs", folder / "lake") }.message shouldContain "version 99"
+        }
+    }
+
+    test("a lake that another badlog writes to is refused, or waited for") {
+        inFolder { folder ->
+            (folder / "logs").put("one.bag", matchBag(1, 12.0))
+            refresh(folder / "logs", folder / "lake")
+            FileChannel.open(folder / "lake/.lock", WRITE).use { channel ->
+                val lock = channel.lock()
+                shouldThrow<LakeException> { refresh(folder / "logs", folder / "lake") }.message shouldContain "Another badlog"
+                var asked = 0
+                val isBusy = {
+                    if (++asked == 3) lock.release()
+                    true
+                }
+                Lake(folder / "lake").refresh(lakeLogs(folder / "logs"), listOf(folder / "logs"), RuleSet.BUILT_IN, isBusy = isBusy).unchanged shouldBe 1
+                asked shouldBe 3
+            }
         }
     }
 })

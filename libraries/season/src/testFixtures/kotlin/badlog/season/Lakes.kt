@@ -51,7 +51,7 @@ internal fun lakeLogs(logs: Path): List<LakeLog> = FolderScan.of(logs).files.sor
     .map { LakeLog(it, logs.relativize(it.path).invariantSeparatorsPathString) }
 
 /** Makes the lake [lake] of the folder [logs]. */
-internal fun refresh(logs: Path, lake: Path, batch: Int = 500, progress: (Int, Int) -> Unit = { _, _ -> }): LakeResult = Lake(lake).refresh(lakeLogs(logs), listOf(logs), RuleSet.BUILT_IN, batch, progress)
+internal fun refresh(logs: Path, lake: Path, batch: Int = 500, progress: (Int, Int) -> Unit = { _, _ -> }): LakeResult = Lake(lake).refresh(lakeLogs(logs), listOf(logs), RuleSet.BUILT_IN, batch, progress = progress)
 
 /** Returns the rows that [sql] selects from the lake [lake]. */
 internal fun rowsOf(lake: Path, sql: String): List<List<JsonElement>> = LakeDatabase.open(Lake(lake)).use { database ->

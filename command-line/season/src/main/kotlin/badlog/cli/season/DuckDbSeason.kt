@@ -1,7 +1,9 @@
 package badlog.cli.season
 
+import badlog.analysis.LogView
 import badlog.cli.part.LakeReport
 import badlog.cli.part.LakeState
+import badlog.cli.part.ParquetSession
 import badlog.cli.part.SeasonException
 import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlColumn
@@ -9,9 +11,11 @@ import badlog.cli.part.SqlSession
 import badlog.cli.part.SqlTable
 import badlog.file.LogFile
 import badlog.rules.RuleSet
+import badlog.rules.signal.SignalVocabulary
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
 import badlog.season.lake.LakeLog
+import badlog.season.lake.ParquetWriter
 import badlog.season.sql.LakeDatabase
 import badlog.season.sql.SqlException
 import kotlinx.serialization.json.JsonElement
@@ -19,6 +23,8 @@ import java.nio.file.Path
 
 /** The lakes of the library `season`. */
 public class DuckDbSeason : SeasonService {
+    override val layoutVersion: Int get() = Lake.LAYOUT_VERSION
+
     override fun isLake(folder: Path): Boolean = Lake.isLake(folder)
 
     override fun refresh(
@@ -26,13 +32,32 @@ public class DuckDbSeason : SeasonService {
         logs: List<Pair<LogFile, String>>,
         roots: List<Path>,
         rules: RuleSet,
+        isBusy: () -> Boolean,
         progress: (done: Int, total: Int) -> Unit,
     ): LakeReport = failing {
-        val result = Lake(lake).refresh(logs.map { (file, name) -> LakeLog(file, name) }, roots, rules, progress = progress)
+        val result = Lake(lake).refresh(
+            logs.map { (file, name) ->
+                LakeLog(file, name)
+            },
+            roots,
+            rules,
+            isBusy = isBusy,
+            progress = progress,
+        )
         LakeReport(result.outcomes.map { LakeState(it.message, it.isNoLog, it.isSalvaged, it.isWritten) }, result.removed)
     }
 
-    override fun open(lake: Path, output: Path?): SqlSession = failing { DuckDbSession(LakeDatabase.open(Lake(lake), output)) }
+    override fun open(lake: Path, output: Path?, isConfined: Boolean): SqlSession =
+        failing { DuckDbSession(LakeDatabase.open(Lake(lake), output, isConfined)) }
+
+    override fun parquet(): ParquetSession = DuckDbParquet(ParquetWriter())
+}
+
+private class DuckDbParquet(private val writer: ParquetWriter) : ParquetSession {
+    override fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<Pair<Path, Long>> =
+        failing { writer.write(view, log, file, signals, target).map { it.path to it.rows } }
+
+    override fun close() = writer.close()
 }
 
 private class DuckDbSession(private val database: LakeDatabase) : SqlSession {
@@ -42,6 +67,8 @@ private class DuckDbSession(private val database: LakeDatabase) : SqlSession {
     override fun write(sql: String): Long = failing { database.writeParquet(sql) }
 
     override fun tables(): List<SqlTable> = failing { database.tables().map { SqlTable(it.name, it.meaning, it.columns.map(::columnOf)) } }
+
+    override fun cancel() = database.cancel()
 
     override fun close() = database.close()
 }

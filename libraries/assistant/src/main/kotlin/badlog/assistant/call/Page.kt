@@ -23,8 +23,8 @@ internal class Page(val entries: List<JsonElement>, val total: Int, val next: In
     companion object {
         /** The parameters of tools with such a list. */
         val PARAMETERS: List<Parameter> = listOf(
-            Parameter("offset", ParameterType.WHOLE, "Skip so many entries; default 0. Use “nextOffset” of the answer before."),
-            Parameter("limit", ParameterType.WHOLE, "At most so many entries, 1 to $MAX_ENTRIES; default $DEFAULT_ENTRIES."),
+            Parameter("offset", ParameterType.WHOLE, "Number of entries to skip; default 0. Use “nextOffset” of the previous answer."),
+            Parameter("limit", ParameterType.WHOLE, "Maximum number of entries, 1 to $MAX_ENTRIES; default $DEFAULT_ENTRIES."),
         )
 
         private const val MAX_ENTRIES = 200

@@ -35,7 +35,7 @@ internal class OpenLogs(private val logs: LogFolder) {
         val view = last?.takeIf { it.first == file }?.second ?: read(name, file).also { last = file to it }
         val formulas = arguments.texts("formulas")
         val with = view.withSignals(signals).withVirtualTopics(formulas, signals)
-        with.errors.firstOrNull()?.let { throw ToolException("This formula makes no topic of “$name”: ${it.pointed()}") }
+        with.errors.firstOrNull()?.let { throw ToolException("This formula cannot be calculated for “$name”: ${it.pointed()}") }
         return OpenLog(name, with.view, signals)
     }
 
@@ -49,7 +49,7 @@ internal class OpenLogs(private val logs: LogFolder) {
 
     companion object {
         /** The parameter of every tool that opens a log. */
-        val LOG: Parameter = Parameter("log", ParameterType.TEXT, "The name of a log, as list_logs has it.", isRequired = true)
+        val LOG: Parameter = Parameter("log", ParameterType.TEXT, "The name of a log, as listed by list_logs.", isRequired = true)
 
         /** The parameters of tools that use topics. */
         val TOPICS: List<Parameter> = listOf(
@@ -57,7 +57,7 @@ internal class OpenLogs(private val logs: LogFolder) {
             Parameter(
                 "topics",
                 ParameterType.TEXTS,
-                "The names of topics, as describe_log has them, or of signals such as “battery voltage”.",
+                "The names of topics, as listed by describe_log, or of signals such as “battery voltage”.",
                 isRequired = true,
             ),
             Parameter(
@@ -96,9 +96,9 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
         val from = arguments.number("from")
         val to = arguments.number("to")
         val unit = if (Units.isNone(view.xAxis.unit)) "" else " ${view.xAxis.unit}"
-        if (from != null && to != null && to < from) throw ToolException("“to” ($to$unit) is before “from” ($from$unit); exchange them.")
+        if (from != null && to != null && to < from) throw ToolException("“to” ($to$unit) is before “from” ($from$unit); swap them.")
         if ((from != null && from > whole.endInclusive) || (to != null && to < whole.start)) {
-            throw ToolException("The log “$name” reaches from ${whole.start}$unit to ${whole.endInclusive}$unit; select a range in it.")
+            throw ToolException("The log “$name” extends from ${whole.start}$unit to ${whole.endInclusive}$unit; select a range within it.")
         }
         return Span(maxOf(from ?: whole.start, whole.start), minOf(to ?: whole.endInclusive, whole.endInclusive))
     }
@@ -108,7 +108,7 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
         answer.putJsonObject("x") {
             put("name", view.xAxis.name)
             put("unit", unitOf(view.xAxis.unit))
-            if (view.xAxis.isIndex) put("meaning", "counts rows: the log names no time")
+            if (view.xAxis.isIndex) put("meaning", "row number: the log has no time")
             put("from", number(range?.from))
             put("to", number(range?.to))
         }

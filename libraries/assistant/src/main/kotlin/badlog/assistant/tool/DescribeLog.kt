@@ -1,6 +1,7 @@
 package badlog.assistant.tool
 
 import badlog.analysis.Span
+import badlog.analysis.sampleRateOf
 import badlog.analysis.statisticsOf
 import badlog.assistant.call.Answer
 import badlog.assistant.call.Arguments
@@ -23,15 +24,17 @@ import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
+import java.math.BigDecimal
+import java.math.MathContext
 
 /** Describes the content of a log. */
 internal class DescribeLog(private val logs: OpenLogs) :
     AssistantTool(
         "describe_log",
         "Describe a log",
-        "Tells what is in one log: match, x axis with unit and range, values of its header, when the robot was enabled, what is " +
-            "damaged, and its topics, each with unit, kind (numeric, boolean, state, event, empty), number of samples, smallest and " +
-            "largest value, or its states.",
+        "Describes one log: match, x axis with unit and range, values of its header, when the robot was enabled, what is " +
+            "damaged, and its topics, each with unit, kind (numeric, boolean, state, event, empty), number of samples, samples per " +
+            "second (rateHz), smallest and largest value, or its states.",
         listOf(
             OpenLogs.LOG,
             Parameter("only", ParameterType.TEXT, "Only topics whose names fit this pattern, such as “PDP/*”; default: all."),
@@ -115,6 +118,8 @@ internal class DescribeLog(private val logs: OpenLogs) :
 
             TopicKind.EMPTY -> put("samples", 0)
         }
+        val rate = log.view.sampleRateOf(topic)
+        if (topic.kind == TopicKind.NUMERIC && rate.isFinite()) put("rateHz", number(roundedTo(rate, RATE_DIGITS)))
     }
 
     private companion object {
@@ -122,5 +127,8 @@ internal class DescribeLog(private val logs: OpenLogs) :
         const val MAX_SPANS = 20
         const val MAX_PROBLEMS = 20
         const val MAX_STATES = 8
+        const val RATE_DIGITS = 4
+
+        fun roundedTo(value: Double, digits: Int): Double = BigDecimal(value).round(MathContext(digits)).toDouble()
     }
 }

@@ -33,13 +33,13 @@ import java.nio.file.Path
 internal class FindInLogs(private val logs: LogFolder, private val cache: Path?) :
     AssistantTool(
         "find",
-        "Ask a question of logs",
-        "Asks an expression of one log or of all: “min(battery voltage) < 7 for 0.1 s”, “max(total current)”, " +
+        "Evaluate an expression",
+        "Evaluates an expression for one log or all: “min(battery voltage) < 7 for 0.1 s”, “max(total current)”, " +
             "“each(Browned Out, Battery Voltage, Total Current)”, “count(Event Log contains 'CAN')”, “min(Battery Voltage) lowest 3”. " +
             LANGUAGE,
         listOf(
             Parameter("question", ParameterType.TEXT, "The expression.", isRequired = true),
-            Parameter("log", ParameterType.TEXT, "The name of a log, as list_logs has it; default: all logs."),
+            Parameter("log", ParameterType.TEXT, "The name of a log, as listed by list_logs; default: all logs."),
             Parameter(
                 "formulas",
                 ParameterType.TEXTS,

@@ -38,8 +38,8 @@ internal class FindingsOfLogs(private val logs: LogFolder, private val cache: Pa
             "what followed, and its findings, the worst first, with times, the topics that show it (evidence), and what to look at next. " +
             "Without “log”: for each log how many findings there are, and its incidents.",
         listOf(
-            Parameter("log", ParameterType.TEXT, "The name of a log, as list_logs has it; default: an overview of all logs."),
-            Parameter("severity", ParameterType.TEXT, "Only findings at least this bad: “error”, “warning” or “note”; default: note."),
+            Parameter("log", ParameterType.TEXT, "The name of a log, as listed by list_logs; default: an overview of all logs."),
+            Parameter("severity", ParameterType.TEXT, "The lowest severity to list: “error”, “warning” or “note”; default: note."),
         ) + Page.PARAMETERS,
     ) {
     override fun answer(arguments: Arguments): Answer {

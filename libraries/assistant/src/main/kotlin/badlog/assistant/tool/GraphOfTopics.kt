@@ -35,7 +35,7 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         val log = logs.open(arguments)
         val lines = log.lines(arguments, MAX_TOPICS)
         lines.find { it.topic.kind == TopicKind.EVENT }?.let {
-            throw ToolException("“${it.topic.name}” has events, which are no line of a graph; ask for its samples instead.")
+            throw ToolException("“${it.topic.name}” has events, which a graph cannot show; ask for its samples instead.")
         }
         val units = lines.filter { it.states == null }.map { unitOf(it.unit) }.distinct().size
         if (units > MAX_UNITS) throw ToolException("The topics have $units units, and a graph at most $MAX_UNITS; ask for two graphs.")

@@ -30,14 +30,14 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
     AssistantTool(
         "samples",
         "Samples of topics",
-        "The samples of topics of one log in a range. Where a numeric topic has more samples there than “points”, the range is cut " +
-            "into that many equal parts, and each part that has samples is given with its smallest and largest value, so that no " +
-            "extreme is lost; the answer says so. Of states it gives from when to when each lasted, of events their texts. At most " +
+        "The samples of topics of one log in a range. If a numeric topic has more samples there than “points”, the range is divided " +
+            "into that many equal parts, and the answer has the smallest and largest value of each part that has samples, so no " +
+            "extreme is lost; the answer says so. For states it gives when each began and ended, for events their texts. At most " +
             "$MAX_TOPICS topics, and $MAX_POINTS points of all topics together.",
         OpenLogs.TOPICS + Parameter(
             "points",
             ParameterType.WHOLE,
-            "At most so many points of each topic, 1 to $MAX_POINTS; default $DEFAULT_POINTS.",
+            "Maximum number of points per topic, 1 to $MAX_POINTS; default $DEFAULT_POINTS.",
         ),
     ) {
     override fun answer(arguments: Arguments): Answer {

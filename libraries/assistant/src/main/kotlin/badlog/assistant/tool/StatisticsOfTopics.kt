@@ -28,7 +28,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
         "statistics",
         "Statistics of topics",
         "Statistics of topics of one log over a range: min, max, mean, median, percentiles, standard deviation, first, last, change, " +
-            "integral, number of samples and of gaps; of states how long and how often each was there. Mean, median, percentiles and " +
+            "integral, number of samples and of gaps; for states how long and how often each was active. Mean, median, percentiles and " +
             "standard deviation are by time.",
         OpenLogs.TOPICS,
     ) {

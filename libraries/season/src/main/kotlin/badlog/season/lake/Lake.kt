@@ -75,6 +75,8 @@ public class Lake(public val folder: Path) {
      * most 256 MB.
      *
      * @param rules the rules for findings, and the names of topics.
+     * @param isBusy called from time to time while another badlog writes to the lake; returns whether to wait until it has finished. An
+     *   exception from it is passed on.
      * @param batch the minimum number of logs after which the tables are written.
      * @param progress called on this thread with the number of changed logs that are done. An exception from it stops the work and is
      *   passed on; completed work stays in the lake.
@@ -86,8 +88,9 @@ public class Lake(public val folder: Path) {
         roots: List<Path>,
         rules: RuleSet,
         batch: Int = DEFAULT_BATCH,
+        isBusy: () -> Boolean = { false },
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
-    ): LakeResult = locked {
+    ): LakeResult = locked(isBusy) {
         writing(folder) {
             val mark = LakeMark.of(folder) ?: LakeMark().also { it.write(folder) }
             Engine(Engine.WRITING_MEGABYTES, threads = 1).use { engine ->
@@ -96,7 +99,7 @@ public class Lake(public val folder: Path) {
         }
     }
 
-    private fun <R> locked(work: () -> R): R {
+    private fun <R> locked(isBusy: () -> Boolean, work: () -> R): R {
         val channel = try {
             requireOwn()
             Files.createDirectories(folder)
@@ -105,14 +108,19 @@ public class Lake(public val folder: Path) {
             throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
         }
         return channel.use {
-            val lock = try {
-                it.tryLock()
-            } catch (_: OverlappingFileLockException) {
-                null
+            while (!it.takesLock()) {
+                if (!isBusy()) throw LakeException("Another badlog is writing to the lake $folder; wait until it has finished.")
+                Thread.sleep(PATIENCE)
             }
-            if (lock == null) throw LakeException("Another badlog is writing to the lake $folder; wait until it has finished.")
             work()
         }
+    }
+
+    /** Takes the lock, unless another thread or process has it. */
+    private fun FileChannel.takesLock(): Boolean = try {
+        tryLock() != null
+    } catch (_: OverlappingFileLockException) {
+        false
     }
 
     /** A lake must not be mixed with other files. */
@@ -126,7 +134,13 @@ public class Lake(public val folder: Path) {
         /** Returns whether [folder] is a lake, of any version. */
         public fun isLake(folder: Path): Boolean = Files.isRegularFile(folder.resolve(LakeLayout.MARK))
 
+        /** The version of the layout that is written, see `docs/season.md`; other versions are not read. */
+        public const val LAYOUT_VERSION: Int = LakeLayout.VERSION
+
         private const val DEFAULT_BATCH = 500
+
+        /** So many milliseconds until a look whether another badlog has finished. */
+        private const val PATIENCE = 200L
     }
 }
 

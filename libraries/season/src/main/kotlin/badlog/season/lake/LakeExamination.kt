@@ -54,31 +54,20 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
         if (IO_ERROR in e.message.orEmpty()) throw e
         ExaminedLog.None("This is a bug in badlog (${e.message}); report it, with the file if you may share it.", isNoLog = false)
     } catch (_: OutOfMemoryError) {
-        ExaminedLog.None("It is too large for the available memory; give the program more memory, or cut the file.", isNoLog = false)
+        ExaminedLog.None("It is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.", isNoLog = false)
     }
 
     private fun write(view: LogView, findings: List<Finding>, source: LogSource, log: String, folder: Path): LakeEntry {
         val identity = LogIdentity.of(source.file, view.recording, rules.signals)
-        val samples = if (hasSamples) SamplesTable(view, log, identity) else null
-        val columns = samples?.nameOf.orEmpty()
-        val files = if (samples == null) emptyList() else write(view, samples, log, identity, folder)
-        val records = LogRecords(log, source, view, findings, identity, columns, files, maker)
-        return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
-    }
-
-    /** Writes the files of a single log; returns their names, seen from the lake. */
-    private fun write(view: LogView, samples: SamplesTable, log: String, identity: LogIdentity, folder: Path): List<String> {
-        val tables = listOfNotNull(
-            samples.table?.let { LakeLayout.logFile(LakeLayout.SAMPLES, identity.partition, log) to it },
-            seriesTable(view, log, identity)?.let { LakeLayout.logFile(LakeLayout.SERIES, identity.partition, log) to it },
+        val tables = if (hasSamples) LogTables(view, log, identity) else null
+        val targets = listOfNotNull(
+            tables?.samples?.let { LakeLayout.logFile(LakeLayout.SAMPLES, identity.partition, log) to it },
+            tables?.series?.let { LakeLayout.logFile(LakeLayout.SERIES, identity.partition, log) to it },
         )
-        val metadata = METADATA to topicsJson(view.recording.topics, samples.nameOf, identity)
-        engine.connected { connection ->
-            for ((target, table) in tables) {
-                engine.lend(table) { select -> writeParquet(connection, select, folder.resolve(target), metadata, table.columns.size) }
-            }
-        }
-        return tables.map { it.first }
+        for ((target, table) in targets) tables?.write(table, folder.resolve(target), engine)
+        val files = targets.map { it.first }
+        val records = LogRecords(log, source, view, findings, identity, tables?.columnOf.orEmpty(), files, maker)
+        return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
     }
 
     private fun programFor(view: LogView): RuleProgram {
@@ -91,8 +80,5 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
         const val IO_ERROR = "IO Error"
         const val HEX = 16
         const val WITHOUT_SAMPLES = "-without-samples"
-
-        /** By which name a file of samples says what its topics are. */
-        const val METADATA = "badlog"
     }
 }

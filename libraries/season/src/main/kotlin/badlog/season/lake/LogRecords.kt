@@ -2,6 +2,7 @@ package badlog.season.lake
 
 import badlog.analysis.LogView
 import badlog.analysis.Units
+import badlog.analysis.sampleRateOf
 import badlog.analysis.statisticsOf
 import badlog.recording.Topic
 import badlog.recording.TopicKind
@@ -11,7 +12,6 @@ import badlog.text.UniqueNames
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
-import kotlin.math.abs
 
 /**
  * The records of one log in the tables of a lake.
@@ -57,7 +57,6 @@ internal class LogRecords(
         val positions = topic.times ?: if (topic.size == recording.rowCount) view.xAxis.positions else DoubleArray(0)
         val first = positions.firstOrNull { it.isFinite() }
         val last = positions.lastOrNull { it.isFinite() }
-        val seconds = if (first == null || last == null) Double.NaN else abs(last - first) * secondsPerX
         val column = columnOf[topic]
         val stored = when {
             column != null -> LakeLayout.SAMPLES
@@ -67,7 +66,7 @@ internal class LogRecords(
         return listOf(
             log, topic.name, stored, column, unitOf(topic), textsJson(topic.attributes), topic.kind.name.lowercase(),
             topic.type.ifEmpty { null }, topic.size.toLong(), topic.counts.empty.toLong() + topic.counts.notFinite,
-            if (seconds > 0 && !view.xAxis.isIndex) (positions.size - 1) / seconds else null, first, last,
+            view.sampleRateOf(topic), first, last,
         )
     }
 

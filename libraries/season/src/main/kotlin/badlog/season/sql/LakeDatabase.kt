@@ -40,10 +40,11 @@ public class SqlColumn internal constructor(public val name: String, public val 
 public class LakeDatabase private constructor(
     private val folder: Path,
     private val output: Path?,
+    private val isConfined: Boolean,
     private val engine: Engine,
     private val connection: DuckDBConnection,
 ) : AutoCloseable {
-    private val views = LakeViews(folder, connection)
+    private val views = LakeViews(folder, connection, hidden = if (isConfined) setOf("path") else emptySet())
 
     @Volatile
     private var running: java.sql.Statement? = null
@@ -104,7 +105,8 @@ public class LakeDatabase private constructor(
         work()
     } catch (e: SQLException) {
         // If rows are streamed, the driver adds a line of its own before the engine's message.
-        throw SqlException(e.message.orEmpty().substringAfter("\nError: ").trim(), e)
+        val message = e.message.orEmpty().substringAfter("\nError: ").trim()
+        throw SqlException(if (isConfined) message.replace("$folder", "the lake") else message, e)
     }
 
     /** Only queries can be written as JSON by DuckDB, so anything else is refused before any of it is executed. */
@@ -120,6 +122,7 @@ public class LakeDatabase private constructor(
             throw SqlException(if ("SELECT" in message) ONLY_QUERIES else "The query is wrong: $message")
         }
         if (told["statements"]?.jsonArray?.size != 1) throw SqlException(ONLY_QUERIES)
+        if (isConfined) QuerySources.require(told)
     }
 
     override fun close() {
@@ -132,23 +135,27 @@ public class LakeDatabase private constructor(
          * Opens [lake].
          *
          * @param output a file that [writeParquet] may write; null for none.
+         * @param isConfined whether those who ask must not learn where files are, and may use little memory: queries can only read the
+         *   [tables] then, which do not tell it.
          * @throws LakeException if it is not a lake.
          */
-        public fun open(lake: Lake, output: Path? = null): LakeDatabase {
-            LakeMark.of(lake.folder) ?: throw LakeException("${lake.folder} is not a lake; make one by badlog lake.")
+        public fun open(lake: Lake, output: Path? = null, isConfined: Boolean = false): LakeDatabase {
+            LakeMark.of(lake.folder) ?: throw LakeException("${lake.folder} is not a lake; make one with badlog lake.")
             // Queries could not access it by another path.
             val folder = lake.folder.toRealPath()
             val target = output?.toAbsolutePath()?.normalize()
-            val engine = Engine(memoryMegabytes = null, threads = Runtime.getRuntime().availableProcessors(), streams = true)
+            val memory = if (isConfined) CONFINED_MEGABYTES else null
+            val engine = Engine(memory, threads = Runtime.getRuntime().availableProcessors(), streams = true)
             try {
                 engine.lockTo(listOf(folder), listOfNotNull(target))
-                return LakeDatabase(folder, target, engine, engine.connection())
+                return LakeDatabase(folder, target, isConfined, engine, engine.connection())
             } catch (e: SQLException) {
                 engine.close()
                 throw LakeException("The lake $folder cannot be read (${e.message}); make it again.", e)
             }
         }
 
+        private const val CONFINED_MEGABYTES = 1024
         private const val ONLY_QUERIES = "Only a single query is possible here, such as SELECT … FROM matches; nothing can be changed."
     }
 }

@@ -13,8 +13,14 @@ import java.nio.file.Path
 /**
  * The views that queries of the lake [folder] can use. A view is created when a query first mentions it, since views of thousands
  * of files take time.
+ *
+ * @param hidden columns of the table of matches that queries do not see.
  */
-internal class LakeViews(private val folder: Path, private val connection: DuckDBConnection) {
+internal class LakeViews(
+    private val folder: Path,
+    private val connection: DuckDBConnection,
+    private val hidden: Set<String> = emptySet(),
+) {
     private val made = HashSet<LakeView>()
 
     /** Creates the views that [sql] mentions. */
@@ -37,8 +43,9 @@ internal class LakeViews(private val folder: Path, private val connection: DuckD
 
     private fun table(table: LakeTable): String {
         val files = tableFiles(folder, table)
-        if (files.isEmpty()) return "SELECT * FROM (SELECT ${nulls(table)}) WHERE false"
-        return "SELECT * FROM ${scanOf(files)}"
+        val columns = if (table == LakeTable.MATCHES && hidden.isNotEmpty()) "* EXCLUDE (${hidden.joinToString { quoted(it) }})" else "*"
+        if (files.isEmpty()) return "SELECT $columns FROM (SELECT ${nulls(table)}) WHERE false"
+        return "SELECT $columns FROM ${scanOf(files)}"
     }
 
     private fun nulls(table: LakeTable) = table.fields.joinToString { (name, type) -> "NULL::${type.type} AS ${quoted(name)}" } +
@@ -89,8 +96,8 @@ internal enum class LakeView(val meaning: String) {
     MATCHES("a row per log: which match, when, its header values, its problems"),
     TOPICS("a row per log and topic: unit, attributes, kind, rate, range"),
     STATISTICS("a row per log and topic that has numbers: count, min, max, mean and percentiles by time"),
-    MATCH_STATISTICS("a row per log, as matches, with a column per topic that has its statistics: \"System/Battery Voltage\".min"),
-    SAMPLES("a row per row of each log whose topics share rows, such as bags, with a column per topic"),
+    MATCH_STATISTICS("a row per log: the columns of matches, and a column per topic with its statistics: \"System/Battery Voltage\".min"),
+    SAMPLES("a row per row of each log that has rows, such as a bag, with a column per topic"),
     SERIES("a row per sample of the topics that have times of their own, such as those of WPILOGs: topic, t, value, text"),
     EVENTS("a row per text with a time"),
     FINDINGS("a row per finding of the rules"),

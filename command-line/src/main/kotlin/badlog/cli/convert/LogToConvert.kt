@@ -1,0 +1,44 @@
+package badlog.cli.convert
+
+import badlog.analysis.LogView
+import badlog.cli.input.Failure
+import badlog.cli.input.LogInput
+import badlog.cli.input.readLog
+import badlog.cli.search.signalsBeside
+import badlog.cli.topic.TopicChoice
+import badlog.recording.Recording
+import badlog.rules.withVirtualTopics
+import badlog.terminal.Progress
+
+/**
+ * The log of [input], read to be written in another format.
+ *
+ * @param virtualTopics definitions of topics to add.
+ * @param only which topics are wanted.
+ * @param needed topics that are wanted besides.
+ * @throws Failure when there is nothing in it, or none of what is wanted.
+ */
+internal class LogToConvert(
+    input: LogInput,
+    virtualTopics: List<String>,
+    only: TopicChoice,
+    needed: List<String> = emptyList(),
+    progress: Progress,
+) {
+    private val read: Recording = readLog(input.file, progress)
+
+    init {
+        if (read.topics.isEmpty()) {
+            throw Failure("${input.file}: nothing can be converted. ${read.problems.firstOrNull()?.message.orEmpty()}".trim())
+        }
+    }
+
+    /** The log with the topics that were added, and those that could not be. */
+    val all = LogView.of(read).withVirtualTopics(virtualTopics, signalsBeside(input.file))
+
+    /** The names of the topics that were added. */
+    val added: Set<String> = all.view.recording.topics.drop(read.topics.size).mapTo(HashSet()) { it.name }
+
+    /** What of it is wanted. */
+    val wanted: Recording = only.of(all.view, input.file, needed)
+}

@@ -1,0 +1,84 @@
+package badlog.cli.convert
+
+import badlog.analysis.LogView
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcome
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.input.Failure
+import badlog.cli.input.FileName
+import badlog.cli.input.LogInput
+import badlog.cli.output.OutputPlan
+import badlog.cli.part.ParquetSession
+import badlog.cli.part.PartLoader
+import badlog.cli.part.SeasonException
+import badlog.cli.part.SeasonService
+import badlog.cli.search.signalsBeside
+import badlog.cli.text.counted
+import badlog.cli.text.jsonOf
+import badlog.cli.text.lossLines
+import badlog.cli.text.undefinedLines
+import badlog.cli.topic.TopicChoice
+import badlog.report.UndefinedJson
+import badlog.terminal.Progress
+import kotlinx.serialization.Serializable
+import java.nio.file.Path
+import kotlin.io.path.invariantSeparatorsPathString
+
+/**
+ * Writes logs as Parquet files, each with the columns that `badlog lake` gives it.
+ *
+ * @param virtualTopics definitions of topics to add.
+ * @param only which topics to write.
+ */
+internal class ParquetTask(
+    private val paths: List<Path>,
+    private val plan: OutputPlan,
+    private val virtualTopics: List<String>,
+    private val only: TopicChoice,
+    private val parts: PartLoader,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode = parts.call("convert --to $OPTION", SeasonService::class.java, console) { service ->
+        service.parquet().use { session ->
+            LogLoop("convert", console, isJson).run(paths) { input, progress -> convert(session, input, progress) }
+        }
+    }
+
+    private fun convert(session: ParquetSession, input: LogInput, progress: Progress): Outcome {
+        val file = input.file
+        val log = LogToConvert(input, virtualTopics, only, progress = progress)
+        val name = FileName.of(file).with(ENDING, isGzip = false)
+        val target = plan.place(input, name, name)
+        val view = LogView.of(log.wanted)
+        val files = try {
+            session.write(view, input.relativePath.invariantSeparatorsPathString, file.fileName.toString(), signalsBeside(file), target)
+        } catch (e: SeasonException) {
+            throw Failure(e.message)
+        }
+        if (files.isEmpty()) throw Failure("$file: it has no samples to write.")
+        // Paths as they were typed.
+        val written = files.map { (path, rows) -> target.resolveSibling(path.fileName) to rows }
+        val text = written.flatMap { (path, rows) -> listOf("$file -> $path", "  ${counted(rows, "row")}") } +
+            undefinedLines(log.all.errors) + lossLines(log.wanted.problems)
+        val json = ParquetJson(written.first().first.toString(), OPTION, written.sumOf { it.second }, log.all.errors.map(::UndefinedJson))
+        return Outcome(log.wanted.isSalvaged, text.joinToString("\n"), jsonOf(json))
+    }
+
+    companion object {
+        /** What `--to` calls it. */
+        const val OPTION = "parquet"
+
+        /** How the names of such files end. */
+        const val ENDING = ".parquet"
+    }
+}
+
+@Serializable
+private class ParquetJson(
+    private val output: String,
+    private val format: String,
+    private val rows: Long,
+    private val undefined: List<UndefinedJson>,
+)

@@ -1,0 +1,51 @@
+package badlog.cli.part
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.zip.CRC32
+import kotlin.io.path.isDirectory
+import kotlin.io.path.name
+
+/**
+ * Where the lakes are that badlog makes for itself: one for each folder of logs that was asked about.
+ *
+ * @param answers where answers are kept between runs; lakes stand beside it.
+ * @param layoutVersion the version of the layout that they have.
+ */
+public class LakeCache(private val answers: Path, private val layoutVersion: Int) {
+    /**
+     * The place of the lake of [folder], which exists. Lakes of former layouts, which nobody can read any longer, are removed.
+     *
+     * @param user who has a lake of its own of the same folder; empty for the person at the command line.
+     */
+    public fun lakeOf(folder: Path, user: String = ""): Path {
+        removeFormer()
+        val real = folder.toRealPath()
+        val key = CRC32().apply { update(real.toString().encodeToByteArray()) }.value.toString(HEX)
+        val prefix = if (user.isEmpty()) "" else "$user-"
+        return answers.resolveSibling("$NAME$layoutVersion").resolve("$prefix${real.fileName ?: "root"}-$key")
+    }
+
+    private fun removeFormer() {
+        try {
+            val parent = answers.toAbsolutePath().parent
+            if (!parent.isDirectory()) return
+            val former = Files.list(parent).use { all -> all.filter { isFormer(it.name) }.toList() }
+            for (lakes in former) lakes.toFile().deleteRecursively()
+        } catch (_: IOException) {
+            // They take room, and do no other harm.
+        }
+    }
+
+    private fun isFormer(name: String): Boolean =
+        name == WITHOUT_VERSION || (name.startsWith(NAME) && (name.removePrefix(NAME).toIntOrNull() ?: layoutVersion) < layoutVersion)
+
+    private companion object {
+        const val NAME = "lakes-v"
+
+        /** What the folder was called before layouts had versions. */
+        const val WITHOUT_VERSION = "lakes"
+        const val HEX = 16
+    }
+}

@@ -1,0 +1,85 @@
+package badlog.cli.convert
+
+import badlog.cli.BAG
+import badlog.cli.CUT_BAG
+import badlog.cli.SAMPLES
+import badlog.cli.badlog
+import badlog.cli.badlogJson
+import badlog.cli.command.ExitCode
+import badlog.cli.inFolder
+import badlog.cli.names
+import badlog.cli.sampleLog
+import badlog.cli.with
+import badlog.python.TestPython
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Path
+import kotlin.io.path.div
+import kotlin.io.path.readBytes
+
+private val PYTHON = TestPython("pandas, pyarrow", "pandas and pyarrow")
+
+class ConvertParquetSpec : FunSpec({
+    fun isParquet(file: Path) = file.readBytes().run { size > 8 && decodeToString(0, 4) == "PAR1" && decodeToString(size - 4, size) == "PAR1" }
+
+    test("a log becomes a Parquet file beside it, and a folder one for each log") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val ended = badlog("convert", log, "--to", "parquet")
+            ended.out shouldBe "$log -> ${folder / "a.parquet"}\n  5 rows\n"
+            ended.code shouldBe ExitCode.WHOLE
+            isParquet(folder / "a.parquet") shouldBe true
+            (folder / "logs").with("sub/b.bag.gz", BAG)
+            (folder / "logs").with("c.bag", CUT_BAG)
+            (folder / "logs").sampleLog("practice.bag")
+            badlog("convert", folder / "logs", "--to", "parquet", "--out", folder / "out").code shouldBe ExitCode.SALVAGED
+            (folder / "out").names() shouldContainExactly listOf("c.parquet", "practice.bag.parquet", "sub")
+            isParquet(folder / "out/sub/b.parquet") shouldBe true
+        }
+    }
+
+    test("the name after --out shows the format, and nothing is replaced unasked") {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            badlog("convert", log, "-o", folder / "b.parquet").code shouldBe ExitCode.WHOLE
+            badlog("convert", log, "-o", folder / "b.parquet").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "--force"
+            }
+            badlogJson("convert", log, "-o", folder / "b.parquet", "--force").out shouldBe
+                """{"command":"convert","file":"$log","status":"whole","output":"${folder / "b.parquet"}","format":"parquet","rows":5,"undefined":[]}""" + "\n"
+            folder.names() shouldContainExactly listOf("a.bag", "b.parquet")
+        }
+    }
+
+    test("options that make rows or compress have no effect on it, and are refused") {
+        for (option in listOf("--gzip", "--x=Time", "--period=0.1", "--rows-at=Time", "--changes-only")) {
+            val ended = badlog("convert", SAMPLES / "practice.bag", "--to", "parquet", option)
+            ended.code shouldBe ExitCode.USAGE
+            ended.err shouldStartWith "${option.substringBefore('=')} has no effect"
+        }
+    }
+
+    test("pandas reads the topics that were asked for, and those that were added").config(enabledOrReasonIf = PYTHON.isHere) {
+        inFolder { folder ->
+            val log = folder.with("a.bag", BAG)
+            val target = folder / "a.parquet"
+            badlog("convert", log, "-o", target, "--only", "Speed", "--only", "Twice", "--topic", "Twice [m/s] = 2 * Speed").code shouldBe ExitCode.WHOLE
+            val script = folder.with("read.py", "import pandas, sys\nrows = pandas.read_parquet(sys.argv[1])\nprint(rows.to_csv(index=False), end='')\n")
+            val python = PYTHON.running("$script", "$target")
+            python.inputReader().readText() shouldBe """
+                log,type,number,t,Speed,Twice
+                a.bag,,42,0.0,1.5,3.0
+                a.bag,,42,0.02,2.5,5.0
+                a.bag,,42,0.04,3.5,7.0
+                a.bag,,42,0.06,,
+                a.bag,,42,0.08,5.5,11.0
+
+            """.trimIndent()
+            python.waitFor() shouldBe 0
+        }
+    }
+})

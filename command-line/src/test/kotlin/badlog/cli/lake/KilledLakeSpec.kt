@@ -1,0 +1,91 @@
+package badlog.cli.lake
+
+import badlog.cli.BAG
+import badlog.cli.badlog
+import badlog.cli.command.ExitCode
+import badlog.cli.inFolder
+import badlog.cli.part.SeasonService
+import badlog.cli.part.javaCommand
+import badlog.cli.with
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.booleans.shouldBeTrue
+import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.ServiceLoader
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.div
+import kotlin.io.path.exists
+import kotlin.time.Duration.Companion.minutes
+
+/** More than are written before the tables are written for the first time. */
+private const val LOGS = 1_200
+
+class KilledLakeSpec : FunSpec({
+    fun makeLogs(folder: Path) {
+        for (number in 1..LOGS) {
+            val event = """{"name":"Event Name","value":"Event ${number % 3}"},"""
+            (folder / "logs").with("q$number.bag", BAG.replace(""""values":[""", """"values":[$event""").replace("\"42\"", "\"$number\""))
+        }
+    }
+
+    /** Runs the installed program until [isTime], and ends it by [end]. */
+    suspend fun stopped(folder: Path, isTime: (Path) -> Boolean, end: (Process) -> Unit) {
+        val process = ProcessBuilder(javaCommand("lake", "${folder / "logs"}", "--out", "${folder / "lake"}")).redirectErrorStream(true).start()
+        process.outputStream.close()
+        eventually(5.minutes) { (isTime(folder / "lake") || !process.isAlive).shouldBeTrue() }
+        withClue("It was to be ended before it had finished.") { process.isAlive shouldBe true }
+        end(process)
+        process.waitFor(2, TimeUnit.MINUTES) shouldBe true
+    }
+
+    fun filesIn(folder: Path): Int = if (!folder.exists()) 0 else Files.walk(folder).use { all -> all.filter { Files.isRegularFile(it) }.count().toInt() }
+
+    /** All tables of [lake], each a line per row. */
+    fun tablesOf(lake: Path): Map<String, List<String>> = ServiceLoader.load(SeasonService::class.java).first().open(lake, null).use { session ->
+        session.tables().associate { table ->
+            table.name to buildList {
+                session.query("SELECT * FROM ${table.name} ORDER BY ALL", {}) { add("$it") }
+            }
+        }
+    }
+
+    fun readable(lake: Path): Int {
+        val tables = tablesOf(lake)
+        val logs = tables.getValue("matches").size
+        // Each of the logs that are there is there whole.
+        tables.getValue("samples").size shouldBe logs * BAG.lines().drop(2).count { it.isNotEmpty() }
+        return logs
+    }
+
+    fun isUndisturbed(folder: Path) {
+        badlog("lake", folder / "logs", "--out", folder / "lake").code shouldBe ExitCode.WHOLE
+        badlog("lake", folder / "logs", "--out", folder / "other").code shouldBe ExitCode.WHOLE
+        tablesOf(folder / "lake") shouldBe tablesOf(folder / "other")
+        Files.walk(folder / "lake").use { all -> all.filter { it.fileName.toString().endsWith(".part") }.count() } shouldBe 0
+    }
+
+    test("a lake whose making is killed again and again can be read, and becomes what it would have been") {
+        inFolder { folder ->
+            makeLogs(folder)
+            stopped(folder, { filesIn(it / "samples") >= 30 }) { it.destroyForcibly() }
+            readable(folder / "lake") shouldBeLessThan LOGS
+            stopped(folder, { filesIn(it / "matches") >= 1 }) { it.destroyForcibly() }
+            readable(folder / "lake") shouldBeLessThan LOGS
+            isUndisturbed(folder)
+        }
+    }
+
+    test("a lake whose making is canceled by Ctrl+C keeps what is done, and the next run does the rest") {
+        inFolder { folder ->
+            makeLogs(folder)
+            stopped(folder, { filesIn(it / "matches") >= 3 }) { ProcessBuilder("kill", "-INT", "${it.pid()}").inheritIO().start().waitFor() }
+            readable(folder / "lake") shouldBeGreaterThanOrEqual 1
+            isUndisturbed(folder)
+        }
+    }
+})

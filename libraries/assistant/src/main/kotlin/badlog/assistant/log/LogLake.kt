@@ -1,0 +1,89 @@
+package badlog.assistant.log
+
+import badlog.assistant.call.ToolException
+import badlog.cli.part.LakeCache
+import badlog.cli.part.LakeReport
+import badlog.cli.part.SeasonException
+import badlog.cli.part.SeasonService
+import badlog.cli.part.SqlSession
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import java.nio.file.Path
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.FutureTask
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/**
+ * The tables of the logs of [logs], in a lake in the cache. No other command uses it, since their lakes may have logs that links lead to.
+ *
+ * @param cache where answers are kept; lakes stand beside it.
+ * @param patience for how many seconds an assistant waits until tables are made. They are made in any case.
+ */
+internal class LogLake(
+    private val logs: LogFolder,
+    private val cache: Path,
+    private val service: SeasonService,
+    private val patience: Long = PATIENCE,
+) {
+    private var making: Making? = null
+
+    /**
+     * Lets [ask] query the logs as they are now; it also hears how many of them are not there, because they cannot be read.
+     *
+     * @throws ToolException when the tables are not made yet, or cannot be, or when a query is wrong.
+     */
+    fun <R> asking(ask: (tables: SqlSession, missing: Int) -> R): R {
+        val folder = LakeCache(cache, service.layoutVersion).lakeOf(logs.root, USER)
+        try {
+            val missing = refreshed(folder).logs.count { it.message != null && !it.isNoLog }
+            return service.open(folder, null, isConfined = true).use { ask(it, missing) }
+        } catch (e: SeasonException) {
+            throw ToolException(e.message.replace("$folder", "of these logs"))
+        }
+    }
+
+    private fun refreshed(folder: Path): LakeReport {
+        val current = making ?: Making(folder).also {
+            making = it
+            it.begin()
+        }
+        val report = current.await()
+        making = null
+        return report
+    }
+
+    /** A run over the logs as they are when it is made, on a thread of its own. */
+    private inner class Making(folder: Path) {
+        private val all = logs.logs().map { (name, file) -> file to name }
+        private val rules = logs.rules()?.rules ?: RuleSet.BUILT_IN
+
+        @Volatile
+        private var done = 0
+        private val task = FutureTask {
+            service.refresh(folder, all, listOf(logs.root), rules, isBusy = { true }) { done, _ ->
+                this.done =
+                    done
+            }
+        }
+
+        fun begin() = Thread(task, "badlog-lake").apply { isDaemon = true }.start()
+
+        fun await(): LakeReport = try {
+            task.get(patience, TimeUnit.SECONDS)
+        } catch (_: TimeoutException) {
+            throw ToolException("The tables of ${all.size} logs are being made, $done are done; ask the same again in a minute.")
+        } catch (e: ExecutionException) {
+            making = null
+            throw e.cause ?: e
+        }
+    }
+
+    private companion object {
+        /** Assistants mostly wait for a minute. */
+        const val PATIENCE = 40L
+
+        /** Whose lake it is. */
+        const val USER = "mcp"
+    }
+}

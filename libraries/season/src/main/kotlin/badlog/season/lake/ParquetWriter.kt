@@ -1,0 +1,51 @@
+package badlog.season.lake
+
+import badlog.analysis.LogView
+import badlog.rules.signal.SignalVocabulary
+import badlog.rules.withSignals
+import badlog.season.engine.Engine
+import java.io.IOException
+import java.nio.file.Path
+import java.sql.SQLException
+
+/**
+ * A Parquet file that was written.
+ *
+ * @property rows how many rows it has.
+ */
+public class ParquetFile internal constructor(public val path: Path, public val rows: Long)
+
+/** Writes single logs as Parquet files, with the columns that a [Lake] has for them; `docs/season.md` specifies these. Safe for several threads. */
+public class ParquetWriter : AutoCloseable {
+    private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
+
+    /**
+     * Writes the samples of [view] to [target], which is there whole or as it was before. Where some topics share rows and others have
+     * times of their own, the latter get a second file beside it: `match.series.parquet` beside `match.parquet`.
+     *
+     * @param log what the column `log` holds.
+     * @param file the name of the log's file, which may tell its match and its time.
+     * @param signals what topics are called that tell the same.
+     * @return what was written; nothing where the log has no samples.
+     * @throws LakeException when a file cannot be written.
+     */
+    public fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
+        val tables = LogTables(view.withSignals(signals), log, LogIdentity.of(file, view.recording, signals))
+        val samples = tables.samples
+        val series = tables.series
+        val path = target.toAbsolutePath()
+        val ofSeries = if (samples == null) path else path.resolveSibling(path.fileName.toString().removeSuffix(LakeLayout.ENDING) + SERIES)
+        listOfNotNull(samples?.let { it to path }, series?.let { it to ofSeries })
+            .map { (table, file) -> ParquetFile(file, tables.write(table, file, engine)) }
+    } catch (e: SQLException) {
+        throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)
+    } catch (e: IOException) {
+        throw LakeException("$target cannot be written (${e.message}); name another file.", e)
+    }
+
+    override fun close(): Unit = engine.close()
+
+    private companion object {
+        const val SERIES = ".series.parquet"
+    }
+}
