@@ -137,7 +137,7 @@ public final class LakeBenchmark {
         Best best = new Best();
         for (int round = 0; round < SHORT_ROUNDS; round++) {
             long before = System.nanoTime();
-            try (LakeDatabase database = LakeDatabase.Companion.open(new Lake(lake), null)) {
+            try (LakeDatabase database = LakeDatabase.Companion.open(new Lake(lake), null, false)) {
                 database.query(sql, columns -> Unit.INSTANCE, row -> true);
             }
             best.add(new MeasuredRun((System.nanoTime() - before) / 1e9, 0));

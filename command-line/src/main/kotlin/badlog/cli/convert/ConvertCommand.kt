@@ -26,7 +26,7 @@ internal class ConvertCommand(private val parts: PartLoader) :
             "--out, match.bag becomes match.csv beside it. A file whose name ends in .gz is compressed.",
     ) {
     private val to by option("--to").choice(*OPTIONS.toTypedArray(), metavar = "FORMAT")
-        .help("${OPTIONS.joinToString()}; default: from the name after --out.")
+        .help("${OPTIONS.joinToString()}; default: from the --out name.")
     private val output by OutputOptions()
     private val isGzip by option("-z", "--gzip").flag().help("Compress the results, and add .gz to their names.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Make this topic the x axis of the bag.")
