@@ -20,7 +20,7 @@ struct CellCounts {
     int64_t truthValues = 0;
     int64_t texts = 0;
     int64_t empty = 0;
-    /** Into how many runs of neighboring rows the cells without a number fall. */
+    /** The number of runs of neighboring rows that have no number. */
     int64_t gaps = 0;
 
     int64_t Total() const { return numbers + notFinite + truthValues + texts + empty; }
@@ -61,11 +61,11 @@ struct Problem {
     std::optional<int64_t> line;
     /** The name of the topic concerned. */
     std::optional<std::string> topic;
-    /** How often it was met; line and message speak of the first. */
+    /** How often it occurred; line and message are about the first. */
     int64_t count = 1;
 };
 
-/** What was read from one log: everything that could be kept, and the problems met on the way. */
+/** What was read from one log: everything that could be kept, and the problems found. */
 struct Recording {
     /** False for a plain CSV file, which has no units, attributes and values. */
     bool isBag = false;
@@ -77,7 +77,7 @@ struct Recording {
 };
 
 /**
- * Reads a bag or a CSV file from its bytes, which must not be compressed. Nothing in them stops it: what is wrong becomes a
+ * Reads a bag or a CSV file from its bytes, which must not be compressed. Damage never stops it: what is wrong becomes a
  * problem. It does not apply attributes.
  */
 Recording ReadBag(std::string_view bytes);

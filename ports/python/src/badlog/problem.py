@@ -93,7 +93,7 @@ class Problem:
     topic: str | None = None
     """The name of the topic concerned, or None."""
     count: int = 1
-    """How often it was met; `line` and `message` speak of the first."""
+    """How often it occurred; `line` and `message` are about the first."""
 
     @property
     def severity(self) -> Severity:

@@ -16,7 +16,7 @@ from badlog.recording import Recording
 __all__ = ["MAX_ROWS", "read", "read_folder"]
 
 MAX_ROWS = 50_000_000
-"""So many rows of one log are read unless another number is given."""
+"""The largest number of rows that are read from one log, by default."""
 
 # A small compressed file may hold more than the memory.
 _MAX_BYTES = 1 << 33
@@ -26,9 +26,9 @@ Source = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, IO[bytes]]
 
 
 def read(source: Source, max_rows: int = MAX_ROWS) -> Recording:
-    """Reads a bag or a CSV file, perhaps compressed with gzip; its content decides, never its name.
+    """Reads a bag or a CSV file, which may be compressed with gzip. The content decides the format, never the name.
 
-    Whatever is wrong in the file becomes a problem of the recording: damage never raises.
+    Damage never raises: whatever is wrong in the file becomes a problem of the recording.
 
     Args:
         source: The path of a file, its bytes, or a file that is open for reading bytes.
@@ -47,8 +47,8 @@ def read(source: Source, max_rows: int = MAX_ROWS) -> Recording:
 def read_folder(folder: str | os.PathLike[str], max_rows: int = MAX_ROWS) -> Iterator[Recording]:
     """Reads the logs in a folder and in those below it, one after another, in the order of their paths.
 
-    A log is what ends in `.bag`, `.badbag` or `.csv`, or in one of these and `.gz`. Files that cannot be opened, and CSV files that are
-    not logs, are left out; hidden folders are not entered. Only one recording is in memory at a time, unless you keep more.
+    A log is a file whose name ends in `.bag`, `.badbag` or `.csv`, perhaps followed by `.gz`. Files that cannot be opened, and CSV files that are
+    not logs, are left out; hidden folders are skipped. Only one recording is in memory at a time, unless you keep more.
 
     Raises:
         NotADirectoryError: There is no such folder.

@@ -65,7 +65,7 @@ class Event:
 
 @dataclass(frozen=True)
 class CellCounts:
-    """How many cells of a topic held what. All but `gaps` add up to the number of rows."""
+    """The number of cells of each sort in a topic. All but `gaps` add up to the number of rows."""
 
     numbers: int
     """Finite numbers."""
@@ -133,7 +133,7 @@ class Topic:
     def is_sparse(self) -> bool:
         """Whether fewer than half of the rows have a number, and those mostly stand alone.
 
-        Such a topic is sampled at times of its own: its empty cells are not gaps, they just have no sample.
+        Such a topic is sampled at its own times: its empty cells are not gaps; there is just no sample.
         """
         without_number = self.counts.empty + self.counts.texts
         with_number = self.counts.total - without_number
@@ -150,7 +150,7 @@ class Topic:
 
 
 class Recording:
-    """What was read from one log: everything that could be kept, and the problems met on the way.
+    """What was read from one log: everything that could be kept, and the problems found.
 
     `recording["Arm/Angle"]` is a topic; iterating gives the topics' names, as with a `dict`.
     """

@@ -19,7 +19,7 @@ _SLOW_NANOS = 5_000_000
 
 @dataclass(frozen=True)
 class LogCounters:
-    """What a log has been through since `BadLog.init`, at one moment."""
+    """What a log has written, lost and ignored since `BadLog.init`, as of one moment."""
 
     rows_written: int
     """Rows that were handed to the operating system, and not into a file known to be deleted."""

@@ -22,7 +22,7 @@ T = TypeVar("T", bound=Topic)
 
 
 class DuplicateNameError(ValueError):
-    """A topic or a value was created under a name that another one has."""
+    """A topic or a value was created with a name that another one has."""
 
 
 class InvalidModeError(RuntimeError):

@@ -24,7 +24,7 @@ NumberFormatter = Callable[[float], str]
 
 
 class DataInferMode(Enum):
-    """What a subscriber topic's cell holds when nothing was published since the last `update_topics`."""
+    """What a subscriber topic's cell holds if nothing was published since the last `update_topics`."""
 
     DEFAULT = "default"
     """The default, `BadLog.DEFAULT_DATA`."""

@@ -21,9 +21,9 @@ __all__ = ["BadLog", "Events", "Publisher"]
 
 
 class Publisher:
-    """Publishes to one subscriber topic, without looking its name up; made by `BadLog.create_publisher`.
+    """Publishes to one subscriber topic without looking up its name. Created by `BadLog.create_publisher`.
 
-    Safe for use by several threads; never raises and never waits for a file.
+    Thread-safe; never raises, and never waits for a file.
     """
 
     def __init__(self, topic: SubscribedTopic, session: LogSession) -> None:
@@ -31,21 +31,21 @@ class Publisher:
         self._session = session
 
     def publish(self, value: float | str) -> None:
-        """Makes the value what the next `update_topics` finds; the last one published counts. Anything else is ignored."""
+        """Publishes a number or a text for the next `update_topics`; the last one counts. Anything else is ignored."""
         self._session.publish_to(self._topic, value)
 
 
 class Events:
-    """An event log, made by `BadLog.create_events`. Safe for use by several threads."""
+    """An event log, created by `BadLog.create_events`. Thread-safe."""
 
     def __init__(self, topic: EventTopic, faults: Faults) -> None:
         self._topic = topic
         self._faults = faults
 
     def event(self, text: str) -> None:
-        """Logs that something happened. It stands in the next row; several events of one row stand in it together, in order.
+        """Logs that something happened. The event is in the next row; several events of one row are joined in order by `; `.
 
-        Never raises; what is not a text, and texts without anything in them, are ignored.
+        Never raises; blank texts, and what is not a text, are ignored.
         """
         if isinstance(text, str) and text.strip():
             self._topic.texts.add(text)
@@ -54,12 +54,12 @@ class Events:
 
 
 class BadLog:
-    """A log. There is one at a time: `init` starts it, topics and values are created by the class's functions, `finish_initialization`
+    """A log. There is one at a time: `init` starts it, the class's functions create topics and values, `finish_initialization`
     writes the header, and then each loop calls `update_topics` and `log`.
 
-    While a log is set up, mistakes raise. What a robot calls in its loop, `update_topics`, `log`, `flush` and publishing, never does:
-    what fails leaves a gap or is ignored, is counted (see `counters`), said once on standard error and noted in the log's first event
-    log, if it has one. All functions may be called by any thread.
+    While a log is set up, mistakes raise. What a robot calls in its loop, `update_topics`, `log`, `flush` and publishing, never raises.
+    A failure leaves a gap, or the call is ignored; it is counted (see `counters`), reported once on standard error, and noted in the
+    log's first event log, if there is one. All functions may be called from any thread.
     """
 
     UNITLESS: ClassVar[str] = UNITLESS
@@ -75,14 +75,14 @@ class BadLog:
 
     @classmethod
     def init(cls, path: str | os.PathLike[str], compress: bool = False, flush: bool = True) -> BadLog:
-        """Starts a log. Missing folders are created, a file of that name is replaced. If there is a log already, it is closed first.
+        """Starts a log. Missing folders are created; an existing file of that name is replaced. If there already is a log, it is closed first.
 
-        When the file cannot be created, that is said on standard error and nothing is logged.
+        If the file cannot be created, this is reported on standard error, and nothing is logged.
 
         Args:
             path: Where to write, such as `/home/lvuser/logs/match.bag`.
             compress: True to write a gzip file; then `.gz` is added to the path.
-            flush: True to write each row at once, False to write about a quarter of a second together.
+            flush: True to write each row at once, False to write the rows of about a quarter of a second together.
         """
         session = LogSession(flushes_each_row=flush)
         log = cls(session)
@@ -100,13 +100,13 @@ class BadLog:
         """Creates a topic of numbers.
 
         Args:
-            name: Letters, digits, spaces, `_` and `/`, which makes folders.
+            name: Letters, digits, spaces, `_`, and `/` for folders.
             unit: Such as `V`, or `BadLog.UNITLESS`.
-            supplier: Asked in each `update_topics`; None is a gap.
-            attrs: How it is to be shown, such as `hide` or `join:Drivetrain`.
+            supplier: Called in each `update_topics`; None leaves a gap.
+            attrs: How to show it, such as `hide` or `join:Drivetrain`.
 
         Raises:
-            DuplicateNameError: There is a topic or value of that name.
+            DuplicateNameError: A topic or value of that name exists.
             InvalidModeError: Before `init` or after `finish_initialization`.
         """
         session = cls._setting_up(name)
@@ -116,43 +116,43 @@ class BadLog:
 
     @classmethod
     def create_topic_str(cls, name: str, unit: str, supplier: Callable[[], str | None], *attrs: str) -> None:
-        """Creates a topic of texts, as `create_topic` does."""
+        """Creates a topic of texts, otherwise like `create_topic`."""
         session = cls._setting_up(name)
         session.add(QueriedTopic(name, unit, attrs, supplier, str, lambda value, _: text_cell(value), session.faults))
 
     @classmethod
     def create_topic_int(cls, name: str, unit: str, supplier: Callable[[], int | None], *attrs: str) -> None:
-        """Creates a topic of whole numbers, written with all their digits, as `create_topic` does."""
+        """Creates a topic of whole numbers, written with all their digits; otherwise like `create_topic`."""
         session = cls._setting_up(name)
         session.add(QueriedTopic(name, unit, attrs, supplier, int, lambda value, _: b"%d" % value, session.faults))
 
     @classmethod
     def create_topic_bool(cls, name: str, unit: str, supplier: Callable[[], bool | None], *attrs: str) -> None:
-        """Creates a topic that is true or false, as `create_topic` does."""
+        """Creates a topic that is true or false, otherwise like `create_topic`."""
         session = cls._setting_up(name)
         session.add(QueriedTopic(name, unit, attrs, supplier, bool, lambda value, _: b"true" if value else b"false", session.faults))
 
     @classmethod
     def create_topic_subscriber(cls, name: str, unit: str, mode: DataInferMode, *attrs: str) -> None:
-        """Creates a topic whose values are published. `mode` says what it holds when nothing was. Otherwise as `create_topic`."""
+        """Creates a topic whose values are published. `mode` decides its value if nothing was. Otherwise like `create_topic`."""
         cls.create_publisher(name, unit, mode, *attrs)
 
     @classmethod
     def create_publisher(cls, name: str, unit: str, mode: DataInferMode, *attrs: str) -> Publisher:
-        """Creates a topic as `create_topic_subscriber` does, and returns the quicker way to publish to it."""
+        """Creates a topic like `create_topic_subscriber`, and returns a faster way to publish to it."""
         session = cls._setting_up(name)
         topic = SubscribedTopic(name, unit, attrs, mode, session.text, EventTexts(session.faults))
         return Publisher(session.add(topic), session)
 
     @classmethod
     def create_events(cls, name: str) -> Events:
-        """Creates an event log, a topic with the attribute `log`. Raises what `create_topic` does."""
+        """Creates an event log: a topic with the attribute `log`. Raises the same exceptions as `create_topic`."""
         session = cls._setting_up(name)
         return Events(session.add(EventTopic(name, EventTexts(session.faults))), session.faults)
 
     @classmethod
     def create_value(cls, name: str, value: str) -> None:
-        """Creates a value: a text known now, such as the match's number. Raises what `create_topic` does."""
+        """Creates a value: a text that is already known, such as the match number. Raises the same exceptions as `create_topic`."""
         cls._setting_up(name).add_value(name, str(value))
 
     @classmethod
@@ -163,7 +163,7 @@ class BadLog:
             current._session.publish(name, value)
 
     def finish_initialization(self) -> None:
-        """Ends the set-up: writes the header.
+        """Ends the setup and writes the header.
 
         Raises:
             InvalidModeError: That was done before.
@@ -171,39 +171,39 @@ class BadLog:
         self._session.finish_setup()
 
     def update_topics(self) -> None:
-        """Asks all callables, and takes what was published. The values are those of all rows until the next call."""
+        """Calls all suppliers, and takes over what was published. All rows until the next call have these values."""
         self._session.update()
 
     def log(self) -> None:
-        """Writes a row with the values of the last `update_topics`."""
+        """Writes a row with the values from the last `update_topics`."""
         self._session.log()
 
     def flush(self) -> None:
-        """Writes the rows that still wait, if the log was started without writing each row at once."""
+        """Writes the rows that are still buffered, if the log was started without writing each row at once."""
         self._session.flush()
 
     def set_double_to_string_function(self, function: Callable[[float], str] | None) -> None:
-        """Sets how numbers become text, for all topics, also those created before. By default, and with None, it is `%.5g`.
+        """Sets how numbers are converted to text, for all topics, including those already created. Default, and None: `%.5g`.
 
-        The function is called while a row is put together, under the log's lock: it must be quick, and must not wait for other threads.
+        The function is called while a row is built, with the log's lock held: it must be quick, and must not wait for other threads.
         """
         self._session.text.function = function
 
     def set_syncing(self, enabled: bool) -> None:
-        """Switches off or on that rows are brought to the disk four times a second; on by default."""
+        """Sets whether rows are synced to the disk four times a second. Default: on."""
         self._session.set_syncing(enabled)
 
     def close(self) -> None:
-        """Writes what still waits, and closes the file. Calls that follow are ignored."""
+        """Writes what is still buffered, and closes the file. Later calls are ignored."""
         self._session.close()
 
     @property
     def state(self) -> LogState:
-        """What it is doing."""
+        """What the log is doing."""
         return self._session.state
 
     def counters(self) -> LogCounters:
-        """What it has been through so far."""
+        """What was written, lost and ignored so far."""
         return self._session.faults.counters()
 
     def __enter__(self) -> BadLog:

@@ -172,7 +172,7 @@ internal class OpenRecording(
     fun withFormulas(definitions: List<String>): OpenRecording =
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
-    /** What has the time in it, where it names no x axis; null where there is no such column, or nothing to choose. */
+    /** The column that holds the time of a recording that names no x axis; null if there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
     /** Returns the same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
@@ -215,7 +215,7 @@ internal class OpenRecording(
          * @param overTime says, once it is read, whether it is drawn over its time where it names no x axis, see [OpenRecording.overTime].
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param field gives the field on which its paths are drawn.
-         * @param progress hears how much is done, from 0 to 1.
+         * @param progress is called with the share that is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is not a recording.
          */
         fun read(

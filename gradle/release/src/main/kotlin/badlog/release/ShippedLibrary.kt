@@ -18,7 +18,7 @@ internal data class ShippedLibrary(
     val description: File,
     val programs: List<String>,
 ) {
-    /** What stands between version and ending of the jar's name, such as `linux-x86_64`; null where there is nothing. */
+    /** The part between the version and the ending of the jar's name, such as `linux-x86_64`; null where there is nothing. */
     val classifier: String?
         get() = file.name.takeIf { it.startsWith("$name-$version-") }?.removePrefix("$name-$version-")?.removeSuffix(".jar")
 }

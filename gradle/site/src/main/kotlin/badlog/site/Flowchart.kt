@@ -7,7 +7,7 @@ import org.commonmark.renderer.html.HtmlNodeRendererContext
 
 /** A Mermaid flowchart: boxes, and [arrows] from one to another. */
 internal class Flowchart private constructor(val arrows: List<Arrow>) {
-    /** An arrow between two boxes, each known by its text; [label] stands beside it, empty for none. */
+    /** An arrow between two boxes, each known by its text; [label] is written beside it, empty for none. */
     class Arrow(val from: String, val label: String, val to: String)
 
     /** The chart as a drawing, and below it as a list for those who do not see that. */
@@ -40,7 +40,7 @@ internal class Flowchart private constructor(val arrows: List<Arrow>) {
     }
 }
 
-/** Writes the code blocks of [drawn] as the HTML that stands there for them, and all others as code. */
+/** Writes the code blocks of [drawn] as the HTML that replaces them, and all others as code. */
 internal class FlowchartRenderer(private val context: HtmlNodeRendererContext, private val drawn: Map<Node, String>) : NodeRenderer {
     override fun getNodeTypes(): Set<Class<out Node>> = setOf(FencedCodeBlock::class.java)
 

@@ -1,6 +1,6 @@
 package badlog.site
 
-/** What stands around each guide: the search, the contents of the site and those of the page. */
+/** What surrounds each guide: the search, the contents of the site and those of the page. */
 internal class Frame(private val contents: Contents) {
     /** The whole page of [guide]. */
     fun page(guide: Guide): String {

@@ -7,7 +7,7 @@ package badlog.site
  * @property address where it is on the site.
  * @property title its first heading.
  * @property summary its first paragraph, as plain text.
- * @property html what stands on the page.
+ * @property html the content of the page.
  * @property sections what its headings divide it into, in order; the first one begins with the title.
  * @property lists for each heading of the second level, the first link of each list item below it: its text and address.
  * @property copied the files of the repository that it links to, each with its address.

@@ -70,7 +70,7 @@ internal class LinkRewriter(private val path: String, private val address: Strin
     }
 }
 
-/** The path of [link], which stands in a file of [folder]; both relative to the same root. */
+/** The path of [link], which is in a file of [folder]; both relative to the same root. */
 internal fun resolve(folder: String, link: String): String {
     val parts = ArrayDeque(folder.split('/').filter { it.isNotEmpty() })
     for (part in link.split('/')) {

@@ -3,7 +3,7 @@ package badlog.season.lake
 import java.io.Serializable
 
 /**
- * What stands of one log in the tables of a lake.
+ * What the tables of a lake hold of one log.
  *
  * @property log what the lake calls it.
  * @property files the files of its samples, seen from the lake.
@@ -16,7 +16,7 @@ public class LakeEntry internal constructor(
     public val isSalvaged: Boolean,
     internal val records: Map<LakeTable, List<List<Any?>>>,
 ) : Serializable {
-    /** Where in each table its records stand: the folders of season and event, with a slash between. */
+    /** Where its records are in each table: the folders of season and event, with a slash between. */
     public val place: String get() = partition.path
 
     private companion object {

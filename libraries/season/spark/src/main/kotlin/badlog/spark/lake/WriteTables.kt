@@ -37,11 +37,11 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
     }
 }
 
-/** The changes of [pieces], sorted by place, a place after the other; what is to be told of them comes to [outcomes]. */
+/** The changes of [pieces], which are sorted by place, one place after the other. Adds what became of each log to [outcomes]. */
 private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
     private var ahead: Tuple2<String, LogPiece>? = take()
 
-    /** Returns the next place; null after the last one. To be called when its predecessor's changes have all been taken. */
+    /** Returns the next place; null after the last one. Call it when all changes of the previous place have been taken. */
     fun next(): String? = ahead?._1()
 
     /** Returns the changes of the [next] place, as they come. */

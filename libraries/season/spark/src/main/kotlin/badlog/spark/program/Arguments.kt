@@ -4,9 +4,9 @@ package badlog.spark.program
 internal class UsageException(override val message: String) : Exception(message)
 
 /**
- * What stands behind the name of a job.
+ * The arguments after the name of a job.
  *
- * @property named what is named there, in order.
+ * @property named those that are not options, in their order.
  */
 internal class Arguments private constructor(val named: List<String>, private val options: Map<String, String>) {
     /** Returns the value of the option [name]; null if it is not given. */

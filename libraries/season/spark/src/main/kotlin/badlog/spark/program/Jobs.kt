@@ -13,7 +13,7 @@ import org.apache.spark.sql.SaveMode
 import org.apache.spark.sql.SparkSession
 import java.io.IOException
 
-/** The jobs of `badlog-spark`; [say] hears what is for people. */
+/** The jobs of `badlog-spark`, which pass each line for the user to [say]. */
 internal class Jobs(private val spark: SparkSession, private val say: (String) -> Unit) {
     private val context = JavaSparkContext(spark.sparkContext())
 

@@ -2,6 +2,7 @@ package badlog.spark.sql
 
 import badlog.season.lake.LakeLayout
 import badlog.spark.storage.RemoteFolder
+import badlog.text.freeName
 import org.apache.spark.sql.Dataset
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.SparkSession
@@ -81,8 +82,8 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         make("statistics")
         val topics = spark.sql("SELECT DISTINCT topic FROM statistics ORDER BY topic").collectAsList().map { it.getString(0) }
         val taken = spark.table(LakeLayout.MATCHES).columns().mapTo(HashSet()) { it.lowercase() }
-        val columns = topics.filter { taken.add(it.lowercase()) }.joinToString { topic ->
-            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(topic)}"
+        val columns = topics.joinToString { topic ->
+            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
         }
         return spark.sql("SELECT * FROM matches LEFT JOIN (SELECT log, $columns FROM statistics GROUP BY log) USING (log)")
     }
@@ -122,7 +123,7 @@ private fun sparkType(type: String): String = when {
     else -> type
 }
 
-/** Returns [name] as a name in Spark's SQL, whatever stands for its quotes. */
+/** Returns [name] as a quoted name in Spark's SQL; backticks in it are doubled. */
 internal fun quoted(name: String): String = "`${name.replace("`", "``")}`"
 
 /** Returns [text] as a literal of Spark's SQL. */

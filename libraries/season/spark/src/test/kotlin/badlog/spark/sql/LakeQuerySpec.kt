@@ -57,6 +57,7 @@ class LakeQuerySpec : FunSpec({
                 "SELECT log, sum(extra) FROM samples GROUP BY log ORDER BY log",
                 "SELECT topic, t, value, text FROM series ORDER BY topic, t",
                 "SELECT number, \"System/Battery Voltage\".min AS lowest FROM match_statistics WHERE number IS NOT NULL ORDER BY lowest",
+                "SELECT log, \"EXTRA\".min AS upper, \"Extra (2)\".min AS lower FROM match_statistics ORDER BY log",
                 "SELECT log, rule, severity, t, text, next, span_count FROM findings ORDER BY log, t, rule",
                 "SELECT log, topic, t, text FROM events ORDER BY log, t",
             )
