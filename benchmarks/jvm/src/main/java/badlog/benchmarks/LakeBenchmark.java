@@ -99,7 +99,7 @@ public final class LakeBenchmark {
         add("`badlog lake` again, with nothing new", again, 0);
     }
 
-    /** Runs {@code command}, which writes into an empty folder of this name; where it is Python, it is told the folders. */
+    /** Runs {@code command}, which writes into an empty folder of this name. Python gets the folders as arguments. */
     private MeasuredRun written(String name, String... command) throws Exception {
         Path folder = work.resolve(name);
         delete(folder);

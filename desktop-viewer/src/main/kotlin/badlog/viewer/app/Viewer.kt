@@ -252,10 +252,10 @@ internal class Viewer(
         if (panels.state.main == MainView.GRAPHS) graphs.awaitDrawn()
     }
 
-    /** Whether nothing but an invitation can be shown: there is no log, and none on its way. */
+    /** Whether the window shows its welcome: no log is open or being read, and the folder has none. */
     val isWithoutLogs: Boolean get() = current.recording == null && !loader.isReading && library.state.isWithoutLogs
 
-    /** Without its folder, which is no place for a person's own logs. */
+    /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
     private fun openSample() {
         tasks.run("Opening the sample match", { SampleLog.unpackInto(folders.cache) }, loader::open)
     }

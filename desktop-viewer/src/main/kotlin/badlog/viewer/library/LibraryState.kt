@@ -47,7 +47,7 @@ internal data class LibraryState(
             return logs.filter { !it.isGray }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
         }
 
-    /** Whether it is certain that there is no log to show: no folder, or one without logs. */
+    /** Whether there is certainly no log to show: no folder is open, or the one that is open has been read and has no logs. */
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
     /** Returns the state for another [folder], about which nothing is known yet, listed like this one. */

@@ -48,7 +48,7 @@ internal class WelcomeActions(
     val askForRobot: () -> Unit,
 )
 
-/** Fills the middle of the window as long as there is no log: how to get one. */
+/** What the window shows while no log is open: the ways to get one. */
 @Composable
 internal fun Welcome(actions: WelcomeActions, modifier: Modifier = Modifier) {
     val scroll = rememberScrollState()
@@ -137,6 +137,6 @@ private fun Card(title: String, text: String, modifier: Modifier, content: @Comp
     }
 }
 
-/** From this width on, the ways to a log stand side by side. */
+/** The smallest width at which the cards are side by side. */
 private val WIDE = 560.dp
 private val WIDEST = 860.dp
