@@ -8,6 +8,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.IOException
@@ -26,13 +27,20 @@ private val LARGE = "a,b\n" + "1,2\n".repeat(500_000)
 class FetchTroubleSpec : FunSpec({
     test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
         inPit { pit, robot ->
-            robot.log("log.csv", LARGE)
-            robot.endsAfter = 1_000_000
-            val heard = Heard()
+            // More than is requested ahead, so that something is left to be lost.
+            val content = LARGE.repeat(4)
+            robot.log("log.csv", content)
+            var isLost = false
+            val heard = Heard {
+                if (!isLost && it > 0) {
+                    isLost = true
+                    robot.endsAfter = 0
+                }
+            }
             val log = pit.fetch(robot, heard).fetched.single()
-            heard.said shouldContain "retrying"
+            heard.said.count { it == "retrying" } shouldBe 1
             log.resumedAt shouldBeGreaterThan 0
-            log.file.readText() shouldBe LARGE
+            log.file.readText() shouldBe content
             pit.parts().shouldBeEmpty()
         }
     }
@@ -40,12 +48,28 @@ class FetchTroubleSpec : FunSpec({
     test("a robot that falls silent is given up, without a log that is not whole; the next fetch goes on") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
-            robot.stallsAfter = 500_000
-            val patience = Patience(silence = Duration.ofMillis(400), growth = Duration.ofMillis(10), retry = Duration.ofMillis(10))
+            val patience = Patience(
+                IMPATIENCE.connect,
+                IMPATIENCE.answer,
+                silence = Duration.ofMillis(400),
+                growth = Duration.ofMillis(10),
+                retry = Duration.ofMillis(10),
+            )
             val fetch = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, patience)
-            shouldThrow<LostConnectionException> { fetch.run(Heard()) }.message shouldContain "fetch again to resume"
-            pit.logs().shouldBeEmpty()
+            var copied = 0L
+            // A busy machine falls silent, too, perhaps before the first byte.
+            for (attempt in 1..20) {
+                robot.stallsAfter = robot.servedBytes + 500_000
+                shouldThrow<LostConnectionException> { fetch.run(Heard { copied = it }) }.message shouldContain "fetch again to resume"
+                pit.logs().shouldBeEmpty()
+                if (copied > 0) break
+            }
+            copied shouldBeGreaterThan 0
             pit.parts() shouldHaveSize 1
+            robot.stallsAfter = Long.MAX_VALUE
+            val log = pit.fetch(robot).fetched.single()
+            log.resumedAt shouldBe copied
+            log.file.readText() shouldBe LARGE
         }
     }
 
@@ -55,11 +79,11 @@ class FetchTroubleSpec : FunSpec({
             class End : Exception()
             shouldThrow<End> { pit.fetch(robot, Heard { done -> if (done > 300_000) throw End() }) }
             pit.logs().shouldBeEmpty()
-            val before = robot.servedBytes
             val log = pit.fetch(robot).fetched.single()
             log.resumedAt shouldBeGreaterThan 300_000
             log.file.readText() shouldBe LARGE
-            (robot.servedBytes - before < LARGE.length) shouldBe true
+            // The first connection may be given what it requested ahead even after its end.
+            robot.servedByConnection.last() shouldBeLessThan LARGE.length.toLong()
         }
     }
 

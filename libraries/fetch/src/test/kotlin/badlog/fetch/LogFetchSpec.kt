@@ -13,6 +13,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.security.KeyPair
 import java.time.Duration
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.concurrent.thread
 import kotlin.io.path.appendText
 import kotlin.io.path.div
 import kotlin.io.path.exists
@@ -118,7 +120,6 @@ class LogFetchSpec : FunSpec({
         inPit { pit, robot ->
             val log = robot.log("now.bag", matchBag(1))
             robot.log("before.bag", matchBag(2))
-            val patience = Patience(growth = Duration.ofMillis(300))
             val heard = object : FetchListener {
                 val said = ArrayList<String>()
 
@@ -128,7 +129,7 @@ class LogFetchSpec : FunSpec({
                     said += "$isGrowing $message"
                 }
             }
-            val summary = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, patience).run(heard)
+            val summary = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(heard)
             summary.fetched.map { it.path } shouldContainExactly listOf("/home/lvuser/logs/before.bag")
             heard.said.single() shouldContain "true /home/lvuser/logs/now.bag is still being written"
         }
@@ -232,20 +233,29 @@ class LogFetchSpec : FunSpec({
     test("nothing comes while the robot is enabled, and a copy that is interrupted goes on where it was") {
         inPit { pit, robot ->
             DriverStation().use { station ->
-                val content = "a,b\n" + "1,2\n".repeat(200_000)
+                // More than comes while the news that the robot is enabled are on their way, however long that takes.
+                val content = "a,b\n" + "1,2\n".repeat(3_000_000)
                 robot.log("log.csv", content)
-                var enabled = false
-                val heard = Heard { done ->
-                    if (done > 100_000 && !enabled) {
-                        enabled = true
-                        station.isEnabled = true
-                        while (!station.isEnabled) Thread.sleep(1)
-                        Thread { Thread.sleep(200).also { station.isEnabled = false } }.start()
-                        Thread.sleep(50)
+                val logins = AtomicInteger()
+                val heard = Heard(
+                    onWaiting = {
+                        pit.logs().shouldBeEmpty()
+                        thread {
+                            // A fetch that does not wait connects meanwhile.
+                            Thread.sleep(200)
+                            logins.set(robot.users.size)
+                            station.isEnabled = false
+                        }
+                    },
+                ) { done ->
+                    if (done > 100_000 && logins.get() == 0) {
+                        if (!station.isEnabled) station.isEnabled = true
+                        Thread.sleep(300)
                     }
                 }
                 val log = pit.fetch(robot, heard, pit.options(anyway = false), station.port).fetched.single()
-                heard.said shouldContain "waiting"
+                heard.said.count { it == "waiting" } shouldBe 1
+                logins.get() shouldBe 1
                 (log.resumedAt > 100_000) shouldBe true
                 log.file.readText() shouldBe content
             }

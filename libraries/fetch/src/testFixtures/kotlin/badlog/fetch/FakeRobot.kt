@@ -28,6 +28,7 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
     private val sftp = SftpSubsystemFactory()
     private val server = SshServer.setUpDefaultServer()
     private val served = AtomicLong()
+    private val servedBySession = Collections.synchronizedMap(LinkedHashMap<ServerSession, Long>())
     private val silence = CountDownLatch(1)
 
     /** After so many bytes of logs all connections end, once. */
@@ -51,6 +52,9 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
 
     /** How many bytes of logs were given. */
     val servedBytes: Long get() = served.get()
+
+    /** How many bytes of logs each connection was given that asked for some, in their order. */
+    val servedByConnection: List<Long> get() = synchronized(servedBySession) { servedBySession.values.toList() }
 
     val port: Int get() = server.port
 
@@ -100,6 +104,7 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
 
     private fun give(session: ServerSession, size: Int) {
         val before = served.getAndAdd(size.toLong())
+        servedBySession.merge(session, size.toLong(), Long::plus)
         beforePiece(before)
         if (before >= endsAfter) {
             endsAfter = Long.MAX_VALUE

@@ -3,7 +3,7 @@ package badlog.fetch
 import java.time.Duration
 
 /** What a fetch said, in its order. */
-class Heard(private val onProgress: (Long) -> Unit = {}) : FetchListener {
+class Heard(private val onWaiting: () -> Unit = {}, private val onProgress: (Long) -> Unit = {}) : FetchListener {
     val said = ArrayList<String>()
 
     override fun connected(address: RobotAddress, user: String) {
@@ -12,6 +12,7 @@ class Heard(private val onProgress: (Long) -> Unit = {}) : FetchListener {
 
     override fun waiting(address: RobotAddress) {
         said += "waiting"
+        onWaiting()
     }
 
     override fun retrying(address: RobotAddress, reason: String) {
@@ -37,14 +38,14 @@ class Heard(private val onProgress: (Long) -> Unit = {}) : FetchListener {
     }
 }
 
-/** Waits no longer than a test may. */
+/** Waits for everything as long as a busy machine may take, but hardly before another look. */
 val IMPATIENCE = Patience(
-    connect = Duration.ofSeconds(2),
-    answer = Duration.ofSeconds(10),
-    silence = Duration.ofSeconds(5),
+    connect = Duration.ofSeconds(60),
+    answer = Duration.ofSeconds(60),
+    silence = Duration.ofSeconds(60),
     growth = Duration.ofMillis(20),
     retry = Duration.ofMillis(10),
-    state = Duration.ofSeconds(5),
+    state = Duration.ofSeconds(60),
 )
 
 /** A person who trusts every robot, or none, and counts the questions. */
