@@ -16,9 +16,9 @@ using badlog::LogState;
 
 namespace {
 
-/** Logs rows until the log is in a state, or 20 s have passed. */
+/** Logs rows until the log is in a state, or two minutes have passed. */
 void RowsUntil(const BadLog& log, LogState wanted) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{2};
     while (log.State() != wanted && std::chrono::steady_clock::now() < end) {
         Row(log);
         std::this_thread::sleep_for(std::chrono::milliseconds{1});

@@ -22,7 +22,7 @@
 
 namespace {
 
-constexpr int SAID_MILLISECONDS = 10'000;
+constexpr int SAID_MILLISECONDS = 60'000;
 
 }  // namespace
 

@@ -65,6 +65,6 @@ def test_the_notebook_runs_and_finds_the_brownout() -> None:
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert all(not cell.outputs for cell in cells), "Clear the notebook's outputs before it is committed."
     cells[0].source = f"import sys; sys.path.insert(0, {os.fspath(ROOT / 'ports/python/src')!r})\n{cells[0].source}"
-    nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": NOTEBOOK.parent}}).execute()
+    nbclient.NotebookClient(notebook, timeout=600, startup_timeout=600, kernel_name="python3", resources={"metadata": {"path": NOTEBOOK.parent}}).execute()
     shown = "".join(str(output) for cell in cells for output in cell.outputs)
     assert "6.73" in shown and "image/png" in shown

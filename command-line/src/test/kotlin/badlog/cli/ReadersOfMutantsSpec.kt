@@ -18,7 +18,7 @@ import kotlin.random.Random
 /** How many damaged files are read: some in each build, more by `./gradlew fuzz`. */
 private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
 
-private const val LONGEST_SECONDS = 60
+private const val LONGEST_SECONDS = 300
 
 /** Whatever stands in a file: no stack trace, no exit code but 0 to 3, and an end soon. */
 class ReadersOfMutantsSpec : FunSpec({

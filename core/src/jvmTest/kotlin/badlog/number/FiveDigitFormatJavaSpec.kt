@@ -159,8 +159,8 @@ class FiveDigitFormatJavaSpec : FunSpec({
                 else -> (random.nextInt(100_000) * 10 + 5) / 1.0e4
             }
         }
-        allocatedByWriting(values, 20_000)
-        allocatedByWriting(values, 200_000) shouldBe 0
+        // The JVM itself may make an object on this thread when it compiles, early or late. What the writing made, it would make each time.
+        List(10) { allocatedByWriting(values, 50_000) }.min() shouldBe 0
     }
 })
 

@@ -19,6 +19,10 @@ private val robots = mapOf<String, () -> TimedRobot>(
     "Kotlin" to { frc.kotlinrobot.Robot() },
 )
 
+private fun logIn(folder: File): File? = folder.listFiles().orEmpty().singleOrNull { it.name.startsWith("FRC_") }
+
+private fun bytesOf(file: File): ByteArray = file.readBytes().let { if (file.extension == "gz") inflated(it) else it }
+
 class GuideSpec : FunSpec({
     test("the robots in docs/robot.md are those that run here") {
         val guide = File(root, "docs/robot.md").readText()
@@ -49,14 +53,13 @@ class GuideSpec : FunSpec({
             RobotController.systemTimeValid = true
             standardErrorOf {
                 val robot = make()
-                repeat(60) {
+                until({ logIn(logs)?.let { bytesOf(it).decodeToString().lines().size > 10 } == true }) {
                     robot.robotPeriodic()
                     Thread.sleep(10)
                 }
                 BadLog.init(File(logs, "other.bag").path).close()
             }
-            val file = logs.listFiles().orEmpty().single { it.name.startsWith("FRC_") }
-            val recording = recordingIn(if (file.extension == "gz") inflated(file.readBytes()) else file.readBytes())
+            val recording = recordingIn(bytesOf(checkNotNull(logIn(logs))))
             recording.topics.map { it.name } shouldContainAll
                 listOf("Time", "Robot/Battery Voltage", "Arm/Angle", "Arm/Events")
             recording.values.map { it.name } shouldContainAll listOf("Arm/P", "Event Name", "Match Number")

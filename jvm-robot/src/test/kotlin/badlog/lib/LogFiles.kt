@@ -2,15 +2,43 @@ package badlog.lib
 
 import badlog.bag.BagParser
 import badlog.recording.Recording
+import com.sun.management.ThreadMXBean
 import java.io.ByteArrayOutputStream
 import java.io.EOFException
 import java.io.File
 import java.io.PrintStream
+import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.util.zip.GZIPInputStream
 
 /** More than enough for the thread that says what went wrong. */
-internal const val SAID_MILLIS = 10_000
+internal const val SAID_MILLIS = 60_000
+
+/** Does [work] again and again until [isSo]; fails after two minutes. */
+internal inline fun until(isSo: () -> Boolean, work: () -> Unit) {
+    val end = System.nanoTime() + 120_000_000_000
+    while (!isSo()) {
+        check(System.nanoTime() < end) { "This did not happen within two minutes." }
+        work()
+    }
+}
+
+/**
+ * The least number of bytes that [work] allocates on this thread, of some attempts. Now and then the JVM itself makes an object on a
+ * thread, when it compiles what that runs, and a busy machine compiles late. What the work allocated, it would allocate each time.
+ */
+internal fun garbageOf(work: () -> Unit): Long {
+    val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
+    val thread = Thread.currentThread().id
+    var least = Long.MAX_VALUE
+    for (attempt in 1..20) {
+        val before = threads.getThreadAllocatedBytes(thread)
+        work()
+        least = minOf(least, threads.getThreadAllocatedBytes(thread) - before)
+        if (least == 0L) break
+    }
+    return least
+}
 
 /** Runs [test] with an empty folder, which is deleted afterwards. */
 inline fun <T> inFolder(test: (File) -> T): T {

@@ -1,16 +1,15 @@
 package badlog.lib
 
-import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
 import java.io.File
 import java.util.function.Supplier
-import kotlin.time.Duration.Companion.seconds
 
 /** A robot that is what a test says. */
 private class Robot(folder: File) {
@@ -49,6 +48,13 @@ private fun RobotLog.drive(millis: Int) = repeat(millis / 10) {
     Thread.sleep(10)
 }
 
+private fun RobotLog.driveUntil(isSo: () -> Boolean) = until(isSo) {
+    periodic()
+    Thread.sleep(10)
+}
+
+private fun RobotLog.driveUntil(state: LogState) = driveUntil { log.state == state }
+
 private fun File.names() = list().orEmpty().sorted()
 
 class RobotLogSpec : FunSpec({
@@ -67,18 +73,21 @@ class RobotLogSpec : FunSpec({
                     log.file shouldBe null
 
                     robot.attached = true
-                    log.drive(400)
+                    log.driveUntil(LogState.LOGGING)
                     logs.names().single() shouldMatch "FRC_TBD_[0-9a-f]{16}\\.bag"
                     shouldThrow<InvalidModeException> { BadLog.createTopicDouble("Late", "V", { 1.0 }) }
 
                     robot.clockSet = true
-                    log.drive(300)
+                    val provisional = log.file
+                    log.driveUntil { log.file != provisional }
                     logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}\\.bag"
 
                     robot.event = "OHCL"
                     robot.match = "Q42"
                     robot.enabled = true
-                    log.drive(700)
+                    log.driveUntil { log.file?.name.orEmpty().endsWith("_OHCL_Q42.bag") }
+                    // This is noted after the log was renamed, so its name stays.
+                    log.driveUntil { "Match OHCL Q42" in log.file!!.readText() }
                     logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}_OHCL_Q42\\.bag"
                     log.file?.name shouldBe logs.names().single()
                     log.log.state shouldBe LogState.LOGGING
@@ -98,23 +107,34 @@ class RobotLogSpec : FunSpec({
         inFolder { folder ->
             val robot = Robot(folder).apply { attached = true }
             RobotLog.start(robot.options).use { log ->
-                log.drive(200)
-                eventually(60.seconds) {
-                    log.periodic()
-                    log.log.state shouldBe LogState.LOGGING
-                }
-                fun rowsIn(seconds: Double): Int {
+                log.driveUntil(LogState.LOGGING)
+
+                /** Whether the call logged a row. */
+                fun isRow(): Boolean {
                     val before = log.log.counters().rowsWritten
-                    val end = System.nanoTime() + (seconds * 1e9).toLong()
-                    while (System.nanoTime() < end) {
-                        log.periodic()
-                        Thread.sleep(2)
-                    }
-                    return (log.log.counters().rowsWritten - before).toInt()
+                    log.periodic()
+                    return log.log.counters().rowsWritten > before
                 }
-                rowsIn(1.0) shouldBeInRange 3..5
+                // When the last row was begun, at the earliest and at the latest.
+                until({ isRow() }) { Thread.sleep(2) }
+                var earliest = Long.MAX_VALUE
+                var latest = 0L
+                var rows = 0
+                until({ rows == 5 }) {
+                    val before = System.nanoTime()
+                    val isRow = isRow()
+                    val after = System.nanoTime()
+                    if (isRow) {
+                        if (rows++ > 0) after - earliest shouldBeGreaterThanOrEqual 250_000_000
+                        earliest = before
+                        latest = after
+                    } else if (rows > 0) {
+                        before - latest shouldBeLessThan 250_000_000
+                    }
+                    Thread.sleep(2)
+                }
                 robot.enabled = true
-                rowsIn(1.0) shouldBeInRange 30..500
+                repeat(100) { isRow() shouldBe true }
             }
         }
     }
@@ -129,7 +149,10 @@ class RobotLogSpec : FunSpec({
                     options.isCompressed = true
                     begin()
                 }
-                RobotLog.start(robot.options).use { it.drive(600) }
+                RobotLog.start(robot.options).use {
+                    it.driveUntil(LogState.LOGGING)
+                    it.drive(50)
+                }
             }
             val names = File(folder, "logs").names()
             names.size shouldBe 2
@@ -158,8 +181,7 @@ class RobotLogSpec : FunSpec({
             File(folder, "FRC_TBD_0.bag").writeText("x")
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.drive(400)
-                    log.log.state shouldBe LogState.LOGGING
+                    log.driveUntil(LogState.LOGGING)
                 }
             } shouldContain "deleted: FRC_TBD_0.bag, FRC_20260301_120000.bag, FRC_20260302_120000.bag, and 3 more."
             folder.names().filter { it.startsWith("FRC_2") && it.endsWith(".bag") } shouldBe
@@ -178,8 +200,7 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.drive(400)
-                    log.log.state shouldBe LogState.CLOSED
+                    log.driveUntil(LogState.CLOSED)
                 }
             } shouldContain "less than 5 MiB"
             folder.names().shouldBeEmpty()
@@ -187,10 +208,9 @@ class RobotLogSpec : FunSpec({
             robot.free = 100_000_000
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.drive(400)
-                    log.log.state shouldBe LogState.LOGGING
+                    log.driveUntil(LogState.LOGGING)
                     robot.free = 5_000_000
-                    eventually(60.seconds) { log.log.state shouldBe LogState.CLOSED }
+                    log.driveUntil(LogState.CLOSED)
                     log.drive(50)
                 }
             } shouldContain "less than 5 MiB"
@@ -209,9 +229,8 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 log = RobotLog.start(robot.options)
-                log.drive(400)
+                log.driveUntil(LogState.CLOSED)
             } shouldBe ""
-            log?.log?.state shouldBe LogState.CLOSED
             folder.names().shouldBeEmpty()
 
             val session = LogSession(flushesEachRow = true)
@@ -238,7 +257,8 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.drive(500)
+                    log.driveUntil(LogState.LOGGING)
+                    log.drive(50)
                     log.log.state shouldBe LogState.LOGGING
                     log.log.counters().rowsMissed shouldBe 0
                 }

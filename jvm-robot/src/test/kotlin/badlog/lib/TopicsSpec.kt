@@ -3,11 +3,11 @@ package badlog.lib
 import badlog.recording.ProblemKind
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
-import kotlin.time.Duration.Companion.seconds
+import kotlin.time.Duration.Companion.minutes
 
 class TopicsSpec : FunSpec({
     test("published data is consumed by an update; the last counts") {
@@ -114,12 +114,21 @@ class TopicsSpec : FunSpec({
 
     test("without flushing, rows are written together, by flush() and by close()") {
         inFolder { folder ->
-            val file = File(folder, "a.bag")
-            val log = BadLog.init(file.path, false)
-            BadLog.createTopic("A", "ul", { 1.0 })
-            log.finishInitialization()
-            repeat(3) { log.row() }
-            rowsIn(file).size shouldBe 0
+            var attempts = 0
+            var file: File
+            var log: BadLog
+            do {
+                file = File(folder, "${attempts++}.bag")
+                val began = System.nanoTime()
+                log = BadLog.init(file.path, false)
+                BadLog.createTopic("A", "ul", { 1.0 })
+                log.finishInitialization()
+                repeat(3) { log.row() }
+                val written = rowsIn(file).size
+                // Rows that had to wait for a quarter of a second, as on a busy machine, may be written.
+                val isLate = System.nanoTime() - began >= 250_000_000
+                if (!isLate) written shouldBe 0
+            } while (isLate && attempts < 1000)
             log.flush()
             rowsIn(file).size shouldBe 3
             log.row()
@@ -136,11 +145,14 @@ class TopicsSpec : FunSpec({
             BadLog.init(file.path, false).use { log ->
                 BadLog.createTopic("A", "ul", { 1.0 })
                 log.finishInitialization()
-                // So few rows, of seven bytes each, that they are not written for their size.
-                eventually(2.seconds) {
+                var rows = 0
+                until({ rowsIn(file).isNotEmpty() }) {
                     log.row()
-                    rowsIn(file).size shouldBeGreaterThan 0
+                    rows++
+                    Thread.sleep(25)
                 }
+                // So few, of seven bytes each, that they were not written for their size.
+                rows shouldBeLessThan 800
             }
         }
     }
@@ -152,7 +164,7 @@ class TopicsSpec : FunSpec({
                 BadLog.createTopic("A", "ul", { 1.0 })
                 log.finishInitialization()
                 log.row()
-                eventually(2.seconds) { rowsIn(file).size shouldBe 1 }
+                eventually(2.minutes) { rowsIn(file).size shouldBe 1 }
             }
         }
     }
@@ -160,7 +172,7 @@ class TopicsSpec : FunSpec({
     test("the syncing thread is a daemon, and looks for the file when syncing is switched off, too") {
         inFolder { folder ->
             fun syncing() = Thread.getAllStackTraces().keys.filter { it.name == "badlog sync" }
-            eventually(2.seconds) { syncing().size shouldBe 0 }
+            eventually(2.minutes) { syncing().size shouldBe 0 }
             val log = BadLog.init(File(folder, "a.bag").path)
             log.finishInitialization()
             syncing().map { it.isDaemon } shouldBe listOf(true)
@@ -168,10 +180,10 @@ class TopicsSpec : FunSpec({
             syncing().size shouldBe 1
             standardErrorOf {
                 File(folder, "a.bag").delete()
-                eventually(3.seconds) { log.state shouldBe LogState.FAILING }
+                eventually(2.minutes) { log.state shouldBe LogState.FAILING }
             }
             log.close()
-            eventually(2.seconds) { syncing().size shouldBe 0 }
+            eventually(2.minutes) { syncing().size shouldBe 0 }
         }
     }
 })

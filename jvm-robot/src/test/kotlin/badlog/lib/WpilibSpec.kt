@@ -1,11 +1,9 @@
 package badlog.lib
 
-import com.sun.management.ThreadMXBean
 import edu.wpi.first.wpilibj.DriverStation
 import edu.wpi.first.wpilibj.RobotController
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
-import java.lang.management.ManagementFactory
 
 class WpilibSpec : FunSpec({
     test("to season 2026 it is found under edu.wpi.first") {
@@ -49,15 +47,9 @@ class WpilibSpec : FunSpec({
     test("asking it makes no garbage") {
         val wpilib = Wpilib.find(WpilibSpec::class.java.classLoader)
         val battery = checkNotNull(wpilib.batteryVoltage)
-        val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
-        val thread = Thread.currentThread().id
-        fun garbage(): Long {
-            val before = threads.getThreadAllocatedBytes(thread)
+        garbageOf {
             repeat(20_000) { if (wpilib.isEnabled.asBoolean) battery.asDouble }
-            return threads.getThreadAllocatedBytes(thread) - before
-        }
-        garbage()
-        garbage() shouldBe 0
+        } shouldBe 0
     }
 })
 

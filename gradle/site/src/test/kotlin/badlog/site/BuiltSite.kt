@@ -43,7 +43,7 @@ internal object BuiltSite {
                 folder.toUri().toString().removeSuffix("/") + "/" + address,
             ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
             val shown = program.inputStream.readAllBytes().decodeToString()
-            check(program.waitFor(1, TimeUnit.MINUTES)) { "Chromium does not end." }
+            check(program.waitFor(5, TimeUnit.MINUTES)) { "Chromium does not end." }
             return Jsoup.parse(shown)
         } finally {
             profile.toFile().deleteRecursively()

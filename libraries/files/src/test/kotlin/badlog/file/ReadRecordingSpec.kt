@@ -31,7 +31,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.writeBytes
-import kotlin.time.Duration.Companion.seconds
+import kotlin.time.Duration.Companion.minutes
 
 /** Several megabytes. */
 private val LARGE = VARIED_HEADER + "0.020000,-1.2346e+05,\"armed, ready\",false\n".repeat(150_000)
@@ -179,7 +179,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("a pipe is refused and not waited for").config(timeout = 20.seconds) {
+    test("a pipe is refused and not waited for").config(timeout = 2.minutes) {
         inFolder { folder ->
             val pipe = folder.resolve("pipe")
             val isMade = try {

@@ -14,6 +14,7 @@ import java.nio.ByteBuffer
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
 
 /**
  * Manages the connections, and answers requests for the time immediately on the thread that reads them.
@@ -44,6 +45,9 @@ internal class SocketServer(
         } catch (e: ExecutionException) {
             stop()
             throw UnavailablePortException(address, e.cause as Exception)
+        } catch (_: TimeoutException) {
+            stop()
+            throw UnavailablePortException(address, IOException("the computer did not open it within a minute"))
         }
     }
 
@@ -122,7 +126,7 @@ internal class SocketServer(
     }
 
     private companion object {
-        const val BINDING_SECONDS = 10L
+        const val BINDING_SECONDS = 60L
         const val MAX_FRAMES = 4_000
 
         /** Usually one or two dashboards are connected. */

@@ -45,9 +45,11 @@ class ReplayServerSpec : FunSpec({
                     "/Values/Match Number",
                     "/Values/Arm/Größe",
                 )
-                client.valuesOf("/Arm/Angle").single().value.asFloatValue().toDouble() shouldBe 1.5
-                client.valuesOf("/Arm/State").single().value.asStringValue().asString() shouldBe "idle"
-                client.valuesOf("/Values/Match Number").single().value.asStringValue().asString() shouldBe "8"
+                client.settle {
+                    client.valuesOf("/Arm/Angle").single().value.asFloatValue().toDouble() shouldBe 1.5
+                    client.valuesOf("/Arm/State").single().value.asStringValue().asString() shouldBe "idle"
+                    client.valuesOf("/Values/Match Number").single().value.asStringValue().asString() shouldBe "8"
+                }
                 client.valuesOf("/Log").shouldBeEmpty()
                 server.clientNames shouldBe listOf("test client")
             }
@@ -62,16 +64,17 @@ class ReplayServerSpec : FunSpec({
                     client.settle()
                     server.start()
                     waitUntil { server.isAtEnd }
-                    client.settle()
+                    client.settle {
+                        client.valuesOf("/Time").map { it.value.asFloatValue().toDouble() } shouldBe listOf(10.0, 10.02, 10.05, 10.06, 10.1, 10.3)
+                        client.valuesOf("/Arm/At Top").map { it.value.asBooleanValue().boolean } shouldBe
+                            listOf(false, false, true, true, true, false)
+                        client.valuesOf("/Log").map { it.value.asStringValue().asString() } shouldBe listOf("up we go", "again “up”", "done")
+                    }
                     val times = client.valuesOf("/Time")
-                    times.map { it.value.asFloatValue().toDouble() } shouldBe listOf(10.0, 10.02, 10.05, 10.06, 10.1, 10.3)
                     for (time in times.drop(1)) {
                         val passed = (time.micros - times[1].micros) * 1e-6 * speed
                         passed shouldBe ((time.value.asFloatValue().toDouble() - 10.02) plusOrMinus 2e-6 * maxOf(1.0, speed))
                     }
-                    client.valuesOf("/Arm/At Top").map { it.value.asBooleanValue().boolean } shouldBe
-                        listOf(false, false, true, true, true, false)
-                    client.valuesOf("/Log").map { it.value.asStringValue().asString() } shouldBe listOf("up we go", "again “up”", "done")
                     val all = client.values.filter { it.id >= 0 && it.micros > times[0].micros }
                     all.map { it.micros } shouldBe all.map { it.micros }.sorted()
                 }
@@ -83,7 +86,7 @@ class ReplayServerSpec : FunSpec({
         serving { server ->
             TestClient(server.port).use { client ->
                 client.subscribe("/Arm", "/Arm/State", id = 1)
-                client.settle()
+                client.settle { client.valuesOf("/Arm/State").size shouldBe 1 }
                 client.ids().keys shouldBe setOf("/Arm/State")
                 client.subscribe("/Arm/A", options = """{"prefix":true,"topicsonly":true}""", id = 2)
                 client.settle()
@@ -104,7 +107,7 @@ class ReplayServerSpec : FunSpec({
         serving { server ->
             TestClient(server.port).use { client ->
                 client.subscribe("/Arm/Angle", options = """{"periodic":0.15}""")
-                client.settle()
+                client.settle { client.valuesOf("/Arm/Angle").size shouldBe 1 }
                 server.start()
                 waitUntil { client.valuesOf("/Arm/Angle").lastOrNull()?.value?.asFloatValue()?.toDouble() == 4.0 }
                 (client.valuesOf("/Arm/Angle").size in 2..4) shouldBe true
@@ -126,14 +129,15 @@ class ReplayServerSpec : FunSpec({
     }
 
     test("A jump shows what holds there; a pause holds; at the end it begins anew") {
-        serving { server ->
+        // So slow that it does not end meanwhile.
+        serving(speed = 0.001) { server ->
             TestClient(server.port).use { client ->
+                fun angles() = client.valuesOf("/Arm/Angle").map { it.value.asFloatValue().toDouble() }
                 client.subscribe("/Arm/Angle", options = """{"all":true}""")
-                client.settle()
+                client.settle { angles() shouldBe listOf(1.5) }
                 server.seek(10.03)
                 server.position shouldBe 10.03
-                client.settle()
-                client.valuesOf("/Arm/Angle").map { it.value.asFloatValue().toDouble() } shouldBe listOf(1.5, 2.5)
+                client.settle { angles() shouldBe listOf(1.5, 2.5) }
                 server.seek(99.0)
                 server.isAtEnd shouldBe true
                 server.start()
@@ -171,9 +175,8 @@ class ReplayServerSpec : FunSpec({
                 client.params("unannounce").single()["id"] shouldBe mine["id"]
                 TestClient(server.port).use { other ->
                     other.subscribe("/", options = TestClient.ALL_CHANGES)
-                    other.settle()
+                    other.settle { other.valuesOf("/Arm/Angle").single().value.asFloatValue().toDouble() shouldBe 1.5 }
                     ("/Mine" in other.ids()) shouldBe false
-                    other.valuesOf("/Arm/Angle").single().value.asFloatValue().toDouble() shouldBe 1.5
                 }
                 server.note shouldBe null
             }
@@ -188,7 +191,7 @@ class ReplayServerSpec : FunSpec({
                 client.subscribe("", options = TestClient.ALL_CHANGES)
                 client.settle()
                 client.messages.shouldBeEmpty()
-                client.values.single().micros shouldBe (client.values.single().micros.coerceIn(1_000_000L, 60_000_000L))
+                client.values.single().micros shouldBe (client.values.single().micros.coerceIn(1_000_000L, 600_000_000L))
                 ("test client" in server.clientNames) shouldBe false
             }
             val refused = shouldThrow<ExecutionException> { TestClient(server.port, "soap") }
@@ -243,7 +246,10 @@ class ReplayServerSpec : FunSpec({
                 types["/old/Pose"] shouldBe "struct:Pose2d"
                 types["/.schema/struct:Pose2d"] shouldBe "structschema"
                 types["/old/Arm/Angle"] shouldBe "double"
-                client.valuesOf("/.schema/struct:Pose2d").single().value.asBinaryValue().asByteArray().decodeToString() shouldBe "double x"
+                client.settle {
+                    client.valuesOf("/.schema/struct:Pose2d").single().value.asBinaryValue().asByteArray().decodeToString() shouldBe "double x"
+                    client.valuesOf("/old/Pose").size shouldBe 1
+                }
                 server.start()
                 waitUntil { client.valuesOf("/old/Pose").size == 2 }
                 client.valuesOf("/old/Pose").map { it.value.asBinaryValue().asByteArray().toList() } shouldBe

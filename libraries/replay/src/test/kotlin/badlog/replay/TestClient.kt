@@ -31,7 +31,7 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
     private val binary = ByteArrayOutputStream()
     private val socket: WebSocket = HttpClient.newHttpClient().newWebSocketBuilder()
         .subprotocols(protocols.first(), *protocols.drop(1).toTypedArray())
-        .buildAsync(URI("ws://127.0.0.1:$port/nt/test%20client"), this).get(10, TimeUnit.SECONDS)
+        .buildAsync(URI("ws://127.0.0.1:$port/nt/test%20client"), this).get(60, TimeUnit.SECONDS)
 
     val protocol: String get() = socket.subprotocol
 
@@ -71,24 +71,28 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
     override fun onError(socket: WebSocket, error: Throwable) = closed.countDown()
 
     fun send(json: String) {
-        socket.sendText(json, true).get(10, TimeUnit.SECONDS)
+        socket.sendText(json, true).get(60, TimeUnit.SECONDS)
     }
 
     fun send(bytes: ByteArray) {
-        socket.sendBinary(ByteBuffer.wrap(bytes), true).get(10, TimeUnit.SECONDS)
+        socket.sendBinary(ByteBuffer.wrap(bytes), true).get(60, TimeUnit.SECONDS)
     }
 
     fun subscribe(vararg topics: String, options: String = "{}", id: Int = 1) = send(
         """[{"method":"subscribe","params":{"topics":[${topics.joinToString { "\"$it\"" }}],"subuid":$id,"options":$options}}]""",
     )
 
-    /** Waits until the server has answered everything that was sent so far. */
-    fun settle() {
+    /** Waits until the server has answered everything that was sent so far, and until [check] passes, which then has to hold. */
+    fun settle(check: () -> Unit = {}) {
         val before = count { it.id == -1 }
         send(byteArrayOf(0x94.toByte(), -1, 0, 2, 7))
         waitUntil { count { it.id == -1 } > before }
-        // The next two ticks have sent what was wanted.
+        // Values come with the server's next ticks, however late these are.
+        val end = System.nanoTime() + 60_000_000_000
+        while (System.nanoTime() < end && runCatching(check).isFailure) Thread.sleep(5)
+        // Time for what had better not come.
         Thread.sleep(50)
+        check()
     }
 
     fun params(method: String): List<JsonObject> = synchronized(this) {
@@ -115,11 +119,11 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
     }
 }
 
-/** Waits until [isSo]; fails after 10 s. */
+/** Waits until [isSo]; fails after a minute. */
 internal fun waitUntil(isSo: () -> Boolean) {
-    val end = System.nanoTime() + 10_000_000_000
+    val end = System.nanoTime() + 60_000_000_000
     while (!isSo()) {
-        check(System.nanoTime() < end) { "This did not happen within 10 s." }
+        check(System.nanoTime() < end) { "This did not happen within a minute." }
         Thread.sleep(5)
     }
 }

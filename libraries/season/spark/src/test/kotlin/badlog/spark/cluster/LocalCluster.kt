@@ -66,7 +66,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
 
     /** What [find] finds in what [name] says, as soon as it does. */
     private fun said(name: String, find: (String) -> String?): String {
-        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(2)
+        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
         while (System.nanoTime() < end) {
             val text = (folder / name).takeIf(Files::exists)?.readText().orEmpty()
             find(text)?.let { return it }
