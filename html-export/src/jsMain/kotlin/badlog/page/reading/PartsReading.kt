@@ -27,7 +27,7 @@ internal class PartsReading private constructor(
     private val answers = HashMap<Int, dynamic>()
 
     /** The workers that can take another part, once for each such part. */
-    private val ready = ArrayDeque<Worker>()
+    private val ready = ArrayList<Worker>()
     private var line = ""
     private var sent = BEFORE_PARTS
     private var taken = 0
@@ -72,7 +72,7 @@ internal class PartsReading private constructor(
                 }
                 break
             }
-            if (sent >= 0) ready.removeFirst().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
+            if (sent >= 0) ready.removeLast().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
             sent++
         }
         if (isAllSent && taken == sent) finish()

@@ -1,6 +1,7 @@
 package badlog.plot.curve
 
 import badlog.analysis.Span
+import kotlin.math.abs
 
 /**
  * Maps the values of an axis to the screen: [from] to the pixel [start], and [to] to a pixel [length] further on.
@@ -15,6 +16,9 @@ public class Scale(
     private val start: Double = 0.0,
     private val farthest: Double = Double.POSITIVE_INFINITY,
 ) {
+    /** The difference between the values of two adjacent pixels. */
+    internal val unitsPerPixel: Double get() = abs((to - from) / length)
+
     /** Returns the place of [value]. */
     public fun placeOf(value: Double): Double {
         val place = start + (value - from) / (to - from) * length

@@ -4,6 +4,7 @@ import badlog.analysis.Span
 import badlog.plot.curve.Strokes
 import badlog.rules.path.Trail
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -143,6 +144,29 @@ class TrailPyramidSpec : FunSpec({
             }, { next = it + 1 }) { it shouldBe next++ }
             next shouldBe end
         }
+    }
+
+    test("with strides, a line misses no sample by more than was asked, and passes over most of a smooth path") {
+        fun most(trail: Trail, bendX: Double, bendY: Double): Int {
+            val pyramid = TrailPyramid(trail)
+            val visited = ArrayList<Int>()
+            pyramid.visit(0, trail.size, { _, _, _ -> false }, {}, { pyramid.strideOf(it, bendX, bendY) }, visited::add)
+            visited.lastOrNull() shouldBe (trail.size - 1).takeIf { it >= 0 }
+            for ((from, to) in visited.zipWithNext()) {
+                for (i in from + 1 until to) {
+                    val share = (i - from).toDouble() / (to - from)
+                    abs(trail.x[from] + share * (trail.x[to] - trail.x[from]) - trail.x[i]) shouldBeLessThan bendX * 1.000001
+                    abs(trail.y[from] + share * (trail.y[to] - trail.y[from]) - trail.y[i]) shouldBeLessThan bendY * 1.000001
+                }
+            }
+            return visited.size
+        }
+        checkAll(Arb.int()) { seed -> most(walk(seed), 0.004, 0.002) }
+        val count = 10_000
+        val smooth = Trail(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { 8 + 6 * sin(it / 240.0) }, DoubleArray(count) { 4 + 3 * cos(it / 175.0) })
+        most(smooth, 0.005, 0.005) shouldBeLessThan count / 7
+        most(smooth, 0.05, 0.05) shouldBeLessThan count / 15
+        most(smooth, 1e-9, 1e-9) shouldBe count
     }
 
     test("of a long path, a small part of the plane has to look at few samples") {

@@ -23,8 +23,8 @@ public class CauseGraph internal constructor(internal val causes: List<Cause>, i
     /** Returns the rules whose findings may follow from those of [rules], directly or indirectly. */
     internal fun reachedFrom(rules: Collection<String>): Set<String> {
         val reached = LinkedHashSet<String>()
-        val waiting = ArrayDeque(rules)
-        while (waiting.isNotEmpty()) effects[waiting.removeFirst()]?.forEach { if (reached.add(it)) waiting += it }
+        val waiting = ArrayList(rules)
+        while (waiting.isNotEmpty()) effects[waiting.removeAt(waiting.lastIndex)]?.forEach { if (reached.add(it)) waiting += it }
         return reached
     }
 
