@@ -26,6 +26,11 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private var next = Double.NaN
     private var timer = 0
 
+    /** Whether a frame was reported since the last seek began, and since it ended: a report before that may be of an earlier frame. */
+    private var isReported = false
+    private var isSure = false
+    private var waits = 0
+
     /** Whether the browser does not report which frame is shown after a seek. */
     private var isSilent = false
     private val isStale get() = abs(frame - video.currentTime) > FAR
@@ -49,13 +54,21 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         scene.cursor.onChange { if (!isLeading) follow() }
         on("loadedmetadata") { follow() }
         on("play") { leave() }
-        on("seeking") { if (!isOwnSeek) leave() }
+        on("pause") { settle() }
+        on("seeking") {
+            if (!isOwnSeek) {
+                leave()
+                isReported = false
+                isSure = false
+            }
+        }
         on("seeked") {
             isOwnSeek = false
             val wanted = next
             next = Double.NaN
             window.clearTimeout(timer)
-            if (!wanted.isNaN()) seek(wanted) else timer = window.setTimeout(::arrive, PATIENCE)
+            waits = 0
+            if (!wanted.isNaN()) seek(wanted) else await()
         }
         if (video.asDynamic().requestVideoFrameCallback == null) on("timeupdate") { show(video.currentTime) } else watch()
     }
@@ -64,10 +77,20 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     private fun watch() {
         video.asDynamic().requestVideoFrameCallback { _: Double, shown: dynamic ->
-            isSilent = false
-            show(shown.mediaTime.unsafeCast<Double>())
+            // First, because a frame that comes to the screen before this is not reported.
             watch()
+            isSilent = false
+            isReported = true
+            isSure = !video.seeking
+            show(shown.mediaTime.unsafeCast<Double>())
         }
+    }
+
+    /** Seeks to where the video was paused: a busy browser may not have reported the frame that it shows there, but reports it after a seek. */
+    private fun settle() {
+        if (!video.paused || video.seeking || !next.isNaN()) return
+        isLed = false
+        seek(video.currentTime)
     }
 
     /** Shows the frame [count] after the displayed one, or before it if negative. */
@@ -82,8 +105,10 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     /** Aligns the displayed frame with [x]. */
     fun align(x: Double) {
-        alignment = VideoAlignment.of(frame, x, secondsOfX)
-        lead(frame)
+        // Where the video stands in a frame that is not reported yet is less than a frame after its start.
+        val shown = if (isReported && !isStale) frame else video.currentTime
+        alignment = VideoAlignment.of(shown, x, secondsOfX)
+        lead(shown)
     }
 
     /** Seeks to the cursor. */
@@ -97,13 +122,20 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         seek(aligned.secondsAt(x, secondsOfX))
     }
 
+    private fun await() {
+        timer = window.setTimeout(::arrive, PATIENCE)
+    }
+
     /** Handles the end of a seek. If a step did not leave its frame, tries a longer one, unless the video ends there. */
     private fun arrive() {
         if (video.seeking || !video.paused) return
-        if (isStale) isSilent = true
+        val isLate = !isSure && ++waits < MAX_WAITS
+        if (isStale || (!isReported && !isLate)) isSilent = true
         val tried = clock.frameSeconds
         if (isSilent) {
             show(video.currentTime)
+        } else if (isLate) {
+            return await()
         } else if (steps > 0 && clock.step(from, steps * 2) < video.duration) {
             clock.lengthen()
             if (clock.frameSeconds > tried) return seek(clock.step(from, steps))
@@ -123,6 +155,8 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             next = target
         } else {
             isOwnSeek = true
+            isReported = false
+            isSure = false
             video.currentTime = target
         }
     }
@@ -152,5 +186,8 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
         /** Milliseconds after which a frame that the video has sought is on the screen. */
         const val PATIENCE = 150
+
+        /** A busy browser reports the frame that it has sought within this many times [PATIENCE]. */
+        const val MAX_WAITS = 8
     }
 }
