@@ -94,7 +94,7 @@ internal class PlotGestures(
     private fun rest() {
         if (drag == null || hasMoved) return
         isShifted = true
-        tap(startX)
+        tap(startX, Double.NaN)
         stop()
     }
 
@@ -158,16 +158,17 @@ internal class PlotGestures(
         val y = event.clientY.toDouble()
         if (hasMoved && drag == DragKind.ZOOM) range.change { showing(xWithin(startX), xWithin(x)) }
         if (hasMoved && drag == DragKind.ZOOM_Y) onZoomY?.invoke(yWithin(minOf(startY, y)), yWithin(maxOf(startY, y)))
-        if (drag != null && !hasMoved) tap(x)
+        if (drag != null && !hasMoved) tap(x, event.timeStamp.toDouble())
         stop()
     }
 
-    private fun tap(x: Double) {
+    /** Handles a click at [x] at the time [now], which is when it was made: a busy page may handle it later. */
+    private fun tap(x: Double, now: Double) {
         val reach = (if (isFinger) Cursors.FINGER_REACH else Cursors.REACH) / over.clientWidth * range.now.width
         when {
             isShifted -> scene.cursor.change { shiftClicked(xAt(x), reach) }
 
-            taps.isSecond(x, window.performance.now()) -> {
+            taps.isSecond(x, now) -> {
                 // The first click of a double click does not count by itself.
                 scene.cursor.change { beforeTap }
                 range.change { reset() }
@@ -209,7 +210,7 @@ internal class PlotGestures(
             event.shiftKey,
             xAt(event.clientX.toDouble()),
             over.clientWidth.toDouble(),
-            window.performance.now(),
+            event.timeStamp.toDouble(),
         ) ?: return
         event.preventDefault()
         range.change { turned }

@@ -7,7 +7,6 @@ import badlog.plot.gesture.DragKind
 import badlog.plot.gesture.Wheel
 import badlog.plot.path.Plane
 import badlog.plot.path.XyPlot
-import kotlinx.browser.window
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
@@ -111,7 +110,7 @@ internal class XyGestures(
     }
 
     private fun tap(event: PointerEvent) {
-        if (clicks.isSecond(event.clientX.toDouble(), window.performance.now())) return onShow(null)
+        if (clicks.isSecond(event.clientX.toDouble(), event.timeStamp.toDouble())) return onShow(null)
         timeAt(event)?.let { time -> scene.cursor.change { if (event.shiftKey) shiftClicked(time, 0.0) else clicked(time, 0.0) } }
     }
 
