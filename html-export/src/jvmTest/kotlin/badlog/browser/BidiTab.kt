@@ -41,6 +41,6 @@ internal class BidiTab(private val connection: Connection, private val onClose: 
     override fun close() = onClose()
 
     private companion object {
-        val TIMEOUT: Duration = Duration.ofMinutes(1)
+        val TIMEOUT: Duration = Duration.ofMinutes(3)
     }
 }

@@ -26,11 +26,24 @@ internal fun BrowserTab.await(expression: String) {
     }
 }
 
-/** Waits until what was just done is on the screen. */
-internal fun BrowserTab.settle() {
-    evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")
+/** Waits until [state] holds: where a browser handles an action later than its driver says, [settle] would not be enough. */
+internal fun BrowserTab.awaitThat(state: () -> Unit) {
+    val end = System.nanoTime() + PATIENCE_NANOSECONDS
+    while (true) {
+        try {
+            return state()
+        } catch (e: AssertionError) {
+            if (System.nanoTime() > end) throw e
+        }
+        Thread.sleep(POLL_MILLISECONDS)
+    }
 }
 
-private const val PATIENCE_NANOSECONDS = 60_000_000_000
+/** Waits until what was just done is on the screen. */
+internal fun BrowserTab.settle() {
+    evaluate("new Promise(done => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))))")
+}
+
+private const val PATIENCE_NANOSECONDS = 180_000_000_000
 private const val POLL_MILLISECONDS = 20L
 private const val MAX_TEXT = 1000

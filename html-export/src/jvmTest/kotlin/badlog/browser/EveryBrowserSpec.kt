@@ -37,7 +37,7 @@ internal class EveryBrowserSpec : FunSpec({
         browserTest("a page opens from disk, inflates its log, and draws it") {
             openPage(steps)
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldBe "Step 1,Step 2,Step 3"
-            stepAt() shouldBe (0.3 plusOrMinus 0.01)
+            awaitThat { stepAt() shouldBe (0.3 plusOrMinus 0.01) }
         }
 
         browserTest("a log that was gzipped and cut opens with what there is, and says so") {
@@ -49,26 +49,23 @@ internal class EveryBrowserSpec : FunSpec({
         browserTest("a drag zooms to what it covers, and a click on the button shows everything") {
             openPage(steps)
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.2), placeAt(0.4), placeAt(0.6)))))
-            settle()
-            stepAt() shouldBe (0.25 plusOrMinus 0.01)
-            visibleRange() shouldBe "2–6"
+            awaitThat { visibleRange() shouldBe "2–6" }
+            awaitThat { stepAt() shouldBe (0.25 plusOrMinus 0.01) }
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.5, "#reset")))))
-            settle()
-            visibleRange() shouldBe "0–10"
+            awaitThat { visibleRange() shouldBe "0–10" }
         }
 
         browserTest("a finger zooms by a sideways drag") {
             openPage(steps)
             perform(listOf(path(Kind.TOUCH, List(9) { placeAt(0.2 + 0.05 * it) })))
-            settle()
-            visibleRange() shouldBe "2–6"
+            awaitThat { visibleRange() shouldBe "2–6" }
         }
 
         browserTest("a link carries moment, range and formulas") {
             openPage(steps, "#t=4&x=2:6&f=Twice+~003d+2*Step+1")
-            visibleRange() shouldBe "2–6"
+            awaitThat { visibleRange() shouldBe "2–6" }
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldContain "Twice"
-            stepAt() shouldBe (0.25 plusOrMinus 0.01)
+            awaitThat { stepAt() shouldBe (0.25 plusOrMinus 0.01) }
         }
 
         browserTest("a formula that is typed becomes a graph") {
@@ -100,7 +97,7 @@ internal class EveryBrowserSpec : FunSpec({
                     await("${CountedVideo.SHOWN} == $frame")
                 }
                 type(".")
-                withClue(evaluate("JSON.stringify([document.querySelector('#video video').currentTime, ${CountedVideo.SHOWN}])")) { await("${CountedVideo.SHOWN} == 10") }
+                await("${CountedVideo.SHOWN} == 10")
                 // WebKitGTK does not report the frame after each jump: the cursor may stay at the jump's target.
                 val reach = if (browser == Browser.WEBKIT) 0.05 else 0.02
                 await("Math.abs(parseFloat(document.querySelector('.cursor-readout').textContent) - 1.333) < $reach")
@@ -135,12 +132,10 @@ internal class EveryBrowserSpec : FunSpec({
             val file = browser.downloads.resolve("test.bag")
             Files.deleteIfExists(file)
             evaluate("document.querySelector('#download').click()")
-            val end = System.nanoTime() + 20_000_000_000
-            while (!file.exists() || file.readBytes().size < stepBag(3).size) {
-                check(System.nanoTime() < end) { "No download: " + Files.list(browser.downloads).use { it.toList() } }
-                Thread.sleep(50)
+            awaitThat {
+                withClue(Files.list(browser.downloads).use { it.toList() }) { file.exists() shouldBe true }
+                file.readBytes() shouldBe stepBag(3)
             }
-            file.readBytes() shouldBe stepBag(3)
         }
     }
 })
@@ -152,10 +147,12 @@ private fun BrowserTab.awaitVideo() = await("document.querySelector('#video vide
 
 private fun BrowserTab.openPage(page: Path, fragment: String = "") {
     open("${page.toUri()}$fragment")
+    // A finger that goes slowly, because the machine is busy, does not rest.
+    evaluate("(set => { window.setTimeout = (work, delay, ...more) => delay >= 500 ? 0 : set(work, delay, ...more) })(window.setTimeout)")
     await("['ready', 'failed'].includes(document.documentElement.dataset.state)")
     withClue(evaluate("document.body.innerText.slice(0, 1000)")) { evaluate("document.documentElement.dataset.state") shouldBe "ready" }
     evaluate("localStorage.clear()")
-    await("document.querySelector('.graph canvas') != null")
+    await("document.documentElement.dataset.rules != null && document.querySelector('.graph canvas') != null")
     settle()
 }
 

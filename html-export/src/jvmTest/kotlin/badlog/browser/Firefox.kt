@@ -6,6 +6,7 @@ import org.openqa.selenium.remote.http.HttpClient
 import java.net.URI
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 import kotlin.concurrent.thread
 
 internal const val FIREFOX_PROGRAM = "firefox-esr"
@@ -27,6 +28,6 @@ internal fun firefoxTab(profile: Path, downloads: Path): BrowserTab {
     val address = generateSequence { lines.readLine() }.firstNotNullOf { Regex("""BiDi listening on (ws://\S+)""").find(it) }.groupValues[1] + "/session"
     // A full pipe would stop it.
     thread(isDaemon = true) { lines.forEachLine { } }
-    val client = HttpClient.Factory.createDefault().createClient(ClientConfig.defaultConfig().baseUri(URI(address)))
+    val client = HttpClient.Factory.createDefault().createClient(ClientConfig.defaultConfig().baseUri(URI(address)).connectionTimeout(Duration.ofMinutes(2)))
     return BidiTab(Connection(client, address)) { firefox.end() }
 }

@@ -9,6 +9,7 @@ import java.net.ServerSocket
 import java.net.Socket
 import java.net.URI
 import java.nio.file.Path
+import java.time.Duration
 
 internal const val WEBKIT_PROGRAM = "WebKitWebDriver"
 
@@ -27,6 +28,7 @@ internal fun webKitTab(downloads: Path): BrowserTab {
         Thread.sleep(POLL_MILLISECONDS)
     }
     val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), ImmutableCapabilities("browserName", "MiniBrowser"), false)
+    driver.manage().timeouts().scriptTimeout(Duration.ofMinutes(2))
     driver.manage().window().size = Dimension(1280, 940)
     return WebDriverTab(driver) {
         driver.quit()

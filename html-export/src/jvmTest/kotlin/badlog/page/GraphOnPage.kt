@@ -89,7 +89,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
     /** Double-clicks in its middle. */
     fun doubleClick() {
         val (x, y) = frame.at(0.5)
-        page.act { mouseTo(x, y).mouseDown().mouseUp().mouseDown().mouseUp() }
+        page.doubleClick(x, y)
     }
 
     /** What its legend says of [line] at the cursor. */

@@ -17,3 +17,38 @@ internal fun Actions.mouseDown(): Actions = tick(MOUSE.createPointerDown(MouseBu
 
 /** Lets the mouse's main button go. */
 internal fun Actions.mouseUp(): Actions = tick(MOUSE.createPointerUp(MouseButton.LEFT.asArg()))
+
+/** Double-clicks at a place of the window. */
+internal fun OpenPage.doubleClick(x: Int, y: Int) = clicks(listOf(x to y, x to y), pause = 0.1)
+
+/**
+ * Clicks at [places] of the window, [pause] seconds after what was done before and after one another, by the events' own clock: how long a
+ * busy machine takes for each does not matter.
+ */
+internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {
+    act { mouseTo(places.first().first, places.first().second) }
+    val begin = System.currentTimeMillis() / 1000.0
+    places.forEachIndexed { index, (x, y) ->
+        for ((type, buttons) in listOf("mousePressed" to 1, "mouseReleased" to 0)) {
+            driver.executeCdpCommand(
+                "Input.dispatchMouseEvent",
+                mapOf("type" to type, "x" to x, "y" to y, "button" to "left", "buttons" to buttons, "clickCount" to 1, "timestamp" to begin + (index + 1) * pause),
+            )
+        }
+    }
+    settle()
+}
+
+/** Taps with a finger at [places] of the window, likewise. */
+internal fun OpenPage.taps(places: List<Pair<Int, Int>>, pause: Double) {
+    val begin = System.currentTimeMillis() / 1000.0
+    places.forEachIndexed { index, (x, y) ->
+        for ((type, fingers) in listOf("touchStart" to listOf(mapOf("x" to x, "y" to y)), "touchEnd" to emptyList())) {
+            driver.executeCdpCommand(
+                "Input.dispatchTouchEvent",
+                mapOf("type" to type, "touchPoints" to fingers, "timestamp" to begin + (index + 1) * pause),
+            )
+        }
+    }
+    settle()
+}

@@ -94,6 +94,7 @@ internal class PartsSpec : PageSpec({
     browserTest("fast workers wait for a slow one, so that no more than a few parts are held") {
         val held = """
             ${cores(2)};
+            window.keepsTime = true;
             window.sent = 0; window.most = 0; window.slow = null;
             const post = Worker.prototype.postMessage;
             Worker.prototype.postMessage = function (message, ...more) {

@@ -81,9 +81,11 @@ internal class PhoneSpec : PageSpec({
 
             fun rest(share: Double, beside: Int, isSecondShown: Boolean) {
                 val (x, y) = graph("Step 1").scrollTo().frame.at(share)
+                script("keepsTime = true")
                 finger("touchStart", x + beside to y)
                 await("the second cursor to come or go") { elements(".cursor-line.is-second").any { it.isDisplayed } == isSecondShown }
                 finger("touchEnd")
+                script("keepsTime = false")
                 settle()
             }
             val middle = graph("Step 1").scrollTo().frame.at(0.3)
@@ -145,7 +147,7 @@ internal class PhoneSpec : PageSpec({
             touch(between(frame.at(0.2), frame.at(0.6)))
             touch(between(frame.at(0.25), frame.at(0.5)))
             graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
-            repeat(2) { touch(List(2) { frame.at(0.5) }) }
+            taps(List(2) { frame.at(0.5) }, pause = 0.1)
             visibleRange shouldBe 0.0..10.0
         }
     }
@@ -161,7 +163,7 @@ internal class PhoneSpec : PageSpec({
             touch(between(x - 20 to y, x - 90 to y), between(x + 20 to y, x + 90 to y))
             picture() shouldNotBe before
             elements(".cursor-line.is-pinned").filter { it.isDisplayed }.size shouldBe 0
-            repeat(2) { touch(List(2) { x to y }) }
+            taps(List(2) { x to y }, pause = 0.1)
             picture() shouldBe before
         }
     }
@@ -186,8 +188,7 @@ internal class PhoneSpec : PageSpec({
         onPage(page, Screen.PHONE) {
             val frame = graph("Step 1").scrollTo().frame
             touch(between(frame.at(0.2), frame.at(0.6)))
-            touch(List(2) { frame.at(0.8) })
-            touch(List(2) { frame.at(0.1) })
+            taps(listOf(frame.at(0.8), frame.at(0.1)), pause = 0.1)
             graph("Step 1").value("Step 1") shouldBe "0"
             visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
         }

@@ -200,7 +200,7 @@ internal class ZoomSpec : PageSpec({
         onPage(page) {
             graph("Step 1").drag(0.2, 0.6)
             val (x, y) = graph("Step 1").frame.at(0.2)
-            act { mouseTo(x, y).mouseDown().mouseUp().mouseTo(x + 300, y).mouseDown().mouseUp() }
+            clicks(listOf(x to y, x + 300 to y), pause = 0.1)
             visibleRange.start shouldBe (2.0 plusOrMinus 0.05)
         }
     }

@@ -7,6 +7,7 @@ import org.openqa.selenium.chrome.ChromeOptions
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 
 /** The Chromium that all page tests share, started when the first of them needs it. */
 internal object Chromium {
@@ -50,8 +51,10 @@ internal object Chromium {
         val service = ChromeDriverService.Builder()
             .usingDriverExecutable(present(driverProgram, "chromedriver").toFile())
             .usingAnyFreePort()
+            .withTimeout(PATIENCE)
             .build()
         val driver = ChromeDriver(service, options)
+        driver.manage().timeouts().scriptTimeout(PATIENCE)
         driver.executeCdpCommand(
             "Browser.setDownloadBehavior",
             mapOf("behavior" to "allow", "downloadPath" to downloads.toString()),
@@ -82,6 +85,8 @@ internal object Chromium {
         }
     }
 
+    /** For the driver's start, and for a script; the limit only serves to end a failed test. */
+    private val PATIENCE: Duration = Duration.ofMinutes(2)
     private const val MAX_TRIES = 40
     private const val PAUSE_MILLISECONDS = 50L
 }

@@ -20,10 +20,11 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** The state that the page reports. */
     val state: String? get() = script("return document.documentElement.dataset.state") as String?
 
-    /** Waits until the page reports [state]. */
+    /** Waits until the page reports [state], and if it is ready, until its rules are done: what they find changes the page. */
     fun awaitState(state: String) {
         await("the page's state $state") { this.state == state || this.state == "failed" }
         withClue(text) { this.state shouldBe state }
+        if (state == "ready") await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
         settle()
     }
 
@@ -71,14 +72,17 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Returns the result of JavaScript that is a number. */
     fun number(code: String, vararg arguments: Any?): Double = (script(code, *arguments) as Number).toDouble()
 
-    /** Waits until the last action is drawn, on the screen and outside it, which the page draws a frame later. */
+    /**
+     * Waits until the last action is handled, which may be an event behind those that wait already, and drawn: on the screen and outside
+     * it, which the page draws a frame later.
+     */
     fun settle() {
         driver.executeAsyncScript(
             """
             const done = arguments[0];
             let frames = 2;
             const next = () => frames-- > 0 ? requestAnimationFrame(next) : setTimeout(done);
-            next();
+            setTimeout(next);
             """.trimIndent(),
         )
     }
@@ -113,6 +117,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Shows the page on another [screen]. */
     fun show(screen: Screen) {
         emulate(screen)
+        await("the width of ${screen.width}") { number("return innerWidth").toInt() == screen.width }
         settle()
     }
 
@@ -159,7 +164,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     }
 
     internal companion object {
-        private const val PATIENCE_NANOSECONDS = 60_000_000_000
+        private const val PATIENCE_NANOSECONDS = 180_000_000_000
         private const val POLL_MILLISECONDS = 15L
         private const val POINTER_MILLISECONDS = 10L
         private const val MAX_TEXT = 1000
@@ -171,13 +176,25 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             driver.switchTo().newWindow(WindowType.TAB)
             val page = OpenPage(driver, before)
             page.emulate(screen)
-            if (script != null) {
-                driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to script))
+            for (source in listOfNotNull(PATIENT_TIMERS, script)) {
+                driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to source))
             }
             page.logs.forget()
             driver.get(file.toUri().toString())
             return page
         }
+
+        /**
+         * Stops the clock of notices that disappear by themselves and of fingers that rest: on a busy machine, it would go off between two
+         * steps of a test. A test of such a clock sets `keepsTime`.
+         */
+        private const val PATIENT_TIMERS = """
+            (() => {
+                const set = window.setTimeout
+                window.keepsTime = false
+                window.setTimeout = (work, delay, ...more) => delay >= 500 && !window.keepsTime ? 0 : set(work, delay, ...more)
+            })()
+        """
 
         @Suppress("UNCHECKED_CAST")
         private fun strings(result: Any?) = result as List<String>
