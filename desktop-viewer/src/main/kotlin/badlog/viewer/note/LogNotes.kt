@@ -18,7 +18,7 @@ import java.nio.file.Path
 /**
  * The notes about moments of the log, in the order of x.
  *
- * @property log the log; null while none is open.
+ * @property log the log; null while none is open, and until its notes are read.
  * @property isDamaged whether the log's file of notes could not be read, and so must not be replaced.
  */
 internal data class WrittenNotes(val log: Path? = null, val notes: List<Note> = emptyList(), val isDamaged: Boolean = false)
@@ -32,7 +32,7 @@ internal class LogNotes(private val current: CurrentRecording, private val notic
     /** Reads the notes of each log that is opened; ends with the window. */
     suspend fun run() = snapshotFlow { current.recording?.file }.collect { log ->
         draft = null
-        change { WrittenNotes(log) }
+        change { WrittenNotes() }
         if (log == null) return@collect
         try {
             val notes = withContext(Dispatchers.IO) { NotesFile.read(log) }
@@ -75,7 +75,11 @@ internal class LogNotes(private val current: CurrentRecording, private val notic
     }
 
     private fun save(notes: List<Note>): Boolean {
-        val log = state.log ?: return false
+        val log = state.log
+        if (log == null) {
+            notices.complain("The notes of this log are still being read; try again in a moment.")
+            return false
+        }
         val sorted = notes.sortedBy { it.x }
         return try {
             NotesFile.write(log, sorted)

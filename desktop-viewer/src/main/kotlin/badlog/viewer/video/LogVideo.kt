@@ -61,6 +61,9 @@ internal class LogVideo(
     /** Where the video has put the cursor: this does not move the video again. */
     private var place: Double? = null
 
+    /** The cursor when the video was last stepped or moved, or put the cursor there: one that was moved since then stays where it is. */
+    private var cursorBefore: Double? = null
+
     /** The number of seconds per unit of x; null if x is not a time, so that a video cannot be aligned. */
     val secondsOfX: Double? get() = current.recording?.let { Units.secondsIn(it.view.xAxis.unit) }
 
@@ -95,12 +98,14 @@ internal class LogVideo(
     fun step(count: Int) {
         if (state.frame == null) return
         player.change { copy(isPlaying = false) }
+        cursorBefore = view.cursor
         reader?.step(count)
     }
 
     /** Shows the frame at [seconds] from the start of the video; the cursor follows. */
     fun seek(seconds: Double) {
         player.change { copy(isPlaying = false) }
+        cursorBefore = view.cursor
         reader?.seek(seconds, leads = true)
     }
 
@@ -143,7 +148,7 @@ internal class LogVideo(
         val isFirst = before == null
         change { copy(frame = read.frame, duration = read.duration) }
         if (read.leads) {
-            lead(read.frame.time)
+            if (view.cursor == cursorBefore) lead(read.frame.time)
         } else if (isFirst) {
             follow()
         }
@@ -160,6 +165,7 @@ internal class LogVideo(
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
         place = x
         view.goTo(x)
+        cursorBefore = view.cursor
     }
 
     private fun follow() {

@@ -67,6 +67,20 @@ class LogNotesSpec : FunSpec({
         }
     }
 
+    test("a note that is written before those of the log are read replaces none of them") {
+        val earlier = listOf(Note(7.0, "from yesterday"))
+        NotesFile.write(log, earlier)
+        // Nothing reads them here.
+        val viewer = viewer(CoroutineScope(Dispatchers.Unconfined))
+        viewer.notes.write(1.0)
+        viewer.notes.type("too early")
+        viewer.notes.keep()
+        NotesFile.read(log) shouldBe earlier
+        viewer.notes.draft?.text shouldBe "too early"
+        viewer.notices.all.single().text shouldBe "The notes of this log are still being read; try again in a moment."
+        Files.delete(NotesFile.of(log))
+    }
+
     test("damaged notes are reported, and nothing replaces them") {
         Files.writeString(NotesFile.of(log), "damaged")
         runDesktopComposeUiTest(360, 600) {

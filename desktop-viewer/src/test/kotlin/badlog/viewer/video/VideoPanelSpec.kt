@@ -52,7 +52,8 @@ class VideoPanelSpec : FunSpec({
         waitFor { viewer.video.state.frame != null }
     }
 
-    fun shown(viewer: Viewer) = viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) }
+    // On the window’s thread, which frees the picture when it shows others.
+    fun ComposeUiTest.shown(viewer: Viewer) = runOnUiThread { viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } }
 
     test("once “Enabled here” is pressed, the cursor moves the video, and a step of the video moves the cursor") {
         inWindow(video) { viewer ->
