@@ -84,7 +84,7 @@ class RecordingWatcherSpec : FunSpec({
                 viewer.current.recording.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
             }
             (before in 1..98) shouldBe true
-            viewer.view.viewport.visible.to shouldBe 98.0
+            eventually(60.seconds) { viewer.view.viewport.visible.to shouldBe 98.0 }
             Files.write(file, whole)
             eventually(60.seconds) { size() shouldBe 100 }
         } finally {

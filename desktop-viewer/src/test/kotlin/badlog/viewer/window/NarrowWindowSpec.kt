@@ -6,7 +6,6 @@ import badlog.viewer.panels.FrontPart
 import badlog.viewer.panels.InspectorTab
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 
 class NarrowWindowSpec : FunSpec({
@@ -30,7 +29,7 @@ class NarrowWindowSpec : FunSpec({
             window.awaitState("the graphs again") { it.panels.state.front == FrontPart.GRAPHS }
             window.press(KeyEvent.VK_3, KeyEvent.VK_CONTROL)
             window.awaitState("the problems") { it.panels.state.front == FrontPart.DETAILS }
-            window.look { it.panels.state.inspector } shouldBe InspectorTab.PROBLEMS
+            window.awaitState("their panel") { it.panels.state.inspector == InspectorTab.PROBLEMS }
             window.picture("narrow-problems")
 
             window.press(KeyEvent.VK_F1)

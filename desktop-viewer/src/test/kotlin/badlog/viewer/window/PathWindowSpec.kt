@@ -3,7 +3,6 @@ package badlog.viewer.window
 import badlog.plot.path.Field
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.ints.shouldBeGreaterThan
 import java.awt.BasicStroke
 import java.awt.Color
 import java.awt.RenderingHints
@@ -33,9 +32,11 @@ class PathWindowSpec : FunSpec({
             window.awaitGraphs()
             window.look { it.view.goTo(DEPARTED) }
             window.awaitGraphs()
-            val picture = window.picture("path", guide = "viewer-path")
-            // The carpet of the field, which nothing else in the window is like.
-            (0 until picture.height).sumOf { y -> (0 until picture.width).count { x -> isGreen(Color(picture.getRGB(x, y))) } } shouldBeGreaterThan 10_000
+            // Nothing else in the window is like it.
+            window.awaitLook("the carpet of the field") { picture ->
+                (0 until picture.height).sumOf { y -> (0 until picture.width).count { x -> isGreen(Color(picture.getRGB(x, y))) } } > 10_000
+            }
+            window.picture("path", guide = "viewer-path")
         }
     }
 })

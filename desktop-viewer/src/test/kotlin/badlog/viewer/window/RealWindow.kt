@@ -1,6 +1,7 @@
 package badlog.viewer.window
 
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.tooling.ComposeToolingApi
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.awt.ComposeWindow
@@ -26,6 +27,7 @@ import java.awt.event.WindowEvent
 import java.awt.image.BufferedImage
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.CopyOnWriteArrayList
 import javax.imageio.ImageIO
 import javax.swing.SwingUtilities
 import kotlin.concurrent.thread
@@ -53,6 +55,8 @@ internal class RealWindow(
 
     @Volatile private var state: Viewer? = null
 
+    private val said = CopyOnWriteArrayList<String>()
+
     init {
         // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
         val settings = home.resolve("settings.json")
@@ -68,13 +72,17 @@ internal class RealWindow(
                 robots = robots,
             ) { viewer ->
                 state = viewer
-                LaunchedEffect(Unit) { shown = window }
+                LaunchedEffect(Unit) {
+                    shown = window
+                    snapshotFlow { viewer.notices.all.map { it.text } }.collect { said += it }
+                }
             }
         }
     }
 
     init {
         await("the window") { shown?.isShowing == true }
+        await("the keyboard") { window.isFocused }
     }
 
     /** The state of the window. To be read through [look]. */
@@ -91,6 +99,9 @@ internal class RealWindow(
     /** Waits until [isSo] holds of the state. */
     fun awaitState(what: String, isSo: (Viewer) -> Boolean) = await(what) { look(isSo) }
 
+    /** Waits until it has said something that has [text] in it, and may have taken that away again. */
+    fun awaitSaid(text: String) = await("a notice “$text”") { said.any { text in it } }
+
     /** Whether something is described by, or says, [text]. */
     fun shows(text: String): Boolean = placeOf(text) != null
 
@@ -100,30 +111,40 @@ internal class RealWindow(
     /** Waits until nothing is described by, or says, [text]. */
     fun awaitNo(text: String) = await("no “$text”") { !shows(text) }
 
-    /** Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. */
+    /**
+     * Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. Its thread is asked
+     * again and again, since the time alone says nothing about a thread that a busy machine has stopped.
+     */
     fun awaitRest(text: String) {
         var before: Rectangle? = null
-        var since = System.nanoTime()
+        var looks = 0
         await("“$text” to stand still") {
             val now = placeOf(text)
-            if (now != before) since = System.nanoTime()
+            looks = if (now == before) looks + 1 else 0
             before = now
-            now != null && System.nanoTime() - since > REST_MILLIS * 1_000_000
+            now != null && looks >= REST_LOOKS
         }
     }
 
-    /** Clicks [times] times what is described by, or says, [text]. */
+    /** Clicks [times] times what is described by, or says, [text]; again if a busy machine made pauses between the clicks. */
     fun click(text: String, times: Int = 1) {
         awaitRest(text)
         point(text, 0.5, 0.5)
-        repeat(times) {
-            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
-            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+        while (true) {
+            val begin = System.nanoTime()
+            repeat(times) {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+            }
+            if (times == 1 || System.nanoTime() - begin < DOUBLE_CLICK_MILLIS * 1_000_000) return
+            // The next click must not be the second of a double one.
+            Thread.sleep(DOUBLE_CLICK_MILLIS * 2)
         }
     }
 
     /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
     fun drag(text: String, fromX: Double, fromY: Double, toX: Double, toY: Double, vararg held: Int) {
+        awaitRest(text)
         val place = checkNotNull(placeOf(text)) { "There is no “$text” to drag over." }
         fun move(x: Double, y: Double) = robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
         move(fromX, fromY)
@@ -134,8 +155,21 @@ internal class RealWindow(
         for (key in held) robot.keyRelease(key)
     }
 
-    /** Takes what is described by [text] to the middle of what is described by [target]. */
-    fun dragTo(text: String, target: String) {
+    /**
+     * Takes what is described by [text] to the middle of what is described by [target], until [isDone] holds: on a busy machine, a drop may come
+     * before the drag that it ends.
+     */
+    fun dragTo(text: String, target: String, isDone: (Viewer) -> Boolean) = await("“$text” on “$target”") {
+        awaitRest(text)
+        awaitRest(target)
+        dragOnce(text, target)
+        (1..DROP_LOOKS).any {
+            Thread.sleep(POLL_MILLIS)
+            look(isDone)
+        }
+    }
+
+    private fun dragOnce(text: String, target: String) {
         val to = checkNotNull(placeOf(target)) { "There is no “$target” to drag to." }
         point(text, 0.5, 0.5)
         val from = MouseInfo.getPointerInfo().location
@@ -182,13 +216,18 @@ internal class RealWindow(
 
     /** Presses Tab until what is described by [text] has the keyboard. */
     fun tabTo(text: String) = await("the keyboard at “$text”") {
+        val before = focused()
         press(KeyEvent.VK_TAB)
-        Thread.sleep(POLL_MILLIS)
+        // Else a key that comes late would lead on from there.
+        for (i in 1..REST_LOOKS) if (focused() == before) Thread.sleep(POLL_MILLIS)
         isFocused(text)
     }
 
     /** Waits until every graph in sight is drawn. */
     fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
+
+    /** Waits until the window looks as [isSo] wants: what is drawn may still be on its way to the screen. */
+    fun awaitLook(what: String, isSo: (BufferedImage) -> Boolean) = await(what) { isSo(capture()) }
 
     /**
      * Keeps a picture of the window under build/screenshots, and returns it. With the environment variable `BADLOG_WRITE_GUIDE` it is also written
@@ -219,6 +258,17 @@ internal class RealWindow(
         application.join(WAIT_MILLIS)
         check(!application.isAlive) { "The window does not close." }
     }
+
+    /** Identifies what has the keyboard; null if that is nothing that screen readers are told of. */
+    private fun focused(): Int? {
+        var id: Int? = null
+        SwingUtilities.invokeAndWait {
+            id = window.semanticsOwners.firstNotNullOfOrNull { focusedIn(it.unmergedRootSemanticsNode) }
+        }
+        return id
+    }
+
+    private fun focusedIn(node: SemanticsNode): Int? = if (node.config.getOrNull(SemanticsProperties.Focused) == true) node.id else node.children.firstNotNullOfOrNull(::focusedIn)
 
     private fun isFocused(text: String): Boolean {
         var isSo = false
@@ -262,7 +312,7 @@ internal class RealWindow(
     }
 
     private companion object {
-        const val WAIT_MILLIS = 60_000L
+        const val WAIT_MILLIS = 180_000L
         const val POLL_MILLIS = 20L
 
         /** So long a person holds what is dragged, before and after it is carried. */
@@ -271,8 +321,14 @@ internal class RealWindow(
         /** Beyond any window. */
         const val FAR = 5000
 
-        /** What has not moved for so long can be clicked. */
-        const val REST_MILLIS = 150L
+        /** What has not moved between so many looks, one every [POLL_MILLIS], can be clicked. */
+        const val REST_LOOKS = 8
+
+        /** So often one looks whether a drop was taken, before what was dragged is dragged again. */
+        const val DROP_LOOKS = 500
+
+        /** Clicks within this time are a double click. */
+        const val DOUBLE_CLICK_MILLIS = 300L
 
         /** So long a picture may still be on its way to the screen. */
         const val PICTURE_MILLIS = 400L

@@ -4,8 +4,6 @@ import badlog.viewer.library.index.putSamples
 import badlog.viewer.panels.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.doubles.shouldBeLessThan
-import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 import java.nio.file.Path
@@ -36,7 +34,7 @@ class TourSpec : FunSpec({
             window.awaitState("what shows it, all on the screen") { viewer ->
                 viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })
             }
-            window.look { it.panels.state.main } shouldBe MainView.GRAPHS
+            window.awaitState("the graphs") { it.panels.state.main == MainView.GRAPHS }
             window.awaitGraphs()
             val first = checkNotNull(window.look { it.view.cursor })
             show(2200)
@@ -52,7 +50,7 @@ class TourSpec : FunSpec({
                 window.awaitGraphs()
                 show(350)
             }
-            window.look { it.view.viewport.visible.width } shouldBeLessThan before
+            window.awaitState("a closer look") { it.view.viewport.visible.width < before }
             window.press(KeyEvent.VK_N)
             window.awaitState("the next finding") { viewer -> viewer.view.cursor?.let { abs(it - first) > 1e-3 } == true }
             window.awaitGraphs()

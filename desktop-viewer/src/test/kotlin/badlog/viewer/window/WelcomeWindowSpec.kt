@@ -3,7 +3,6 @@ package badlog.viewer.window
 import badlog.viewer.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 
 class WelcomeWindowSpec : FunSpec({
@@ -20,7 +19,7 @@ class WelcomeWindowSpec : FunSpec({
             window.press(KeyEvent.VK_ENTER)
             window.awaitState("the sample") { it.current.recording != null }
             window.awaitGraphs()
-            window.shows("Welcome") shouldBe false
+            window.awaitNo("Welcome")
             window.picture("welcome-sample")
         }
     }

@@ -59,7 +59,7 @@ class WpilogWindowSpec : FunSpec({
         RealWindow(tempdir().toPath(), file).use { window ->
             window.awaitText("OHCL Qualification 7")
             window.look { viewer -> viewer.current.recording?.enabled?.map { it.span.from to it.span.to } } shouldBe listOf(5.0 to 20.0)
-            window.look { viewer -> viewer.board.state.graphs.size } shouldBe 4
+            window.awaitState("its graphs") { it.board.state.graphs.size == 4 }
             window.picture("wpilog")
             Files.write(file, bytes(30))
             window.awaitState("the rest of the log") { it.view.viewport.visible.to > 29 }
