@@ -1,7 +1,7 @@
 """Writes what WPILib's own client receives from a server: python listen.py PORT TOPICS
 
 Lines of JSON on standard output: each topic as it is announced, "ready" once TOPICS of them are known, each value with the
-server's time and the time of its arrival, both in microseconds. Ends when standard input does.
+server's time and the time of its arrival, both in microseconds, and "lost" when the connection is. Ends when standard input does.
 """
 import json
 import sys
@@ -16,6 +16,7 @@ options = ntcore.PubSubOptions(sendAll=True, keepDuplicates=True, periodic=0.01)
 everything = ntcore.MultiSubscriber(network, [""], options)
 poller = ntcore.NetworkTableListenerPoller(network)
 poller.addListener(everything, ntcore.EventFlags.kTopic | ntcore.EventFlags.kValueAll)
+poller.addConnectionListener(False)
 network.startClient4("listen.py")
 network.setServer("127.0.0.1", port)
 
@@ -44,4 +45,6 @@ while not last_round:
                 value=list(plain) if isinstance(plain, bytes) else plain, of=event.data.topic.getName(),
                 micros=value.server_time(), arrived=time.monotonic_ns() // 1000,
             )
+        elif event.is_(ntcore.EventFlags.kDisconnected):
+            write(lost=True)
     time.sleep(0.005)
