@@ -121,9 +121,9 @@ internal class BadlogCommand(
 
 /** `badlog help cut`: prints the same as `badlog cut --help`. */
 internal class HelpCommand : CoreCliktCommand("help") {
-    private val command by argument("COMMAND").optional().help("The sub-command to explain.")
+    private val command by argument("COMMAND").optional().help("The command to explain.")
 
-    override fun help(context: Context): String = "Explains a sub-command."
+    override fun help(context: Context): String = "Explains a command."
 
     override fun run() {
         val root = currentContext.parent?.command as CoreCliktCommand

@@ -36,6 +36,13 @@ class BadlogSpec : FunSpec({
         }
     }
 
+    test("the help calls commands what its list calls them, that of the help itself included") {
+        badlog("help", "help").out shouldContain "Explains a command."
+        for (help in (listOf("help", "completion") + commands).map { badlog("help", it).out } + badlog("help").out) {
+            help.lines().filter { "sub-command" in it.lowercase() || "subcommand" in it.lowercase() }.shouldBeEmpty()
+        }
+    }
+
     test("each example of the help is a command line that badlog understands") {
         for (command in commands) {
             val examples = badlog("help", command).out.lines().map { it.trim() }.filter { it.startsWith("badlog $command ") || it == "badlog $command" }
