@@ -78,7 +78,7 @@ public final class InstallGradle {
     private static final String VERSION = "8.7";
     private static final String DISTRIBUTION = "gradle-" + VERSION + "-bin.zip";
 
-    /** The versions of these that Gradle 8.7 itself comes with; {@code gradle --version} tells them. */
+    /** The versions of these that Gradle 8.7 itself comes with; {@code gradle --version} prints them. */
     private static final String KOTLIN = "1.9.22";
     private static final String GROOVY = "3.0.17";
     private static final String ANT = "1.10.13";
@@ -161,7 +161,7 @@ public final class InstallGradle {
         }
     }
 
-    /** Prints the lines of {@link #ARTIFACTS} that someone who changes the versions above has to change too. */
+    /** Prints the lines of {@link #ARTIFACTS} that must change, too, when the versions above do. */
     private static void printHashes() throws IOException, InterruptedException, Failure {
         Path folder = Files.createTempDirectory("gradle-hashes");
         try {
@@ -200,7 +200,7 @@ public final class InstallGradle {
         }
     }
 
-    /** A failure the user is to read about: one understandable sentence, no stack trace. */
+    /** A failure that is reported to the user: one understandable sentence, no stack trace. */
     private static class Failure extends Exception {
         Failure(String message) {
             super(message);
@@ -215,7 +215,7 @@ public final class InstallGradle {
     private record CommandLine(List<String> systemProperties, String userHomeOption) {
         private static final Pattern JVM_OPTION = Pattern.compile("(?:\"[^\"]*\"|'[^']*'|[^\\s\"'])+");
 
-        /** Like the wrapper, reads options up to the first argument that is none. */
+        /** Like the wrapper, reads options up to the first argument that is not one. */
         static CommandLine parse(String[] args) {
             List<String> properties = new ArrayList<>(jvmSystemProperties("JAVA_OPTS"));
             properties.addAll(jvmSystemProperties("GRADLE_OPTS"));
@@ -301,7 +301,7 @@ public final class InstallGradle {
             return new Wrapper(url, folder, zip);
         }
 
-        /** A URL without scheme is a file's path, seen from the folder of the properties. */
+        /** A URL without a scheme is the path of a file, relative to the folder of the properties. */
         private static URI distributionUrl(Properties properties, Path file) throws Failure {
             try {
                 URI url = new URI(properties.getProperty("distributionUrl", "").trim());
@@ -667,7 +667,7 @@ public final class InstallGradle {
         private static final List<String> MISSING_MODULES = List.of("gradle-installation-beacon", "gradle-api-metadata",
             "gradle-build-profile", "gradle-java-compiler-plugin", "gradle-test-kit");
 
-        /** These list the modules that lie in lib/plugins. */
+        /** These list the modules that are in lib/plugins. */
         private static final List<String> PLUGIN_LISTS = List.of("gradle-plugins.properties",
             "gradle-implementation-plugins.properties");
 
@@ -787,7 +787,7 @@ public final class InstallGradle {
             return "projects=" + original.getProperty("projects", "") + "\nruntime=" + String.join(",", runtime) + "\n";
         }
 
-        /** Gradle insists on every third-party jar its modules name; the classes of those are in the core jar. */
+        /** Gradle insists on every third-party jar that its modules name; their classes are in the core jar. */
         private void writeLibraryStubs() throws IOException {
             Set<String> names = new TreeSet<>();
             modules.values().forEach(module -> names.addAll(list(module, "runtime")));
@@ -800,7 +800,7 @@ public final class InstallGradle {
             }
         }
 
-        /** Gradle wants the agent to be there. The properties, which every build starts from, keep it from being used. */
+        /** Gradle expects the agent's jar. The properties, from which every build starts, prevent its use. */
         private void writeAgent() throws IOException {
             String module = "gradle-instrumentation-agent";
             try (ZipOutputStream jar = newJar("agents/" + jarName(module))) {
@@ -1026,7 +1026,7 @@ public final class InstallGradle {
         }
     }
 
-    /** Java's message for the commonest failures is only a path. */
+    /** Java's message for the most common failures is only a path. */
     private static String reason(Exception e) {
         if (e instanceof AccessDeniedException denied) {
             return "there is no permission to write " + denied.getFile();

@@ -12,7 +12,7 @@ where /q "%java%" 2>nul || if not exist "%java%" (
 )
 set "classes="
 if exist "%lib%\@program@.jsa" set classes="-XX:SharedArchiveFile=%lib%\@program@.jsa"
-rem What takes long is worth Java's better compiler.
+rem A command that runs long is worth Java's better compiler.
 set "long="
 if "%~1"=="@long@" set "long=-XX:TieredStopAtLevel=4"
 "%java%" @options@ %classes% %long% %JAVA_OPTS% -cp "@classpath@" @main@ %*

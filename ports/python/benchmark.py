@@ -27,7 +27,7 @@ def main() -> None:
         "badlog.read, samples": lambda: [topic.samples for topic in badlog.read(data).topics],
         "badlog.read, to_polars": lambda: badlog.read(data).to_polars(),
     }
-    # One after the other, so that what disturbs the machine disturbs all of them.
+    # In turn, so that whatever else the machine does slows all of them.
     times: dict[str, list[float]] = {name: [] for name in ways}
     for _ in range(runs):
         for name, way in ways.items():

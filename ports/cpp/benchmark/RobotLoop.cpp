@@ -22,7 +22,7 @@ constexpr size_t PUBLISHED = 10;
 constexpr int LOOPS = 1'000;
 constexpr int ROUNDS = 15;
 
-/** The numbers of a robot, those of badlog's benchmark for Java. */
+/** The numbers of a robot, the same as in badlog's benchmark for Java. */
 class Signals {
 public:
     Signals() {
@@ -38,12 +38,12 @@ private:
     size_t m_loop = 0;
 };
 
-/** In memory where there is such a disk: the log is measured, not the disk. */
+/** In memory if there is such a disk: the log is measured, not the disk. */
 std::filesystem::path Folder() {
     return std::filesystem::exists("/dev/shm") ? std::filesystem::path{"/dev/shm"} : std::filesystem::temp_directory_path();
 }
 
-/** Microseconds of this thread: what other programs and other threads take meanwhile does not count. */
+/** The time of this thread in microseconds: what other programs and threads take meanwhile does not count. */
 double ThreadTime() {
 #if defined(CLOCK_THREAD_CPUTIME_ID)
     timespec now{};
@@ -91,7 +91,7 @@ double Badlog() {
 }
 
 #if defined(BADLOG_WPILIB)
-/** As a team does it: an entry for each number, one append each; a thread of the log's own writes. */
+/** As a team uses WPILib's log: an entry for each number, one append each; the log writes in a thread of its own. */
 double WpilibDataLog() {
     Signals signals;
     wpi::log::DataLogBackgroundWriter log{Folder().string(), "badlog-benchmark.wpilog"};
@@ -101,7 +101,7 @@ double WpilibDataLog() {
         signals.Next();
         for (size_t i = 0; i < entries.size(); i++) entries[i].Append(signals.Signal(i));
     }, [&] {
-        // What it cannot keep in memory it drops, which would cost nothing.
+        // Otherwise it would drop what it cannot keep in memory, and dropping costs nothing.
         log.Flush();
         std::this_thread::sleep_for(std::chrono::milliseconds{200});
     });

@@ -24,7 +24,7 @@ struct BagHeader {
     std::vector<std::string> Names() const;
 };
 
-/** The header, or nothing when the line is not one whole JSON object. */
+/** The header, or nothing if the line is not one whole JSON object. */
 std::optional<BagHeader> ReadHeader(std::string_view line);
 
 }  // namespace badlog::reader

@@ -38,7 +38,7 @@ bool IsDecimal(std::string_view bytes, char point) {
     return at == bytes.size();
 }
 
-/** Whether a number beyond doubles is beyond the large ones, not the small ones. */
+/** Whether a number that no double can hold is too large rather than too small. */
 bool IsHuge(std::string_view number) {
     const auto mark = number.find_first_of("eE");
     int64_t exponent = 0;

@@ -18,16 +18,16 @@ public:
     Column(std::string name, std::string unit, std::vector<std::string> attributes);
 
     const std::string& Name() const { return m_topic.name; }
-    /** False for a topic of texts, in which `1,5` may be meant as it stands. */
+    /** False for a topic of texts, in which `1,5` may be meant literally. */
     bool ReadsDecimalComma() const { return m_readsDecimalComma; }
     bool HasText() const { return m_firstText.has_value(); }
 
-    /** Adds the cell in a row, which stands on a line. */
+    /** Adds the cell in a row, which is on a line. */
     void Add(int64_t row, const Cell& cell, int64_t line);
-    /** Adds a line to the text in the last row; false where that cell is not text, or would become too long. */
+    /** Adds a line to the text in the last row; false if that cell is not text, or would become too long. */
     bool ExtendText(int64_t row, std::string_view more, size_t longest);
 
-    /** The topic that all rows make; what was odd about the column is reported. To be called once, last. */
+    /** Returns the topic that all rows make; what was odd about the column is reported. Call it once, last. */
     RecordedTopic Finish(ProblemList& problems);
 
 private:
@@ -37,7 +37,7 @@ private:
     bool m_readsDecimalComma;
     std::optional<std::string> m_firstText;
     int64_t m_firstTextLine = 0;
-    /** The bytes of the last text, as they stand in the file. */
+    /** The bytes of the last text, as they are in the file. */
     std::string m_lastText;
     int64_t m_notUtf8Line = 0;
     int64_t m_firstDecimalCommaLine = 0;

@@ -13,7 +13,7 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t FEW = 4;  // one of so many titles in the order of line 1 shows that it is theirs
+constexpr size_t FEW = 4;  // if one title of this many is in the order of line 1, the order is that of line 1
 
 std::string Joined(const Names& names) {
     std::string line;
@@ -21,7 +21,7 @@ std::string Joined(const Names& names) {
     return line;
 }
 
-/** Takes the first of that name out of a list; false without any. */
+/** Removes the first of that name from a list; false if there is none. */
 bool Remove(Names& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return false;
@@ -44,7 +44,7 @@ ColumnTitles Paired(const Names& names, const Names& titles) {
             waiting.push_back(names[i]);
         }
     }
-    // Where the order of line 2 is another one, a title is where it says.
+    // If line 2 has an order of its own, each title is at its place there.
     const bool isReordered = same * 2 < names.size();
     auto result = ColumnTitles::Certain(titles);
     for (size_t i = 0; i < titles.size(); i++) {
@@ -81,7 +81,7 @@ ColumnTitles OfNames(const Names& names, const Names& titles) {
     if ((isAtEnd && found.size() * FEW >= names.size() && ascends) || line.compare(0, rest.size(), rest) == 0 || EndsWith(line, rest)) {
         return ColumnTitles::Certain(names);
     }
-    // Line 2 had an order of its own; it is known from its ends on.
+    // Line 2 had an order of its own, which is known from both of its ends.
     auto left = names;
     size_t first = 0;
     while (first < titles.size() && Remove(left, titles[first])) first++;

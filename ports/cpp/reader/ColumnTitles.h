@@ -24,8 +24,8 @@ struct ColumnTitles {
     static ColumnTitles Doubtful(const Names& titles) { return {titles, std::vector<bool>(titles.size(), true)}; }
 
     /**
-     * The titles where line 1 has these names, line 2 has these titles, and the rows have `width` cells, or 0 where that is not
-     * known. Line 1 wins where it has as many.
+     * The titles where line 1 has these names, line 2 has these titles, and the rows have `width` cells, or 0 if that is not
+     * known. Line 1 wins if it has that many.
      */
     static ColumnTitles Of(const Names& names, const Names& titles, size_t width);
 };

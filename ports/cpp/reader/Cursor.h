@@ -8,10 +8,10 @@
 
 namespace badlog::reader {
 
-/** Where the line ends: at its LF or CR, or at a NUL, where whatever stood there is lost; else `until`. */
+/** Where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise `until`. */
 size_t LineEndIn(std::string_view data, size_t start, size_t until);
 
-/** Where the line after the one that ends at `end` begins; for a NUL that is the NUL itself. */
+/** Where the line after the one that ends at `end` begins; after a NUL, that is the NUL itself. */
 size_t AfterLineEnd(std::string_view data, size_t end);
 
 /** The bytes of a file and how far they are read. */
@@ -33,9 +33,9 @@ public:
     bool IsAfterHole() const { return line == holeLine; }
     std::string_view Piece(size_t from, size_t until) const { return data.substr(from, until - from); }
 
-    /** Says that all before `following` is read. */
+    /** Records that everything before `following` is read. */
     void AdvanceTo(size_t following);
-    /** Passes the blank line that ends at `end`, before `following`; returns where the next one begins. */
+    /** Skips the blank line that ends at `end`, before `following`; returns where the next one begins. */
     size_t PassBlankLine(size_t end, size_t following, ProblemList& problems);
     /** Skips NULs; returns whether anything is left. */
     bool PassHole(ProblemList& problems);

@@ -10,12 +10,12 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t ROWS = 20;  // so many rows are looked at
+constexpr size_t ROWS = 20;  // the number of rows that are looked at
 constexpr size_t MAX_BYTES = 1 << 20;
 constexpr size_t CLEARLY = 3;
-constexpr size_t LEAST_ROWS = 3;  // so many rows of one width count more than the titles
+constexpr size_t LEAST_ROWS = 3;  // this many rows of one width count more than the titles
 
-// Of bytes by chance every ninth is a control character; of text with a few damaged places not one in so many.
+// Of random bytes, every ninth is a control character; of a text with a few damaged places, less than one in this many.
 constexpr size_t MIN_TEXT = 20;
 constexpr size_t MIN_CONTROLS = 16;
 
@@ -65,7 +65,7 @@ FirstLines::FirstLines(const Cursor& cursor) {
 void FirstLines::FindWidth() {
     std::vector<Line> rows;
     std::copy_if(lines.begin() + (lines.empty() ? 0 : 1), lines.end(), std::back_inserter(rows), [](const Line& line) { return line.cells > 0; });
-    // What damage has torn off the titles has no numbers.
+    // What damage tore off the titles has no numbers.
     const auto hasNumbers = [](const Line& line) { return line.numbers > 0; };
     if (std::any_of(rows.begin(), rows.end(), hasNumbers)) {
         rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const Line& line) { return !hasNumbers(line); }), rows.end());
@@ -73,7 +73,7 @@ void FirstLines::FindWidth() {
     std::map<size_t, size_t> counts;
     for (const auto& row : rows) counts[row.cells]++;
     if (!counts.empty()) {
-        // Of as many the wider ones.
+        // Of widths that are equally frequent, the greater.
         auto best = counts.begin();
         for (auto count = counts.begin(); count != counts.end(); count++) {
             if (count->second >= best->second) best = count;

@@ -20,9 +20,9 @@ public:
         size_t end;
         /** Where the next line begins. */
         size_t following;
-        /** How many cells it has; 0 where its quotes or its bytes are not those of a row. */
+        /** The number of its cells; 0 if its quotes or its bytes are not those of a row. */
         size_t cells;
-        /** How many of them are numbers, or true or false. */
+        /** The number of them that are numbers, or true or false. */
         size_t numbers;
         size_t texts;
 
@@ -34,16 +34,16 @@ public:
     explicit FirstLines(const Cursor& cursor);
 
     std::vector<Line> lines;
-    /** How many cells most of the lines after the titles have; 0 where that is not clear. */
+    /** The number of cells that most of the lines after the titles have; 0 if that is not clear. */
     size_t width = 0;
-    /** Whether among them are rows with numbers. */
+    /** Whether there are rows with numbers among them. */
     bool hasRows = false;
     /** Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that. */
     bool isBinary = false;
 
-    /** How many cells a row has, where line 1 has so many names; 0 where it is not clear. */
+    /** The number of cells of a row, if line 1 has that many names; 0 if it is not clear. */
     size_t ClearWidth(size_t names) const;
-    /** Where the lines end that damage has torn off the line of titles: they are not rows. */
+    /** The end of the lines that damage tore off the line of titles: they are not rows. */
     size_t RestOfTitles(size_t following, size_t cells) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t MAX_LINE_BYTES = 1 << 24;  // a file without a newline before is not a bag
+constexpr size_t MAX_LINE_BYTES = 1 << 24;  // a file without a newline before that is not a bag
 constexpr size_t MAX_COLUMNS = 1 << 16;     // each column costs memory before it has a row
 constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 constexpr const char* UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8.";
@@ -26,7 +26,9 @@ bool IsControl(char byte) {
     return static_cast<unsigned char>(byte) < ' ' && byte != '\t';
 }
 
-/** Whether a line was torn off the line of JSON: it has what stands between a key and its value, and in no title. */
+/**
+ * Whether a line was torn off the line of JSON: it has the characters between a key and its value, which no title has.
+ */
 bool IsRestOfJson(std::string_view line) {
     return line.find("\":\"") != std::string_view::npos || line.find("\":[") != std::string_view::npos;
 }
@@ -79,7 +81,7 @@ size_t HeaderReader::TakeTitles(size_t lineEnd, size_t following) {
     const bool isCut = following == lineEnd;
     const auto line = m_cursor.Piece(m_cursor.start, lineEnd);
     if (hasLine && !header) {
-        // What a hole has left of the line of JSON holds no titles.
+        // What a hole left of the line of JSON holds no titles.
         const bool isRest = !m_cursor.IsAfterHole() && IsRestOfJson(line);
         if (isRest) {
             ReportUnreadable("Line " + std::to_string(m_cursor.line) + " is part of the JSON line before it; it was skipped.");
@@ -109,7 +111,7 @@ size_t HeaderReader::TakeWithHeader(const Names& titles, size_t following, bool 
     const bool isNone = !names.empty() && std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
         return std::find(names.begin(), names.end(), title) != names.end();
     });
-    // A hole may have taken line 2, or damage: then this is a row.
+    // Damage, such as a hole, may have taken line 2: then this is a row.
     const bool fits = firstLines && names.size() == width && titles.size() == width && firstLines->lines[0].numbers > 0;
     const bool isRow = isNone && (m_cursor.holeLine > 0 || fits);
     // The line of JSON knows the topics better than a line of titles that is cut.
@@ -142,13 +144,13 @@ size_t HeaderReader::TakeWithoutHeader(const Names& titles, size_t lineEnd, size
     }
     const auto& lines = firstLines.lines;
     if (isDamaged && firstLines.hasRows) {
-        // Damage, or the remarks of whoever made the file, may stand before the titles.
+        // Before the titles, there may be damage or somebody's remarks.
         const auto begin = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.cells == width; });
         if (begin != lines.end() && begin->IsTitles()) return SkipTo(*begin, lines[0].end);
     }
     if (!lines.empty() && titles.size() == width && (lines[0].texts == 0 || (hasLine && lines[0].numbers > 0))) return TakeUntitled(width);
     auto known = isDamaged ? ColumnTitles::Of({}, titles, width) : ColumnTitles::Certain(titles);
-    // A hole has taken the rest of the line, which may have had more titles.
+    // A hole took the rest of the line, which may have had more titles.
     if (following == lineEnd && firstLines.hasRows) known.isDoubtful.assign(known.titles.size(), true);
     for (size_t i = 0; i < known.titles.size(); i++) {
         auto& title = known.titles[i];

@@ -15,16 +15,16 @@ namespace badlog::reader {
 
 constexpr std::string_view NO_LOG = "This file is neither a bag nor a CSV file";
 
-/** Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles. */
+/** Reads what is before the rows: the line of JSON, if there is one, and the line of column titles. */
 class HeaderReader {
 public:
     HeaderReader(Cursor& cursor, ProblemList& problems) : m_cursor{cursor}, m_problems{problems} {}
 
     /** Whether there is a line of JSON, readable or not. */
     bool hasLine = false;
-    /** What it says; nothing without it, and where it cannot be read. */
+    /** What it says; nothing if it is missing or cannot be read. */
     std::optional<BagHeader> header;
-    /** The columns; nothing where the line of titles is missing. */
+    /** The columns; nothing if the line of titles is missing. */
     std::optional<HeaderColumns> columns;
     bool isDone = false;
     /** Whether the bytes turned out not to be a log. */

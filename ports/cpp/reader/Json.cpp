@@ -24,7 +24,7 @@ bool IsNumber(std::string_view word) {
     return ReadDecimal(word, '.').has_value();
 }
 
-/** Each function returns false where the text is malformed. */
+/** Each function returns false if the text is malformed. */
 class JsonReader {
 public:
     explicit JsonReader(std::string_view text) : m_text{text} {}

@@ -8,7 +8,7 @@
 
 namespace badlog::reader {
 
-/** A value of a JSON text: its JSON as it stands there, and what it is. */
+/** A value of a JSON text: its JSON as it is written there, and what it means. */
 struct JsonValue {
     std::string json;
     std::optional<std::string> text;
@@ -20,8 +20,8 @@ struct JsonValue {
 };
 
 /**
- * The JSON object that a text is, or nothing when it is not exactly one. As RFC 8259 has it, with one indulgence: control
- * characters may stand in strings as they are.
+ * The JSON object that a text is, or nothing if it is not exactly one. Follows RFC 8259 with one exception: strings may
+ * contain unescaped control characters.
  */
 std::optional<JsonValue> ReadJsonObject(std::string_view text);
 

@@ -20,7 +20,7 @@ public:
 
     void Add(std::string_view kind, std::string message, Line line = {}, TopicName topic = {}, int64_t count = 1);
 
-    /** The problems in the order in which they were added, then one for each kind that went on. */
+    /** The problems in the order in which they were added, then one for each kind that occurred more often. */
     std::vector<Problem> ToList() const;
 
 private:

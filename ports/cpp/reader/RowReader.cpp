@@ -18,7 +18,7 @@ bool IsDigit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/** Whether it is a number with letters close behind it: the x of a row of which damage has left nothing else but its end. */
+/** Whether it is a number directly followed by letters: damage left only the x and the end of this row. */
 bool IsEndOfRow(std::string_view piece) {
     size_t at = 0;
     while (at < piece.size() && IsDigit(piece[at])) at++;
@@ -27,7 +27,7 @@ bool IsEndOfRow(std::string_view piece) {
     while (at < piece.size() && IsDigit(piece[at])) at++;
     if (at == piece.size()) return false;
     const auto byte = static_cast<unsigned char>(piece[at]);
-    // As core has it, which takes bytes beyond ASCII for signed ones.
+    // Like core, which reads bytes beyond ASCII as signed ones.
     return IsLetterOrDigit(byte < 0x80 ? byte : 0xFF00u | byte);
 }
 
@@ -90,7 +90,7 @@ size_t RowReader::Repair() {
     return TakeUneven(start, end, following);
 }
 
-/** A quoted cell with newlines inside, as RFC 4180 allows; nothing where it is not one. */
+/** A quoted cell with newlines inside, as RFC 4180 allows; nothing if it is not one. */
 RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
@@ -98,7 +98,7 @@ RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
     for (int64_t lines = 2; lines <= MAX_LINES; lines++) {
         const auto end = LineEndIn(data, at, m_cursor.End());
         if (end - start > MAX_BYTES) return std::nullopt;
-        // With one topic every line is a row.
+        // With one topic, every line is a row.
         if (at < end && (m_wanted == 1 || IsCompleteRow(at, end))) {
             if (m_wanted > 1 && HasSameNumbers()) return std::nullopt;
             holdsRows = true;
@@ -147,7 +147,7 @@ bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
 RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
-    // Without quotes the commas give the number of cells, and nothing has to be split again and again.
+    // Without quotes the commas give the number of cells, and nothing has to be split repeatedly.
     const auto countOf = [&](char byte, size_t from, size_t until) {
         const auto piece = m_cursor.Piece(from, until);
         return static_cast<size_t>(std::count(piece.begin(), piece.end(), byte));
@@ -206,7 +206,7 @@ bool RowReader::IsCompleteRow(size_t start, size_t until) {
     return m_wanted > 1 && m_splitter.Split(m_cursor.data, start, until, Quotes::STRICT) == m_wanted && m_splitter.IsProper();
 }
 
-/** A row with too few or too many cells, which no reading could mend. */
+/** A row with too few or too many cells under every reading. */
 size_t RowReader::TakeUneven(size_t start, size_t end, size_t following) {
     auto count = m_splitter.Split(m_cursor.data, start, end, Quotes::STRICT);
     const bool isStrict = m_splitter.IsProper();
@@ -224,7 +224,10 @@ size_t RowReader::TakeUneven(size_t start, size_t end, size_t following) {
     return Take(isStrict, following);
 }
 
-/** A row without a newline at the end of the file or before a hole; `isCut` says that a missing newline means missing bytes. */
+/**
+ * A row without a newline at the end of the file or before a hole; `isCut` means that a missing newline is a sign of missing
+ * bytes.
+ */
 size_t RowReader::Tail(size_t start, size_t until, bool isCut) {
     m_linesPassed = 1;
     const auto count = m_splitter.Split(m_cursor.data, start, until, Quotes::STRICT);
@@ -236,7 +239,7 @@ size_t RowReader::Tail(size_t start, size_t until, bool isCut) {
             if (isCut) DropLastCell();
             return until;
         }
-        // As core: what the last reading left open counts.
+        // As in core, what the last reading left open counts.
         isOpen = m_splitter.isOpen;
     }
     if (isOpen || count < m_wanted) {
@@ -262,7 +265,7 @@ void RowReader::DropLastCell() {
         m_cursor.line, m_columns.back().Name());
 }
 
-/** Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are left. */
+/** Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are dropped. */
 size_t RowReader::Take(bool undouble, size_t following) {
     auto& row = m_row.emplace(m_wanted);
     for (size_t i = 0; i < std::min(m_wanted, m_splitter.places.size()); i++) row[i] = CellOf(i, undouble);

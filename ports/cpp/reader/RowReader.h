@@ -15,7 +15,7 @@
 namespace badlog::reader {
 
 /**
- * Takes one row after another: quoted, cut, torn, too short and too long ones, too. One rule stands above the others: a line
+ * Reads one row after another, also quoted, cut, torn, too short and too long ones. One rule is above the others: a line
  * that is a complete row by itself is never swallowed by a damaged one before it.
  */
 class RowReader {
@@ -59,7 +59,7 @@ private:
     std::vector<bool> m_numbersBefore;
     /** The row that was found, if one was. */
     std::optional<std::vector<Cell>> m_row;
-    /** How many physical lines were gone through. */
+    /** The number of physical lines that were read. */
     int64_t m_linesPassed = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace badlog::reader {
 
-/** The bytes as UTF-8, or else as Windows-1252, which sets `wasNotUtf8`. */
+/** The bytes read as UTF-8, or otherwise as Windows-1252, which sets `wasNotUtf8`. */
 std::string Decode(std::string_view bytes, bool& wasNotUtf8);
 std::string Decode(std::string_view bytes);
 
@@ -19,7 +19,7 @@ void AppendCharacter(std::string& text, uint32_t code);
 /** Whether it is a letter or a digit of any script; what needs two UTF-16 units is neither. */
 bool IsLetterOrDigit(uint32_t code);
 
-/** A text with one part replaced by another wherever it stands. */
+/** A text with one part replaced by another wherever it occurs. */
 std::string Replaced(std::string_view text, std::string_view part, std::string_view by);
 
 }  // namespace badlog::reader

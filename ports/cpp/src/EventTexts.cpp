@@ -18,7 +18,7 @@ bool EqualsIgnoringCase(std::string_view text, std::string_view lowerCase) {
     });
 }
 
-/** Takes digits off the beginning; how many there were. */
+/** Removes digits from the beginning; returns how many there were. */
 size_t SkipDigits(std::string_view& text) {
     const auto count = std::min(text.find_first_not_of(DIGITS), text.size());
     text.remove_prefix(count);

@@ -9,8 +9,8 @@
 namespace badlog {
 
 /**
- * Events that wait for a row, and those a row took that is not written yet: they come back if it cannot be. Any thread may add
- * events; all else is done under the log's lock.
+ * Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written. Any
+ * thread may add events; all else is done under the log's lock.
  */
 class EventTexts {
 public:
@@ -21,14 +21,14 @@ public:
     void Add(std::string_view text) noexcept;
 
     /**
-     * All that waited, as the text of one cell, which a reader never takes for a number; empty where nothing waits. To be used
-     * before the next call.
+     * All that waited, as the text of one cell, which a reader never takes for a number; empty if nothing waits. Use it before
+     * the next call.
      */
     std::string_view Take() noexcept;
 
-    /** Says that the rows which took events are written. */
+    /** Forgets the events of rows that are written now. */
     void Written() noexcept;
-    /** Says that the rows which took events are lost: the events wait again. */
+    /** Lets the events of lost rows wait again. */
     void Restore() noexcept;
     /** Counts what still waits: no row will take it. */
     void End() noexcept;

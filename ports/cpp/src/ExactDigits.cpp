@@ -43,7 +43,7 @@ int Scale(uint64_t factor, int top, int power) {
     return static_cast<int>(((product >> (63 - integerBits)) + 1) >> 1);
 }
 
-/** Rounds reach times 2^exponent, value plus margin, to the nearest, a tie down. */
+/** Rounds reach times 2^exponent, which is value plus margin, to the nearest; a tie rounds down. */
 RoundedDigits RoundReach(uint64_t reach, int exponent) {
     int shift = 0;
     while ((reach << shift >> 63) == 0) shift++;
@@ -70,7 +70,10 @@ RoundedDigits RoundGenerated(int64_t generated) {
     return digits == 100'000 ? RoundedDigits{10'000, decimal + 1} : RoundedDigits{digits, decimal};
 }
 
-/** Rounds units times 2^-1074, less than 2^20 units: Java's margin is so wide there that its digits are made one by one. */
+/**
+ * Rounds units times 2^-1074, less than 2^20 units: Java's margin is so wide there that its digits have to be generated one
+ * by one.
+ */
 RoundedDigits RoundFewBits(int64_t units) {
     const int64_t scaled = units * UNIT + units * UNIT_REST / UNIT_REST_SCALE;
     const int64_t margin = (units & (units - 1)) == 0 ? UNIT / 4 : UNIT / 2;

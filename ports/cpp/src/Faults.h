@@ -30,8 +30,8 @@ struct Counters {
 };
 
 /**
- * Where everything goes that went wrong in a robot's loop: counted each time, said once on standard error, and noted as an event
- * in the log if that has room for events. Texts are made only when they are said.
+ * Takes everything that goes wrong in a robot's loop: it is counted each time, reported once on standard error, and noted as an
+ * event in the log if that has an event log. Texts are only made when they are reported.
  */
 class Faults {
 public:
@@ -41,13 +41,13 @@ public:
 
     /** The cell of a topic stays empty in this row, because its supplier did `what`. */
     void CellMissed(Topic& topic, std::string_view what, std::string_view detail = {}) noexcept;
-    /** A call of what `about` names was not followed, because it `why`; said once each. */
+    /** A call of what `about` names was ignored, because it `why`; reported once each. */
     void CallIgnored(std::string_view about, std::string_view why) noexcept;
-    /** What was published to a name was not taken. */
+    /** What was published to a name was ignored. */
     void PublishIgnored(std::string_view name) noexcept;
-    /** Says a message, unless something was said about one of the log's own few subjects before. */
+    /** Reports a message, unless its subject, one of the log's own few, was reported before. */
     void SayOnce(std::string_view about, std::string_view message) noexcept;
-    /** Whether SayOnce would say something. */
+    /** Whether SayOnce would report something. */
     bool IsNew(std::string_view about) noexcept;
     /** Keeps a text for the next row that has room. */
     void Note(std::string_view text) noexcept;
@@ -59,7 +59,7 @@ private:
     bool IsCountedNew(Names& before, std::string_view about) noexcept;
 
     std::mutex m_mutex;
-    // Three, because the names that a program makes up must neither meet each other nor the log's own subjects.
+    // Three, so that the names that a program makes up are confused neither with each other nor with the log's own subjects.
     Names m_said;
     Names m_ignoredCalls;
     Names m_ignoredNames;

@@ -7,8 +7,8 @@
 namespace badlog {
 
 /**
- * Runs code of the robot's, or code that may lack memory, so that no exception leaves it; `failed` gets the exception's text.
- * badlog itself throws nothing, and can be compiled without exceptions.
+ * Runs the robot's code, or code that may run out of memory, so that no exception leaves it; `failed` gets the exception's
+ * text. badlog itself throws nothing, and can be compiled without exceptions.
  */
 template <typename Action, typename Failed>
 void Guarded(Action&& action, [[maybe_unused]] Failed&& failed) noexcept {

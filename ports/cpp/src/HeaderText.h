@@ -21,7 +21,7 @@ struct NamedValue {
     std::string text;
 };
 
-/** The title of a topic: its name but for what a line of titles cannot hold. */
+/** The title of a topic: its name, with what a line of titles cannot hold replaced. */
 std::string TitleOf(std::string_view name);
 
 /** The first line of a bag, without its newline, in the bytes of badlog for Java. */

@@ -96,11 +96,11 @@ void LogFile::SyncFolder() {
     fsync(folder);
     close(folder);
 #endif
-    // Windows does not open folders; it keeps names safe by itself.
+    // Windows does not open folders; it writes names to the disk by itself.
 }
 
 bool LogFile::Exists() const {
-    // Not by std::filesystem, which makes an object for each name.
+    // Not with std::filesystem, which allocates an object for each name.
     struct stat found {};
     return stat(m_path.c_str(), &found) == 0;
 }

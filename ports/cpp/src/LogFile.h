@@ -21,20 +21,23 @@ public:
     bool IsOpen() const { return m_descriptor >= 0; }
     /** Why it could not be opened. */
     std::error_code Failure() const { return m_failure; }
-    /** How many bytes were appended. */
+    /** The number of bytes that were appended. */
     int64_t Length() const { return m_length; }
 
-    /** An error if not all bytes could be written; then none are, and the next call may try again. */
+    /** Returns an error if not all bytes could be written; then none are, and the next call may try again. */
     std::error_code Append(std::string_view bytes);
-    /** Waits until everything is on the disk. To be called by no thread that has anything else to do. */
+    /** Waits until everything is on the disk. Only for a thread that has nothing else to do. */
     std::error_code Sync();
-    /** Brings the names of its folder's files to the disk: a cut of power could take a new file's very name. */
+    /**
+     * Brings the names of its folder's files to the disk: otherwise, a loss of power could take even the name of a new
+     * file.
+     */
     void SyncFolder();
-    /** Whether it is there still, though it can be written to anyway. */
+    /** Whether it still exists; a deleted file can still be written to. */
     bool Exists() const;
     std::error_code Close();
 
-    /** Whether it was found to be there no more. */
+    /** Whether it was found to be deleted. */
     std::atomic<bool> isMissing{false};
 
 private:

@@ -10,7 +10,7 @@
 namespace badlog {
 namespace {
 
-// Rows that wait for a quarter of a second, and one more.
+// Room for the rows of a quarter of a second, and one more.
 constexpr size_t ROWS_ROOM = 8 * 1024;
 
 }  // namespace
@@ -83,7 +83,8 @@ void LogSession::PrepareRows() {
 
 void LogSession::Update() {
     if (m_phase != LogState::LOGGING) return Ignored("UpdateTopics()");
-    // The suppliers' code may take locks of its own, or call this again. A thread that comes second finds its work being done.
+    // The suppliers' code may take locks of its own, or call this again. For a second thread, the first one already does the
+    // work.
     if (m_isSampling.exchange(true)) return;
     for (auto* topic : m_topics) topic->Sample();
     {

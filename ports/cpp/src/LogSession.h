@@ -22,8 +22,8 @@ namespace badlog {
 /**
  * One log from its set-up to its end.
  *
- * Two locks, so that nobody waits who need not: one is held while a row is put together and written, each SubscribedTopic has
- * its own for what is published to it, and none is held while suppliers are asked.
+ * Two kinds of locks, so that nobody waits unnecessarily: one is held while a row is built and written, each SubscribedTopic
+ * has its own for what is published to it, and none is held while suppliers are called.
  */
 class LogSession : public std::enable_shared_from_this<LogSession> {
 public:
@@ -32,10 +32,10 @@ public:
     Faults faults;
     NumberText text{faults};
 
-    /** Creates the file; said once if that fails. */
+    /** Creates the file; a failure is reported once. */
     void Open(std::string_view path);
 
-    /** Adds a topic that is not there yet; false, and said, if it cannot. */
+    /** Adds a topic; returns false if that is impossible, which is reported. */
     bool Add(std::shared_ptr<Topic> topic);
     bool AddValue(std::string_view name, std::string_view value);
     bool FinishSetup();
@@ -70,7 +70,7 @@ private:
     std::atomic<LogState> m_phase{LogState::SETTING_UP};
     std::atomic<bool> m_isSampling{false};
     bool m_isSyncing;
-    /** Whether a row is being put together: who calls then, holding the lock, is the program's own formatter. */
+    /** Whether a row is being built: whoever calls then, holding the lock, is the program's own formatter. */
     bool m_isInRow = false;
     bool m_closesAfterRow = false;
 };

@@ -6,7 +6,7 @@
 namespace badlog {
 namespace {
 
-/** Whether a name may have a byte; of letters beyond ASCII this does not judge. */
+/** Whether a byte is usual in a name; all bytes beyond ASCII are. */
 bool IsUsual(char byte) {
     const auto letter = static_cast<char>(byte | 0x20);
     return (static_cast<unsigned char>(byte) & 0x80) != 0 || (letter >= 'a' && letter <= 'z') || (byte >= '0' && byte <= '9') ||

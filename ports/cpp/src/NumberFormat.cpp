@@ -54,7 +54,7 @@ char* WriteDigits(bool isNegative, RoundedDigits rounded, char* into) {
     return WritePointed(rounded.digits, 5, into);
 }
 
-/** Floating point is enough here unless the magnitude lies next to a decimal tie. */
+/** Floating point is enough here unless the magnitude is next to a decimal tie. */
 char* WriteCommon(bool isNegative, double magnitude, char* into) {
     static constexpr double LIMITS[] = {0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0, 10000.0};
     static constexpr double FACTORS[] = {1.0e8, 1.0e7, 1.0e6, 1.0e5, 1.0e4, 1.0e3, 1.0e2, 1.0e1, 1.0};
@@ -85,7 +85,7 @@ char* WriteMicroseconds(double value, char* into) {
     const double magnitude = value < 0.0 ? -value : value;
     if (!(magnitude < 9.0e18)) return WriteFiveDigits(value, into);
     auto whole = static_cast<int64_t>(magnitude);
-    // Through memory: a compiler that fuses multiplication and addition would round otherwise than Java does.
+    // Through memory: a compiler that fuses multiplication and addition would round differently from Java.
     volatile double scaled = (magnitude - static_cast<double>(whole)) * 1'000'000;
     int millionths = static_cast<int>(scaled + 0.5);
     if (millionths == 1'000'000) {

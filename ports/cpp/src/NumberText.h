@@ -13,7 +13,7 @@ namespace badlog {
 
 /**
  * How a log's numbers become text: by `%.5g`, or by the program's own function once it is set. A number keeps the function that
- * was set when it was asked for or published.
+ * was set when it was supplied or published.
  */
 class NumberText {
 public:
@@ -27,7 +27,7 @@ public:
     /** The program's own function, if any; it lives as long as this. */
     const Function* Latest() const { return m_function.load(std::memory_order_acquire); }
 
-    /** What Latest was when the current values were asked for. Guarded by the log's lock, as Commit is. */
+    /** What Latest was when the current values were supplied. Guarded by the log's lock, as Commit is. */
     const Function* Current() const { return m_current; }
     void Commit() { m_current = Latest(); }
 

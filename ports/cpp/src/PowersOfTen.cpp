@@ -16,7 +16,8 @@ PowersOfTen96::PowersOfTen96() {
         }
         Keep(number, power);
     }
-    // A large power of two divided by ever more fives. Cutting off after each division gives the same as once at the end.
+    // A large power of two, divided by five repeatedly. Cutting off after each division gives the same result as once at
+    // the end.
     number.fill(0);
     number.back() = 1;
     for (int power = -1; power >= MIN; power--) {

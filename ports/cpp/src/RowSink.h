@@ -15,9 +15,9 @@
 namespace badlog {
 
 /**
- * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the write
- * before. Rows that cannot be written are lost and counted; it then waits a little before it tries again, because a disk that is
- * full or gone may be slow to say so. Guarded by the log's lock.
+ * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the previous
+ * write. Rows that cannot be written are lost and counted; the sink then waits a little before it tries again, because a disk
+ * that is full or gone may be slow to say so. Guarded by the log's lock.
  */
 class RowSink {
 public:
@@ -25,14 +25,14 @@ public:
 
     RowSink(LogFile& file, bool flushesEachRow, Faults& faults);
 
-    /** Where the next row's cells are to be written. */
+    /** The cells of the next row are written here. */
     RowWriter row;
-    /** Whether the last try to write failed. */
+    /** Whether the last attempt to write failed. */
     std::atomic<bool> isFailing{false};
     /** Whether something was written since this was last set to false. */
     std::atomic<bool> isDirty{false};
 
-    /** Writes lines before any row. The rows will take these events. */
+    /** Writes lines before any row. Rows will take events from `events`. */
     void Begin(std::string lines, std::vector<EventTexts*> events);
     /** Whether a row begun now would be lost. It is better not begun then, so that it takes no events with it. */
     bool IsRefusing(Time now) const;

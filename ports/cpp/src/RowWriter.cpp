@@ -11,7 +11,7 @@
 namespace badlog {
 namespace {
 
-// A comma, two quotes for a cell, and those of a row of one empty cell with the newline.
+// A comma and two quotes for a cell; two quotes for a row of one empty cell, and the newline.
 constexpr size_t PUNCTUATION = 8;
 
 bool NeedsQuotes(std::string_view text) {

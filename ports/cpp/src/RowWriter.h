@@ -17,7 +17,7 @@ public:
     std::string_view Bytes() const { return {m_bytes.get(), m_size}; }
     size_t Size() const { return m_size; }
 
-    /** Makes room for so many bytes more; false where there is no memory for it. */
+    /** Makes room for this many more bytes; false if there is no memory for them. */
     bool Reserve(size_t more);
 
     void Number(double value);
@@ -25,10 +25,10 @@ public:
     void Integer(int64_t value);
     void Truth(bool value) { Text(value ? "true" : "false"); }
     void Text(std::string_view text);
-    /** A cell without anything: a gap. */
+    /** An empty cell: a gap. */
     void Empty() { BeginCell(); }
 
-    /** Ends the row; false, and the row is dropped, where there was not memory enough for it. */
+    /** Ends the row; false if there was not enough memory for it, and it is dropped. */
     bool EndRow();
     /** Forgets the cells written since the last row ended. */
     void DropRow();

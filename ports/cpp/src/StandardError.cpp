@@ -55,7 +55,7 @@ void SayOnStandardError(std::string_view message) noexcept {
             if (messages.isStarted) return;
             std::thread{SayAll, std::ref(messages)}.detach();
             messages.isStarted = true;
-            // A program that ends at once because of what is said should not take it along.
+            // If the program ends at once because of what went wrong, the message should still appear.
             std::atexit([] { AwaitSaid(EXIT_MILLISECONDS); });
         },
         [](std::string_view) {

@@ -5,12 +5,12 @@
 namespace badlog {
 
 /**
- * Says what went wrong on standard error, soon, by a thread of its own: where that is a pipe that nobody reads, writing to it
- * may never return, and a robot's loop cannot wait for that. Messages that come while too many wait are left out.
+ * Reports what went wrong on standard error, soon, from a thread of its own: if that is a pipe that nobody reads, a write may
+ * never return, and a robot's loop cannot wait for that. Messages that come while too many wait are dropped.
  */
 void SayOnStandardError(std::string_view message) noexcept;
 
-/** Waits until all is said, but not longer than this; whether it is. */
+/** Waits until all messages are written, but no longer than this; returns whether they are. */
 bool AwaitSaid(int milliseconds) noexcept;
 
 }  // namespace badlog

@@ -64,7 +64,7 @@ void SyncThread::Sync() {
                     ". A power cut may cost more than the last quarter of a second.");
 }
 
-/** Once is not enough: it may be on its way to another name. */
+/** A file counts as missing when it was not found twice: it may just be being renamed. */
 void SyncThread::LookForFile() {
     m_timesMissing = m_file.Exists() ? 0 : m_timesMissing + 1;
     const bool isMissing = m_timesMissing > 1;
@@ -74,7 +74,7 @@ void SyncThread::LookForFile() {
                            " was deleted, or its disk was removed, while it was being written. From now on, data is lost; "
                            "restart the robot program to start a new log.");
     }
-    // Said before it is seen: who sees the log fail can read why.
+    // Reported before it is visible, so that whoever sees the log fail can read why.
     m_file.isMissing = isMissing;
 }
 

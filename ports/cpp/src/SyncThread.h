@@ -13,14 +13,15 @@
 namespace badlog {
 
 /**
- * Four times a second, writes the rows that wait and brings what was written to the disk, so that a cut of power takes no more
- * than that. It holds no lock while it waits for a sync. It also notices when the file was deleted. At last it closes the file.
+ * Four times a second, writes the rows that wait and brings what was written to the disk, so that a loss of power takes no more
+ * than that. It holds no lock while it waits for a sync. It also notices when the file is deleted. In the end, it closes the
+ * file.
  */
 class SyncThread : public std::enable_shared_from_this<SyncThread> {
 public:
     SyncThread(LogFile& file, RowSink& sink, Faults& faults, bool isSyncing, std::function<void()> flush);
 
-    /** Whether it brings rows to the disk; it does the rest anyway. */
+    /** Whether it syncs rows to the disk; it does the rest anyway. */
     std::atomic<bool> isSyncing;
 
     /** Starts it; it keeps the owner of all that it uses alive. False if the system has no thread for it. */
@@ -44,7 +45,7 @@ private:
     int m_timesMissing = 0;
 };
 
-/** Closes a file; said if that fails, for a disk may be gone by then. */
+/** Closes a file; a failure is reported, because the disk may be gone by then. */
 void CloseFile(LogFile& file, Faults& faults);
 
 }  // namespace badlog

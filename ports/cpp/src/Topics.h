@@ -15,12 +15,12 @@
 
 namespace badlog {
 
-/** Texts up to this length cost no allocation. */
+/** Texts up to this length need no allocation. */
 constexpr size_t TEXT_ROOM = 256;
 
 /**
- * One column. A row is made in three steps: Sample asks the robot's code, without any lock held, because that code may do what
- * it likes; Commit makes all samples the current ones at once, and Write writes those, both under the log's lock.
+ * One column. A row is made in three steps: Sample calls the robot's code, without any lock held, because that code may do
+ * anything; Commit makes all samples the current ones at once, and Write writes those, both under the log's lock.
  */
 class Topic {
 public:
@@ -32,7 +32,7 @@ public:
 
     const TopicDescription& Description() const { return m_description; }
     const std::string& Name() const { return m_description.name; }
-    /** Whether it is the x of all other topics and so needs more digits than they. */
+    /** Whether it is the x of all other topics, which needs more digits than they do. */
     bool IsXAxis() const { return m_isXAxis; }
 
     virtual void Sample() noexcept = 0;
@@ -42,7 +42,7 @@ public:
     /** Where it takes events, if it does. */
     virtual EventTexts* Texts() { return nullptr; }
 
-    /** Whether it was said that this topic leaves gaps. */
+    /** Whether it was reported that this topic leaves gaps. */
     std::atomic<bool> isFaultSaid{false};
 
 private:
@@ -50,7 +50,7 @@ private:
     bool m_isXAxis;
 };
 
-/** A topic whose value the log asks the robot's code for. A question that fails leaves a gap. */
+/** A topic whose value the log gets by calling the robot's code. A failed call leaves a gap. */
 template <typename Supplier, typename Value>
 class QueriedTopic : public Topic {
 public:
@@ -147,7 +147,7 @@ protected:
     void WriteValue(const int64_t& value, RowWriter& row) override { row.Integer(value); }
 };
 
-/** A topic of events: each row takes all that happened since the row before, however often the topics were updated. */
+/** A topic of events: each row takes all that happened since the row before, no matter how often the topics were updated. */
 class EventTopic : public Topic {
 public:
     EventTopic(std::string name, std::atomic<int64_t>& dropped)
@@ -163,8 +163,8 @@ private:
 };
 
 /**
- * A topic whose value the robot's code publishes, from any thread, at any time. A lock of its own keeps publishers from ever
- * waiting for a write. One that is an event log has room for the log's own events in rows in which it has no new text.
+ * A topic whose value the robot's code publishes, from any thread, at any time. Because it has a lock of its own, publishers
+ * never wait for a write. If it is an event log, it also takes the log's own events, in rows in which it has no new text.
  */
 class SubscribedTopic : public Topic {
 public:

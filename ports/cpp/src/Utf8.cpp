@@ -7,7 +7,7 @@ uint32_t ByteAt(std::string_view text, size_t index) {
     return static_cast<unsigned char>(text[index]);
 }
 
-/** Where the last character of a text that has one begins. */
+/** The place where the last character of a text begins; the text is not empty. */
 size_t LastStart(std::string_view text) {
     auto start = text.size() - 1;
     while (start > 0 && text.size() - start < 4 && (ByteAt(text, start) & 0xC0) == 0x80) start--;
@@ -29,7 +29,7 @@ Character CharacterAt(std::string_view text, size_t index) {
     }
     const bool isOverlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
     if (isOverlong || code > 0x10FFFF) return {0, 1, false};
-    // Half of a surrogate pair, as Java's own texts may hold: one character that is none.
+    // Half of a surrogate pair, which Java's texts may contain: one invalid character.
     if (code >= 0xD800 && code < 0xE000) return {0, length, false};
     return {code, length, true};
 }

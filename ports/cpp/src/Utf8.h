@@ -6,27 +6,27 @@
 
 namespace badlog {
 
-/** What stands for bytes that are not UTF-8, and for NUL, which in a bag is a sign of damage. */
+/** Replaces bytes that are not UTF-8, and NUL, which in a bag is a sign of damage. */
 constexpr std::string_view REPLACEMENT = "\xEF\xBF\xBD";
 
 /** A character of a text, and how many bytes it takes there. */
 struct Character {
     uint32_t code;
     size_t length;
-    /** False where the bytes are not UTF-8. */
+    /** False if the bytes are not UTF-8. */
     bool isValid;
 };
 
 /** The character that begins at an index of a text. */
 Character CharacterAt(std::string_view text, size_t index);
 
-/** Whether Java takes it for whitespace of any sort. */
+/** Whether Java counts it as whitespace of any kind. */
 bool IsWhitespace(uint32_t code);
 
 /** Whether the first or the last character of a text is whitespace. */
 bool HasOuterWhitespace(std::string_view text);
 
-/** Whether there is nothing but whitespace. */
+/** Whether a text is nothing but whitespace. */
 bool IsBlank(std::string_view text);
 
 /** The text without whitespace at its ends. */

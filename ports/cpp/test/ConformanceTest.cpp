@@ -33,7 +33,7 @@ int64_t Number(const JsonValue& object, const char* key) {
     return std::stoll(Text(object, key));
 }
 
-/** So that equal numbers, and only these, have equal texts. */
+/** A text that is equal only for equal numbers. */
 std::string Exact(double number) {
     char text[40];
     std::snprintf(text, sizeof text, "%a", number);
@@ -104,7 +104,7 @@ void CheckTopic(const badlog::RecordedTopic& topic, const JsonValue& expected, i
 
 }  // namespace
 
-TEST_CASE("each file of the conformance corpus is read as it says") {
+TEST_CASE("each file of the conformance corpus is read as its expectation says") {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator{BADLOG_ROOT "/core/conformance"}) {
         auto path = entry.path();

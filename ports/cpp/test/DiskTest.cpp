@@ -28,7 +28,7 @@ void RowsUntil(const BadLog& log, LogState wanted) {
 
 }  // namespace
 
-TEST_CASE("a file that cannot be created is said, and nothing is logged") {
+TEST_CASE("a file that cannot be created is reported, and nothing is logged") {
     const auto said = StandardErrorOf([] {
         const auto log = BadLog::Init("/dev/null/a.bag");
         BadLog::CreateTopic("A", "ul", [] { return 1; });
@@ -49,14 +49,14 @@ TEST_CASE("events that no row could take before the end are counted" * doctest::
         events.Event("one");
         Row(log);
         log.Close();
-        // With the one that says that nothing can be written.
+        // Including the one that says that nothing can be written.
         CHECK(log.Counters().eventsDropped == 2);
         CHECK(log.Counters().rowsMissed == 1);
     });
     CHECK(said.find("No space left") != std::string::npos);
 }
 
-TEST_CASE("a file that may not grow costs the rows meanwhile and nothing else, and no row is torn") {
+TEST_CASE("while a file may not grow, rows are lost and nothing else, and no row is torn") {
     const Folder folder;
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);

@@ -11,7 +11,7 @@
 int RunGuideRobot();
 int RunGuideReader(int, char** arguments);
 
-TEST_CASE("the guide's robot logs, each start into a file of its own") {
+TEST_CASE("the guide's robot logs, at each start into a new file") {
     const auto before = std::filesystem::current_path();
     const Folder folder;
     std::filesystem::current_path(folder / ".");

@@ -23,7 +23,7 @@ private:
 /** All bytes of a file. */
 std::string Read(const std::string& path);
 
-/** The lines of a bag behind its two header lines, the last one, which is empty, left out. */
+/** The lines of a bag after its two header lines, without the empty one at the end. */
 std::vector<std::string> RowsIn(const std::string& path);
 
 /** Logs into a new file: `create` makes topics, `loop` is what the robot does. Returns the file's bytes. */
@@ -32,7 +32,7 @@ std::string Logged(const std::function<void()>& create, const std::function<void
 /** The rows of what Logged returns. */
 std::vector<std::string> Rows(const std::string& bag);
 
-/** What an action says on standard error. */
+/** What an action writes to standard error. */
 std::string StandardErrorOf(const std::function<void()>& action);
 
 void Row(const badlog::BadLog& log);

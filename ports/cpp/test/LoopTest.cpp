@@ -82,7 +82,7 @@ TEST_CASE("what a line of titles cannot hold is replaced in both header lines") 
     }
 }
 
-TEST_CASE("a text is UTF-8 whatever it was, and blanks of any sort at its ends are kept") {
+TEST_CASE("a text is UTF-8 whatever its bytes were, and whitespace of any kind at its ends is kept") {
     const auto bag = Logged(
         [&] {
             BadLog::CreateTopicStr("A", "ul", [] { return std::string{"a\0b\xC3(\xF0\x9F\xA4", 8}; });
@@ -97,7 +97,7 @@ TEST_CASE("a row of one empty text is not a blank line") {
     CHECK(Rows(Logged([] { BadLog::CreateTopicStr("A", "ul", [] { return ""; }); }, [](BadLog& log) { Row(log); })) == Lines{"\"\""});
 }
 
-TEST_CASE("published data is consumed by an update, of which the last counts") {
+TEST_CASE("an update consumes published data, of which the last counts") {
     const auto bag = Logged(
         [] {
             BadLog::CreateTopicSubscriber("Default", "ul", DataInferMode::DEFAULT);
@@ -118,7 +118,7 @@ TEST_CASE("published data is consumed by an update, of which the last counts") {
     CHECK(Rows(bag) == Lines{"-1.0,-1.0", "2.0000,2.0000", "2.0000,2.0000", "-1.0,2.0000", "text,2.0000"});
 }
 
-TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, said once, and an event in the log") {
+TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, reported once, and noted as an event in the log") {
     std::string bag;
     const auto said = StandardErrorOf([&] {
         bag = Logged(
@@ -141,7 +141,7 @@ TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, sai
     CHECK(std::count(said.begin(), said.end(), '\n') == 3);
 }
 
-TEST_CASE("publishing to what is not there is ignored, counted, and said once for each name") {
+TEST_CASE("publishing to a name that does not exist is ignored, counted, and reported once for each name") {
     const auto said = StandardErrorOf([] {
         const auto bag = Logged(
             [] {
@@ -177,7 +177,7 @@ TEST_CASE("a formatter that throws leaves a gap") {
     });
 }
 
-TEST_CASE("a formatter that logs, updates, flushes or closes in the middle of a row does not tear it") {
+TEST_CASE("a formatter that logs, updates, flushes or closes in the middle of a row does not tear the row") {
     const auto said = StandardErrorOf([] {
         int calls = 0;
         const auto bag = Logged(
@@ -216,7 +216,7 @@ TEST_CASE("a supplier may publish, log and update") {
     CHECK(Rows(bag) == Lines{"2.0000,1.0000"});
 }
 
-TEST_CASE("mistakes of the set-up are said, and logging goes on") {
+TEST_CASE("mistakes in the setup are reported, and logging goes on") {
     const Folder folder;
     const auto said = StandardErrorOf([&] {
         const auto first = BadLog::Init(folder / "first.bag");

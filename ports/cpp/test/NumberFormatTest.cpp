@@ -41,7 +41,7 @@ uint64_t NextBits(uint64_t& state) {
     return bits ^ (bits >> 31);
 }
 
-/** The doubles of a digest of the corpus, whose README says what they are. */
+/** The doubles of a digest of the corpus; the corpus's README describes them. */
 double NextValue(const std::string& kind, uint64_t& state) {
     const uint64_t bits = NextBits(state);
     if (kind == "bits") return FromBits(bits);

@@ -1,4 +1,4 @@
-"""The calls of jvm-robot's `RecordedScript.java`, which the original and the C++ port are held to, too."""
+"""The calls of jvm-robot's `RecordedScript.java`, which the original and the C++ port make, too."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def run(path: Path, loops: int) -> None:
 
     def block() -> float:
         total = 0.0
-        # By hand, because sum() is more exact from Python 3.12 on.
+        # In a loop, because sum() is more exact from Python 3.12 on.
         for i in range(5):
             total += number(i)
         return total

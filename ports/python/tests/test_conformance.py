@@ -1,4 +1,4 @@
-"""The corpus that every reader of bags is held to: `core/conformance`."""
+"""The corpus that every reader of bags must read as it says: `core/conformance`."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-def test_mypy_has_nothing_to_object() -> None:
+def test_mypy_finds_nothing() -> None:
     for library in ("mypy", "numpy"):
         pytest.importorskip(library)
     checked = subprocess.run([sys.executable, "-m", "mypy"], cwd=ROOT, capture_output=True, text=True, check=False)

@@ -73,7 +73,7 @@ def test_gzip_members_follow_one_another_and_remains_do_no_harm() -> None:
 
 
 @pytest.mark.parametrize("cut", [12, 40, 90])
-def test_of_a_cut_gzip_file_all_is_read_that_inflates(cut: int) -> None:
+def test_all_that_inflates_of_a_cut_gzip_file_is_read(cut: int) -> None:
     rows = b"".join(b"%d.5,\n" % row for row in range(500))
     whole = gzip.compress(HEADER + b"Time,Events\n" + rows)
     recording = badlog.read(whole[:-cut])
@@ -82,7 +82,7 @@ def test_of_a_cut_gzip_file_all_is_read_that_inflates(cut: int) -> None:
     assert recording.is_salvaged
 
 
-def test_a_gzip_file_damaged_in_the_middle_gives_what_stands_before() -> None:
+def test_a_gzip_file_damaged_in_the_middle_gives_what_is_before_the_damage() -> None:
     rows = b"".join(b"%d.5,%d\n" % (row, row * row % 9973) for row in range(3000))
     damaged = bytearray(gzip.compress(HEADER + b"Time,Events\n" + rows))
     damaged[len(damaged) // 2 : len(damaged) // 2 + 40] = b"\xff" * 40

@@ -269,7 +269,7 @@ def test_a_full_standard_error_never_blocks_the_loop(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(HERE.parent / "src")}
     robot = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment)
     assert robot.stdout is not None and robot.stderr is not None
-    # Nobody reads what it says on standard error, of which the pipe holds 64 KiB.
+    # Nobody reads its standard error, whose pipe holds 64 KiB.
     assert robot.stdout.readline() == b"done\n"
     robot.kill()
     robot.wait()
@@ -292,7 +292,7 @@ def _fault_of(folder: Path, number: int) -> str | None:
     rows = int((folder / f"{number}.returned").read_text())
     recording = badlog.read(folder / (f"{number}.bag.gz" if number % 2 == 1 else f"{number}.bag"))
     samples = recording["Row"].samples.tolist() if "Row" in recording else []
-    # The row whose log() had not returned may be cut; nothing before it may.
+    # The row whose log() had not returned may be cut, but nothing before it.
     lost = [problem for problem in recording.problems if problem.severity.name == "ERROR" and (problem.line or 0) < 3 + rows]
     if rows > 0 and samples[:rows] == list(range(rows)) and not lost:
         return None

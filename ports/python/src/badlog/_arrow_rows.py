@@ -1,7 +1,7 @@
-"""Reads plain rows by the CSV reader of pyarrow, several threads at a time.
+"""Reads plain rows with pyarrow's CSV reader, which uses several threads.
 
-Arrow only gets lines that have no NUL, no lone carriage return, and no quotes but those of RFC 4180. What it makes of the cells is
-looked through: only finite doubles are taken as they are; every other cell is read again by the rules of the format.
+Arrow only gets lines that have no NUL, no lone carriage return, and no quotes but those of RFC 4180. Its results are checked: only finite doubles are
+used as they are; every other cell is read again by the rules of the format.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _NO_NUMBERS = ["", "null", "NULL"]
 
 
 class ArrowRows:
-    """The columns of one file, and which of them have had anything but numbers."""
+    """The columns of one file, and which of them have had anything other than numbers."""
 
     def __init__(self, columns: list[Column]) -> None:
         import numpy
@@ -36,7 +36,7 @@ class ArrowRows:
         self._texts = pyarrow.dictionary(pyarrow.int32(), pyarrow.binary())
 
     def read(self, data: bytes, start: int, until: int, rows: int, row: int, line: int) -> bool:
-        """Adds `rows` rows, the first of which is number `row` and stands on `line`; false, and nothing added, where one is not plain."""
+        """Adds `rows` rows, the first of which is number `row` and is on `line`; returns False, and adds nothing, if one is not plain."""
         if row == 0:
             first = data[start : data.index(b"\n", start)].rstrip(b"\r").split(b",")
             for i, cell in enumerate(first[: len(self._columns)]):
@@ -81,7 +81,7 @@ class ArrowRows:
         return total is None or total - total == 0.0
 
     def _bytes_of(self, data: bytes, start: int, until: int, odd: list[int]) -> dict[int, Any]:
-        """The cells of columns in which Arrow found something that is not finite, as they stand there."""
+        """The cells of columns in which Arrow found something that is not finite, as they are in the file."""
         if not odd:
             return {}
         table = self._read_csv(data, start, until, {self._names[i]: self._arrow.binary() for i in odd})
@@ -90,7 +90,7 @@ class ArrowRows:
     def _add_numbers(self, column: Column, numbers: Any, cells: Any, row: int, line: int) -> None:
         if cells is not None:
             whole = numbers.to_numpy(zero_copy_only=False).copy()
-            # Arrow gives NaN for a null, too.
+            # Arrow returns NaN for a null, too.
             odd = self._numpy.flatnonzero(~self._numpy.isfinite(whole))
             kinds = self._numpy.full(len(whole), _cell.NUMBER, dtype=self._numpy.uint8)
             for i, cell in zip(odd.tolist(), cells.take(self._arrow.array(odd)).to_pylist()):
@@ -148,6 +148,6 @@ class ArrowRows:
 
 
 def _read(cell: bytes, column: Column) -> tuple[int, float]:
-    # A comma stands only in a cell that had quotes.
+    # Only a cell that had quotes can contain a comma.
     with_comma = read_decimal_comma(cell) if b"," in cell and column.reads_decimal_comma else None
     return read_cell(cell) if with_comma is None else (_cell.DECIMAL_COMMA, with_comma)

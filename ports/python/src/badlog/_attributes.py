@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _PLAIN = ("hide", "log", "area", "zero", "xaxis", "delta", "differentiate", "integrate")
 _DERIVATIONS = {"delta": "Delta", "differentiate": "Derivative", "integrate": "Integral"}
 
-# A hundred times as far from the others as they lie from one another, and no more than one of a hundred, is wild.
+# Positions are wild if they are a hundred times as far from the others as those are from each other, and at most one in a hundred.
 _FAR = 100.0
 _FEW = 100
 _FEWEST = 100
@@ -161,12 +161,12 @@ def _is_event_log(topic: Topic) -> bool:
 
 
 def _base_name(name: str) -> str:
-    """What it is called inside its folder; a slash at the very end separates nothing."""
+    """Its name inside its folder; a slash at the very end separates nothing."""
     return name[name.rfind("/", 0, max(len(name) - 1, 0)) + 1 :]
 
 
 def _wild_among(positions: list[float]) -> int:
-    """How many positions lie so far from all others that nothing of these could be seen any more."""
+    """The number of positions so far away that all others could not be told apart on an axis."""
     step = max(1, len(positions) // _LOOKED_AT)
     some = sorted(position for position in positions[::step] if math.isfinite(position))
     if len(some) < _FEWEST:

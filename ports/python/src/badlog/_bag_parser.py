@@ -1,4 +1,4 @@
-"""Makes a recording of the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. Nothing in the bytes makes it raise."""
+"""Makes a recording from the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. It never raises, whatever the bytes."""
 
 from __future__ import annotations
 

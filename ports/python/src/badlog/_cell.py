@@ -8,7 +8,7 @@ import re
 EMPTY, NUMBER, NOT_FINITE, TRUTH_VALUE, TEXT, DECIMAL_COMMA = range(6)
 
 Cell = tuple[int, float, bytes]
-"""One of the kinds above, its number or NaN, and its bytes where it is a text."""
+"""One of the kinds above, its number or NaN, and its bytes if it is a text."""
 
 NO_CELL: Cell = (EMPTY, math.nan, b"")
 

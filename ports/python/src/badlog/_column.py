@@ -24,7 +24,7 @@ class Column:
         self._unit = unit
         self._attributes = attributes
         self.reads_decimal_comma = "log" not in attributes
-        """False for a topic of texts, in which `1,5` may be meant as it stands."""
+        """False for a topic of texts, in which `1,5` may be meant literally."""
         self.samples = Samples()
         self.text_rows = array("q")
         self.text_ids = array("q")
@@ -33,7 +33,7 @@ class Column:
         self._ids: dict[bytes, int] = {}
         self._written_nans: list[int] = []
         self.first_text: str | None = None
-        """The first text met, as a message quotes it."""
+        """The first text, as a message quotes it."""
         self._first_text_line = 0
         self._last_text_size = 0
         self._is_last_text_new = False
@@ -47,7 +47,7 @@ class Column:
         self._last_gap_row = -2
 
     def add_cell(self, row: int, cell: Cell, line: int) -> None:
-        """Adds the cell in `row`, which stands on `line`."""
+        """Adds the cell in `row`, which is on `line`."""
         kind, number, text = cell
         if kind == _cell.TEXT:
             self.samples.add(math.nan)
@@ -62,7 +62,7 @@ class Column:
             self.add_odd_number(row, kind, number, line)
 
     def add_cells(self, row: int, cells: list[bytes], line: int) -> None:
-        """Adds the cells of neighboring rows, one a line; none of them stood in quotes."""
+        """Adds the cells of neighboring rows, one per line; none of them was in quotes."""
         if not b"".join(cells).translate(None, _NUMERIC):
             try:
                 numbers = array("d", map(float, cells))
@@ -76,7 +76,7 @@ class Column:
             self.add_cell(row + i, (kind, number, cell), line + i)
 
     def add_empty(self, count: int) -> None:
-        """Counts cells without anything; their numbers and gaps are added apart."""
+        """Counts empty cells; their numbers and gaps are added separately."""
         self._empty += count
 
     def add_gaps(self, first_row: int, last_row: int, runs: int) -> None:
@@ -85,7 +85,7 @@ class Column:
         self._last_gap_row = last_row
 
     def add_odd_number(self, row: int, kind: int, number: float, line: int) -> None:
-        """Counts a cell that is a number in another way than most are; the number itself is added apart."""
+        """Counts a cell whose number is written in an unusual way; the number itself is added separately."""
         if kind == _cell.NOT_FINITE:
             self._not_finite += 1
             if math.isnan(number):
@@ -102,7 +102,7 @@ class Column:
         self._truth_values += count
 
     def id_of(self, text: bytes, line: int) -> int:
-        """The number of that text, which stands on `line`."""
+        """The id of that text, which is on `line`."""
         known = self._ids.get(text)
         self._is_last_text_new = known is None
         if known is not None:
@@ -119,7 +119,7 @@ class Column:
         return len(self.dictionary) - 1
 
     def add_text(self, row: int, text: bytes, line: int) -> None:
-        """Adds the text in `row`; its gap is added apart."""
+        """Adds the text in `row`; its gap is added separately."""
         self.text_ids.append(self.id_of(text, line))
         self.text_rows.append(row)
         self.mark_text(text, text, line)
@@ -134,7 +134,7 @@ class Column:
     def extend_text(self, row: int, more: bytes, longest: int) -> bool:
         """Adds a line to the text in `row`, the last one.
 
-        False where that cell is not text, or would become longer than `longest` bytes.
+        Returns False if that cell is not text, or would become longer than `longest` bytes.
         """
         size = self._last_text_size + 1 + len(more)
         if not self.text_rows or self.text_rows[-1] != row or size > longest:
@@ -151,7 +151,7 @@ class Column:
         return True
 
     def topic(self, rows: int, problems: ProblemList) -> Topic:
-        """The topic that all rows make; what was odd about the column is reported. To be called once, last."""
+        """Returns the topic that all rows make; what was odd about the column is reported. Call it once, last."""
         texts = len(self.text_rows)
         numeric = rows - texts - self._empty
         counts = CellCounts(

@@ -15,13 +15,13 @@ _LISTED = 10
 
 
 def line_end_in(data: bytes, start: int, until: int) -> int:
-    """Where the line ends: at its LF or CR, or at a NUL, where whatever stood there is lost; else `until`."""
+    """Where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise `until`."""
     end = _LINE_END.search(data, start, until)
     return until if end is None else end.start()
 
 
 def after_line_end(data: bytes, end: int) -> int:
-    """Where the line after the one that ends at `end` begins; for a NUL that is the NUL itself."""
+    """Where the line after the one that ends at `end` begins; after a NUL, that is the NUL itself."""
     if end == len(data) or data[end] == 0:
         return end
     if data[end] == _CR and end + 1 < len(data) and data[end + 1] == _LF:
@@ -49,14 +49,14 @@ class Cursor:
         return self.line == self.hole_line
 
     def advance_to(self, following: int) -> None:
-        """Says that all before `following` is read."""
+        """Records that everything before `following` is read."""
         last = self.data[max(self.start, following - 2) : following]
         if last.endswith(b"\r") or last == b"\r\n":
             self.saw_carriage_return = True
         self.start = following
 
     def pass_blank_lines(self, end: int, following: int, problems: ProblemList) -> int:
-        """Passes the blank line that ends at `end`, before `following`, and all that follow it; returns where they end."""
+        """Skips the blank line that ends at `end`, before `following`, and all that follow it; returns where they end."""
         size = following - end
         at = following
         more = _CRLFS if size == 2 else _LINE_FEEDS if self.data[end] == _LF else None

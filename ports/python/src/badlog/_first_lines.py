@@ -10,11 +10,11 @@ from badlog import _cell
 from badlog._cursor import Cursor, after_line_end, line_end_in
 from badlog._splitter import Quotes, RowSplitter
 
-_ROWS = 20  # so many rows are looked at
+_ROWS = 20  # the number of rows that are looked at
 _MAX_BYTES = 1 << 20
 _CLEARLY = 3
 
-# Of bytes by chance every ninth is a control character; of text with a few damaged places not one in so many.
+# Of random bytes, every ninth is a control character; of a text with a few damaged places, less than one in this many.
 _MIN_TEXT = 20
 _MIN_CONTROLS = 16
 
@@ -36,9 +36,9 @@ class FirstLine:
     following: int
     """Where the next line begins."""
     cells: int
-    """How many cells it has; 0 where its quotes or its bytes are not those of a row."""
+    """The number of its cells; 0 if its quotes or its bytes are not those of a row."""
     numbers: int
-    """How many of them are numbers, or true or false."""
+    """The number of them that are numbers, or true or false."""
     texts: int
 
     @property
@@ -75,13 +75,13 @@ class FirstLines:
         self.is_binary = controls >= _MIN_CONTROLS and controls * _MIN_TEXT > len(looked_at)
         """Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that."""
         self.width = 0
-        """How many cells most of the lines after the titles have; 0 where that is not clear."""
+        """The number of cells that most of the lines after the titles have; 0 if that is not clear."""
         self.has_rows = False
-        """Whether among them are rows with numbers."""
+        """Whether there are rows with numbers among them."""
         self._find_width()
 
     def rows_of(self, width: int) -> int:
-        """How many of the lines after the first have that many cells."""
+        """The number of lines after the first that have that many cells."""
         return sum(line.cells == width for line in self.lines[1:])
 
     def _line_of(self, data: bytes, start: int, end: int, following: int) -> FirstLine:
@@ -94,7 +94,7 @@ class FirstLines:
 
     def _find_width(self) -> None:
         full = [line for line in self.lines[1:] if line.cells > 0]
-        # What damage has torn off the titles has no numbers.
+        # What damage tore off the titles has no numbers.
         rows = [line for line in full if line.numbers > 0] or full
         counts = Counter(line.cells for line in rows)
         if counts:

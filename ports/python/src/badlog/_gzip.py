@@ -1,14 +1,14 @@
-"""Inflates a gzip file, and keeps all that can be inflated of it.
+"""Inflates a gzip file, and keeps everything that can be inflated.
 
-A robot's file may lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains.
-Check sums are not looked at: a wrong one would not bring anything back.
+A robot's file may lack its trailer or be cut anywhere, may be several gzip members in a row, and may end in NULs or other remains. Checksums are not
+verified: knowing that one is wrong would restore nothing.
 """
 
 from __future__ import annotations
 
 import zlib
 
-# The end of the empty block by which a flush brings the stream to a whole byte.
+# The end of the empty block with which a flush completes a byte of the stream.
 _FLUSH_MARK = b"\x00\x00\xff\xff"
 _PIECE = 1 << 16
 _TRAILER = 8
@@ -17,7 +17,7 @@ _CHECK, _EXTRA, _NAME, _COMMENT = 2, 4, 8, 16
 
 
 def is_gzip(data: bytes) -> bool:
-    """Whether a file that begins so is compressed with gzip, whatever its name."""
+    """Whether a file that begins like this is compressed with gzip, whatever its name."""
     return data.startswith(b"\x1f\x8b")
 
 
@@ -33,7 +33,7 @@ def inflate(data: bytes, most: int) -> tuple[bytes, bool]:
     while at < len(data) and size < most:
         body = _body_after(data, at)
         if body is None:
-            # Remains after the last member; a file that is no more than a beginning has none.
+            # Remains after the last member; a file that is only a beginning has none.
             return b"".join(parts), not saw_body
         saw_body = True
         inflater = zlib.decompressobj(-zlib.MAX_WBITS)
@@ -60,7 +60,7 @@ def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
     try:
         for byte in piece:
             left = bytes([byte])
-            # By single bytes, because what a failing call had inflated is lost.
+            # Byte by byte, because what a failing call has inflated is lost.
             while True:
                 inflated += inflater.decompress(left, 1)
                 left = inflater.unconsumed_tail
@@ -72,7 +72,7 @@ def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
 
 
 def _body_after(data: bytes, start: int) -> int | None:
-    """Where the deflated bytes of the member begin whose header (RFC 1952) begins at `start`; None where there is no whole header."""
+    """Where the deflated bytes of the member begin whose header (RFC 1952) begins at `start`; None if there is no whole header."""
     if data[start : start + 3] != b"\x1f\x8b\x08" or len(data) < start + 10:
         return None
     flags = data[start + 3]

@@ -28,9 +28,9 @@ class BagHeader:
 
 
 def read_header(line: str) -> BagHeader | None:
-    """The header, or None when the line is not one whole JSON object.
+    """The header, or None if the line is not one whole JSON object.
 
-    Keys that are missing read as nothing, values of another type than expected as their JSON; of two equal keys the last counts.
+    Missing keys are read as empty, values of an unexpected type as their JSON; of two equal keys the last counts.
     """
     members = read_object(line)
     if members is None:

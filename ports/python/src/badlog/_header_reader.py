@@ -1,4 +1,4 @@
-"""Reads what stands before the rows: the line of JSON, if there is one, and the line of column titles."""
+"""Reads what is before the rows: the line of JSON, if there is one, and the line of column titles."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ _WPILOG = "This is a WPILOG file, not a bag. Convert it first: badlog convert FI
 _GZIP = "The file is compressed with gzip twice; inflate it once."
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
-_MAX_LINE_BYTES = 1 << 24  # a file without a newline before is not a bag
+_MAX_LINE_BYTES = 1 << 24  # a file without a newline before that is not a bag
 _MAX_COLUMNS = 1 << 16  # each column costs memory before it has a row
-_LEAST_ROWS = 3  # so many rows of one width count more than the titles
+_LEAST_ROWS = 3  # this many rows of one width count more than the titles
 
-# What stands between a key of JSON and its value, and in no title.
+# The characters between a key of JSON and its value, which no title has.
 _JSON_MARK = re.compile(rb'":["\[]')
 _TITLE_CONTROL = re.compile("[\x00-\x08\x0a-\x1f]")
 
 
 class HeaderReader:
-    """The header of the file at the cursor, which it moves on to the first row."""
+    """Reads the header at the cursor, and moves the cursor on to the first row."""
 
     def __init__(self, cursor: Cursor, problems: ProblemList) -> None:
         self._cursor = cursor
@@ -41,11 +41,11 @@ class HeaderReader:
         self._is_at_signature = True
         self._is_at_first_line = True
         self.line: str | None = None
-        """The line of JSON as it stands there, or None without one."""
+        """The line of JSON as it is written, or None if there is none."""
         self.header: BagHeader | None = None
-        """What it says; None without it, and where it cannot be read."""
+        """What it says; None if it is missing or cannot be read."""
         self.columns: HeaderColumns | None = None
-        """The columns; None where the line of titles is missing."""
+        """The columns; None if the line of titles is missing."""
         self.is_done = False
         self.is_no_log = False
         """Whether the bytes turned out not to be a log."""
@@ -102,7 +102,7 @@ class HeaderReader:
         cursor = self._cursor
         is_cut = following == line_end
         if self.line is not None and self.header is None:
-            # What a hole has left of the line of JSON holds no titles.
+            # What a hole left of the line of JSON holds no titles.
             is_rest = not cursor.is_after_hole and _JSON_MARK.search(cursor.data, cursor.start, line_end) is not None
             if is_rest:
                 self._report_unreadable(f"Line {cursor.line} is part of the JSON line before it; it was skipped.")
@@ -127,7 +127,7 @@ class HeaderReader:
         width = 0 if first_lines is None else _clear_width(first_lines, len(names))
         known_names = set(names)
         is_none = bool(names) and not any(title in known_names for title in titles)
-        # A hole may have taken line 2, or damage: then this is a row.
+        # Damage, such as a hole, may have taken line 2: then this is a row.
         is_row = is_none and (
             cursor.hole_line > 0
             or (first_lines is not None and len(names) == width == len(titles) and first_lines.lines[0].numbers > 0)
@@ -167,14 +167,14 @@ class HeaderReader:
                 return self._refuse(message)
         lines = first_lines.lines
         if is_damaged and first_lines.has_rows:
-            # Damage, or the remarks of whoever made the file, may stand before the titles.
+            # Before the titles, there may be damage or somebody's remarks.
             begin = next((line for line in lines if line.cells == width), None)
             if begin is not None and begin.is_titles:
                 return self._skip_to(begin, lines[0].end)
         if lines and len(titles) == width and (lines[0].texts == 0 or (self.line is not None and lines[0].numbers > 0)):
             return self._take_untitled(width)
         known = ColumnTitles.of([], titles, width) if is_damaged else ColumnTitles.certain(list(titles))
-        # A hole has taken the rest of the line, which may have had more titles.
+        # A hole took the rest of the line, which may have had more titles.
         if following == line_end and first_lines.has_rows:
             known.is_doubtful = [True] * len(known.titles)
         for i, title in enumerate(known.titles):
@@ -196,7 +196,7 @@ class HeaderReader:
         return self._cursor.start
 
     def _skip_to(self, titles: FirstLine, first_end: int) -> int:
-        """Goes on at the line `titles`; what stands before it is lost."""
+        """Continues at the line `titles`; what is before it is lost."""
         cursor = self._cursor
         text = decode(cursor.data[cursor.start : first_end])[0]
         if self.line is None and '"name":' in text:
@@ -267,13 +267,13 @@ class HeaderReader:
 
 
 def _clear_width(first_lines: FirstLines, names: int) -> int:
-    """How many cells a row has; 0 where that is not clear."""
+    """The number of cells of a row; 0 if that is not clear."""
     width = first_lines.width
     return width if width == names or first_lines.rows_of(width) >= _LEAST_ROWS else 0
 
 
 def _rest_of_titles(first_lines: FirstLines, following: int, width: int) -> int:
-    """Where the lines end that damage has torn off the line of titles: they are not rows."""
+    """The end of the lines that damage tore off the line of titles: they are not rows."""
     end = following
     for line in first_lines.lines[1:]:
         if line.cells == width or line.numbers > 0 or line.following <= line.end:

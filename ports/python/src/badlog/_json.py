@@ -1,7 +1,7 @@
 """Reads and writes the line of JSON.
 
-Python's own `json` takes `NaN` and loses how a value was written, which the format keeps: a unit that is a number reads as
-its JSON. So this reads RFC 8259 with one indulgence, control characters in strings, and keeps each value's text.
+Python's own `json` accepts `NaN`, and forgets how a value was written, which the format keeps: a unit that is a number is read as its JSON. So this
+follows RFC 8259 with one exception, control characters in strings, and keeps each value's text.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _HEX = re.compile(r"[0-9a-fA-F]{4}")
 
 @dataclass(frozen=True)
 class JsonValue:
-    """A value: its JSON as it stands there, and what it is."""
+    """A value: its JSON as it is written there, and what it means."""
 
     json: str
     text: str | None = None
@@ -34,7 +34,7 @@ class _Malformed(Exception):
 
 
 def read_object(text: str) -> list[tuple[str, JsonValue]] | None:
-    """The members of the JSON object that `text` is, in order, or None when it is not exactly one."""
+    """The members of the JSON object that `text` is, in order, or None if it is not exactly one."""
     try:
         reader = _Reader(text)
         value = reader.value(0)

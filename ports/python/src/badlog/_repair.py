@@ -1,6 +1,6 @@
 """Reads the rows that are not plain: quoted, cut, torn, too short or too long ones.
 
-One rule stands above the others: a line that is a complete row by itself is never swallowed by a damaged one before it.
+One rule is above the others: a line that is a complete row by itself is never swallowed by a damaged one before it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _NUMBER_WITH_POINT = re.compile(rb"[0-9]+\.[0-9]*")
 
 
 class RowRepair:
-    """Takes one row after another from the cursor.
+    """Reads one row after another from the cursor.
 
     `ends_in_newline` says that every whole row of this file ends in a newline, as a bag's does, so that a last row without one is cut.
     """
@@ -40,7 +40,7 @@ class RowRepair:
         self.row: list[Cell] | None = None
         """The row that the last call of `repair` found, if it found one."""
         self.lines_passed = 0
-        """How many physical lines that call went through."""
+        """The number of physical lines that this call read."""
 
     def repair(self, row: int) -> int:
         """Reads from the cursor, the start of a line, on, after `row` rows; returns where the next row begins."""
@@ -86,7 +86,7 @@ class RowRepair:
         return self._take_uneven(start, end, following)
 
     def _quoted_lines(self, start: int, second_line: int) -> int | None:
-        """A quoted cell with newlines inside, as RFC 4180 allows; returns None where it is not one."""
+        """A quoted cell with newlines inside, as RFC 4180 allows; returns None if it is not one."""
         cursor = self._cursor
         data = cursor.data
         at = second_line
@@ -98,7 +98,7 @@ class RowRepair:
             end = line_end_in(data, at, cursor.end)
             if end - start > _MAX_BYTES:
                 return None
-            # With one topic every line is a row.
+            # With one topic, every line is a row.
             if at < end and (self._wanted == 1 or self._is_complete_row(at, end)):
                 if self._wanted > 1 and self._has_same_numbers():
                     return None
@@ -116,7 +116,7 @@ class RowRepair:
                 self._splitter = whole
                 return self._take(True, following)
             if whole.is_malformed and start < self._end_in_sight:
-                # It stays so, and the end of the file is too far away to cut it.
+                # It stays open, and the end of the file is too far away to be what cut it.
                 return None
             at = following
         return None
@@ -153,7 +153,7 @@ class RowRepair:
         data = cursor.data
         splitter = self._splitter
         at = second_line
-        # Without quotes the commas give the number of cells, and nothing has to be split again and again.
+        # Without quotes the commas give the number of cells, and nothing has to be split repeatedly.
         commas = data.count(b",", start, newline)
         quotes = data.count(b'"', start, newline)
         for lines in range(2, _MAX_LINES + 1):
@@ -216,7 +216,7 @@ class RowRepair:
         )
 
     def _take_uneven(self, start: int, end: int, following: int) -> int:
-        """A row with too few or too many cells, which no reading could mend."""
+        """A row with too few or too many cells under every reading."""
         data = self._cursor.data
         splitter = self._splitter
         count = splitter.split(data, start, end, Quotes.STRICT)
@@ -236,7 +236,7 @@ class RowRepair:
     def _tail(self, start: int, until: int, is_cut: bool) -> int:
         """A row without a newline at the end of the file or before a hole.
 
-        `is_cut` says that a missing newline means that bytes are missing.
+        `is_cut` means that a missing newline is a sign of missing bytes.
         """
         self.lines_passed = 1
         splitter = self._splitter
@@ -249,7 +249,7 @@ class RowRepair:
                 if is_cut:
                     self._drop_last_cell()
                 return until
-            # As core: what the last reading left open counts.
+            # As in core, what the last reading left open counts.
             is_open = splitter.is_open
         if is_open or count < self._wanted:
             message = f"A row is cut off after {count} of {self._wanted} cells and was dropped; it held {self._quotation(start, until)}."
@@ -270,7 +270,7 @@ class RowRepair:
         self._problems.add(ProblemKind.LAST_CELL_CUT, message, self._cursor.line, self._columns[-1].name)
 
     def _take(self, undouble: bool, following: int, count: int | None = None) -> int:
-        """Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are left."""
+        """Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are dropped."""
         found = self._wanted if count is None else min(count, self._wanted)
         self.row = [self._cell(i, undouble) for i in range(found)] + [_cell.NO_CELL] * (self._wanted - found)
         return following
@@ -292,7 +292,7 @@ class RowRepair:
 
 
 def _end_in_sight(data: bytes) -> int:
-    """From where on the end of the file may be seen by looking ahead."""
+    """The place from which looking ahead may reach the end of the file."""
     at = len(data)
     for _ in range(_MAX_LINES + 2):
         at = data.rfind(b"\n", 0, at)
@@ -302,10 +302,10 @@ def _end_in_sight(data: bytes) -> int:
 
 
 def _is_end_of_row(piece: bytes) -> bool:
-    """Whether it is a number with letters close behind it: the x of a row of which damage has left nothing else but its end."""
+    """Whether it is a number directly followed by letters: damage left only the x and the end of this row."""
     number = _NUMBER_WITH_POINT.match(piece)
     if number is None or number.end() == len(piece):
         return False
     byte = piece[number.end()]
-    # As core has it, which takes bytes beyond ASCII for signed ones.
+    # Like core, which reads bytes beyond ASCII as signed ones.
     return is_letter_or_digit(chr(byte if byte < 0x80 else 0xFF00 | byte))

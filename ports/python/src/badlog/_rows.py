@@ -17,16 +17,16 @@ _MAX_ROW_BYTES = 1 << 24
 _PLAIN_BYTES = 1 << 18
 _ARROW_BYTES = 1 << 25
 
-# For less than this Arrow takes longer to begin than to read.
+# Below this size, Arrow takes longer to start than to read.
 _LEAST_ARROW_BYTES = 1 << 16
 
 _LONE_CR = re.compile(rb"\r(?!\n)")
-# A quoted cell of one line behind its first quote, as RFC 4180 has it.
+# A quoted cell of one line after its first quote, by RFC 4180.
 _QUOTED_REST = re.compile(rb'[^"\n\r\x00]*(?:""[^"\n\r\x00]*)*"(?=[,\r\n])')
 
 
 class RowReader:
-    """Takes rows from the cursor; the caller skips NULs between them."""
+    """Reads rows from the cursor; the caller skips NULs between them."""
 
     def __init__(
         self,
@@ -43,11 +43,11 @@ class RowReader:
         self._max_rows = max_rows
         self._arrow = arrow if len(columns) > 1 else None
         self._repair = RowRepair(cursor, columns, problems, ends_in_newline)
-        # Where the next byte stands that no plain row has; looked for anew when it is passed.
+        # The place of the next byte of each sort that no plain row has; searched again when it is passed.
         self._next_odd = {"nul": -1, "cr": -1, "quote": -1}
-        # Where lines stand that have not as many commas as they should, in what was looked through, the next one last.
+        # The lines with a wrong number of commas in what was searched, the next one last.
         self._uneven: list[int] = []
-        # Before this Arrow has failed, though every line seems plain.
+        # Before this place, Arrow has failed although every line seems plain.
         self._arrow_from = 0
         self.row_count = 0
         self.gave_up = False
@@ -80,7 +80,7 @@ class RowReader:
         return self._cursor.end
 
     def _plain_until(self, start: int) -> int:
-        """Where the last line ends, from `start` on, before anything that no plain row has; `start` without any."""
+        """Where the last line ends, from `start` on, before anything that no plain row has; `start` if there is none."""
         data = self._cursor.data
         odd = self._next_odd
         if odd["nul"] < start:
@@ -97,7 +97,7 @@ class RowReader:
         return data.rfind(b"\n", start, until) + 1 or start
 
     def _next_odd_quote(self, start: int) -> int:
-        """The next quote; where Arrow reads, the next that is not of a properly quoted cell."""
+        """The next quote; where Arrow reads, the next one that is not part of a properly quoted cell."""
         data = self._cursor.data
         at = data.find(b'"', start)
         while at >= 0 and self._arrow is not None and (at == start or data[at - 1] in b",\n"):
@@ -108,7 +108,7 @@ class RowReader:
         return _or_end(at, data)
 
     def _read_plain(self, start: int, until: int) -> int:
-        """Reads lines that are rows unless they lack or have too many commas; returns where it stopped."""
+        """Reads lines that are rows unless they have too few or too many commas; returns where it stopped."""
         data = self._cursor.data
         at = start
         while at < until and self.row_count < self._max_rows:
@@ -124,7 +124,7 @@ class RowReader:
                     self._find_uneven(at, end)
                     self._arrow_from = end
                     if self._uneven:
-                        # What stands between such lines is for Arrow again.
+                        # Arrow reads what is between such lines.
                         self._arrow_from = at
                         until = min(until, self._uneven[-1])
                         continue
@@ -148,7 +148,7 @@ class RowReader:
         self._uneven = found[::-1]
 
     def _read_block(self, start: int, until: int) -> int:
-        """Reads the lines by Python's own means."""
+        """Reads the lines without Arrow."""
         block = self._cursor.data[start:until]
         quote = block.find(b'"')
         if quote >= 0:
@@ -164,7 +164,7 @@ class RowReader:
             rows += 1
         end = start + sum(map(len, lines[:rows])) + rows
         if rows < len(lines) and not self._uneven:
-            # Where one is, more may be: each is not to cost a look at all of the block.
+            # There may be more, and the whole block must not be searched for each of them.
             self._find_uneven(end, start + len(block))
         if rows == 0:
             return start
@@ -187,7 +187,7 @@ def _or_end(place: int, data: bytes) -> int:
 
 
 def _whole_lines(data: bytes, start: int, until: int, most: int) -> int:
-    """Where the last of the lines ends that have up to `most` bytes together, or the first line where that is longer."""
+    """The end of the last of the lines that have up to `most` bytes together, or of the first line if that is longer."""
     if until - start <= most:
         return until
     end = data.rfind(b"\n", start, start + most) + 1

@@ -1,4 +1,4 @@
-"""The numbers of a topic, in the pieces in which they were read, put together when somebody asks for them."""
+"""The numbers of a topic, in the pieces in which they were read; they are joined when somebody asks for them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Samples:
     """One number for each row; NaN where there is none."""
 
     def __init__(self) -> None:
-        # Arrays of Arrow, in which null is a gap, of NumPy, or plain ones.
+        # Arrays of Arrow, in which null is a gap, arrays of NumPy, or plain ones.
         self._parts: list[Any] = []
         self._whole: Any = None
 
@@ -42,7 +42,7 @@ class Samples:
         return last
 
     def whole(self) -> Numbers:
-        """All of them in one array: of NumPy where that is installed, else a plain one."""
+        """All of them in one array: of NumPy if that is installed, otherwise a plain one."""
         if self._whole is None:
             self._whole = self._joined()
         whole: Numbers = self._whole
@@ -59,7 +59,7 @@ class Samples:
         return whole
 
     def to_arrow(self, written_nans: list[int]) -> pyarrow.Array | pyarrow.ChunkedArray:
-        """All of them with null for a gap, where `written_nans` are the rows in which a NaN was meant."""
+        """All of them with null for a gap, except in the rows `written_nans`, in which a NaN was written."""
         import numpy
         import pyarrow
 
@@ -75,7 +75,7 @@ def _numbers_of(part: Any) -> Any:
     import numpy
 
     if isinstance(part, array):
-        # Its own memory: an array that is exported cannot grow.
+        # A copy, because an array cannot grow while its memory is shared.
         return numpy.array(part, dtype=numpy.float64)
     if isinstance(part, numpy.ndarray):
         return part

@@ -14,7 +14,7 @@ class Quotes(Enum):
     STRICT = 0
     """RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one."""
     LENIENT = 1
-    """A quote opens at a cell's start and closes only before a comma or the end: the original never doubled them."""
+    """A quote opens at a cell's start and closes only before a comma or the end: the original never doubled quotes."""
     LITERAL = 2
     """A quote is a character like any other."""
 
@@ -38,7 +38,7 @@ class RowSplitter:
         return not self.is_open and not self.is_malformed
 
     def split(self, data: bytes, start: int, until: int, quotes: Quotes) -> int:
-        """Splits the bytes, which hold no line end outside quotes; returns how many cells."""
+        """Splits the bytes, which hold no line end outside quotes; returns the number of cells."""
         self.starts = []
         self.ends = []
         self.quoted = []
@@ -48,7 +48,7 @@ class RowSplitter:
         return self._split_on(data, start, until)
 
     def extend(self, data: bytes, until: int) -> int:
-        """Goes on with a row that ended in an open quote, as `split` of all of it would find it; returns how many cells."""
+        """Continues a row that ended in an open quote, as if `split` had read all of it; returns the number of cells."""
         self.is_open = False
         self.quoted.pop()
         end = self._close_cell(data, self.starts.pop(), self.ends.pop(), until)
@@ -105,8 +105,8 @@ class RowSplitter:
     def merge_torn_quotes(self, data: bytes, wanted: int) -> int:
         """Joins cells that a quote and a comma inside one text took apart, as in `"he said "a", ok"`.
 
-        A cell that ends in a quote without having begun with one belongs to the quoted cell before it. Stops at `wanted` cells;
-        returns how many there are now.
+        A cell that ends in a quote without having begun with one belongs to the quoted cell before it. Stops at `wanted` cells; returns the number of
+        cells.
         """
         i = 1
         while i < len(self.starts) > wanted:

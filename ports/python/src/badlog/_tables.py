@@ -28,7 +28,7 @@ def _texts_of(topic: Topic) -> pyarrow.Array:
     import numpy
     import pyarrow
 
-    # Different bytes may be the same text.
+    # Different bytes may decode to the same text.
     places: dict[str, int] = {}
     place_of = numpy.array([places.setdefault(_encodable(text), len(places)) for text in topic._dictionary], dtype=numpy.int32)
     ids = numpy.full(len(topic), -1, dtype=numpy.int32)
@@ -104,5 +104,5 @@ def polars_of(recording: Recording) -> polars.DataFrame:
 
 
 def _encodable(text: str) -> str:
-    """The text without lone surrogates, which JSON can write and UTF-8 cannot."""
+    """The text without lone surrogates, which JSON can express and UTF-8 cannot."""
     return text.encode("utf-8", "surrogatepass").decode("utf-8", "replace") if not text.isascii() else text

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 
 BLANKS = "\t\n\x0b\x0c\r\x1c\x1d\x1e\x1f \xa0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u2028\u2029\u202f\u205f\u3000"
-"""What Java and Kotlin call white space; Python's own `strip` takes U+0085, too."""
+"""What Java and Kotlin count as whitespace; Python's own `strip` also removes U+0085."""
 
 _HIGH_CONTROLS = (
     "\u20ac\u0081\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u008d\u017d\u008f"
@@ -16,7 +16,7 @@ _WINDOWS_1252 = {0x80 + i: char for i, char in enumerate(_HIGH_CONTROLS)}
 
 
 def decode(data: bytes) -> tuple[str, bool]:
-    """The text, as UTF-8 or else as Windows-1252, and whether it was not UTF-8."""
+    """The text, read as UTF-8 or otherwise as Windows-1252, and whether it was not UTF-8."""
     try:
         return data.decode("utf-8"), False
     except UnicodeDecodeError:

@@ -1,4 +1,4 @@
-"""The titles of a file's columns, as far as its first two lines and the rows after them agree on them."""
+"""The titles of a file's columns, as far as its first two lines and the rows after them agree."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from badlog._header import BagHeader, BagTopic
 from badlog._text import is_letter_or_digit
 from badlog.problem import ProblemKind, ProblemList
 
-# One of so many titles in the order of line 1 shows that it is theirs.
+# If one title of this many is in the order of line 1, the order is that of line 1.
 _FEW = 4
 
 
@@ -31,9 +31,9 @@ class ColumnTitles:
 
     @classmethod
     def of(cls, names: list[str], titles: list[str], width: int) -> ColumnTitles:
-        """The titles where line 1 has `names`, line 2 has `titles`, and the rows have `width` cells, or 0 where that is not known.
+        """The titles where line 1 has `names`, line 2 has `titles`, and the rows have `width` cells, or 0 if that is not known.
 
-        Line 1 wins where it has as many.
+        Line 1 wins if it has that many.
         """
         if width == 0 or (len(titles) == width and len(names) != width) or Counter(names) == Counter(titles):
             return cls.certain(titles)
@@ -46,7 +46,7 @@ class ColumnTitles:
         """Some titles differ from the names."""
         same = sum(title == name for title, name in zip(titles, names))
         waiting = _Waiting(name for title, name in zip(titles, names) if title != name)
-        # Where the order of line 2 is another one, a title is where it says.
+        # If line 2 has an order of its own, each title is at its place there.
         is_reordered = same * 2 < len(names)
         pairs: list[str | None] = []
         for title, name in zip(titles, names):
@@ -76,7 +76,7 @@ class ColumnTitles:
         rest = ",".join(titles)
         if (is_at_end and len(found) * _FEW >= len(names) and ascends) or line.startswith(rest) or line.endswith(rest):
             return cls.certain(names)
-        # Line 2 had an order of its own; it is known from its ends on.
+        # Line 2 had an order of its own, which is known from both of its ends.
         left = _Waiting(names)
         first = 0
         while first < len(titles) and left.remove(titles[first]):
@@ -88,7 +88,7 @@ class ColumnTitles:
 
 
 class _Waiting:
-    """Names that no column has yet, each as often as it stands there; the first of equal ones goes first."""
+    """Names that no column has yet, each as often as it occurs; the first of equal ones goes first."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
@@ -99,7 +99,7 @@ class _Waiting:
             self._places[name].append(i)
 
     def remove(self, name: str) -> bool:
-        """Removes the first of that name; false without any."""
+        """Removes the first of that name; False if there is none."""
         places = self._places.get(name)
         while places:
             i = places.popleft()

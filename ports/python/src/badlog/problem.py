@@ -1,4 +1,4 @@
-"""What can be wrong with a log, as data: a damaged file opens, and says what it lost."""
+"""What can be wrong with a log, as data: a damaged file opens, and its problems say what is lost."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class Problem:
     message: str
     """One sentence."""
     line: int | None = None
-    """The physical line of the file, from 1, or None where the problem has no line."""
+    """The physical line of the file, from 1, or None if the problem has no line."""
     topic: str | None = None
     """The name of the topic concerned, or None."""
     count: int = 1
@@ -126,5 +126,5 @@ class ProblemList:
             self._overflow[key] = replace(first, count=first.count + count)
 
     def to_list(self) -> list[Problem]:
-        """The problems in the order in which they were added, then one for each kind that went on."""
+        """The problems in the order in which they were added, then one for each kind that occurred more often."""
         return self._problems + list(self._overflow.values())

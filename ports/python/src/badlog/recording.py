@@ -58,7 +58,7 @@ class Event:
     """A text with a time."""
 
     x: float
-    """The x of its row: that of the topic with the attribute `xaxis`, else the row's index."""
+    """The x of its row: that of the topic with the attribute `xaxis`, otherwise the row's index."""
     topic: str
     text: str
 
@@ -78,7 +78,7 @@ class CellCounts:
     empty: int
     """Nothing, `null`, or a cell that its row lacks."""
     gaps: int
-    """Into how many runs of neighboring rows the cells without a number fall."""
+    """The number of runs of neighboring rows without a number."""
 
     @property
     def total(self) -> int:
@@ -167,13 +167,13 @@ class Recording:
     ) -> None:
         self.format = format
         self.header_line = header_line
-        """The JSON of the file's first line as it stands there, or None where it has none."""
+        """The JSON of the file's first line as it is written there, or None if it has none."""
         self.values = values
         """The values, in the order of the file."""
         self.topics = topics
         """The topics, in the order in which they are shown."""
         self.row_count = row_count
-        """How many samples each topic has."""
+        """The number of samples of each topic."""
         self.problems = problems
         """What was wrong in the file."""
         self.path = path
@@ -200,7 +200,7 @@ class Recording:
         return f"<badlog.Recording {name}{len(self.topics)} topics, {self.row_count} rows, {len(self.problems)} problems>"
 
     def value(self, name: str, default: str = "") -> str:
-        """The text of the first value of that name, or `default` without one."""
+        """The text of the first value of that name, or `default` if there is none."""
         return next((value.text for value in self.values if value.name == name), default)
 
     @property
@@ -215,7 +215,7 @@ class Recording:
 
     @property
     def is_salvaged(self) -> bool:
-        """True when something of the file is lost: one of `problems` is an error."""
+        """True if something of the file is lost: one of `problems` is an error."""
         return any(problem.severity is Severity.ERROR for problem in self.problems)
 
     @property

@@ -14,7 +14,10 @@ private external fun require(module: String): dynamic
 
 private const val ROUNDS = 8
 
-/** Prints how many megabytes a second core parses on Node: the best of some rounds over a bag, or over the file named. */
+/**
+ * Prints how many megabytes per second core parses on Node: the best of some rounds over a synthetic bag, or over the
+ * file in the argument.
+ */
 fun main() {
     val file = process.argv.getOrNull(2)
     val bag = if (file == null) syntheticBag() else bytesOf(file)
@@ -34,7 +37,7 @@ private fun bytesOf(file: String): ByteArray {
     return js("new Int8Array(buffer.buffer, buffer.byteOffset, buffer.length)").unsafeCast<ByteArray>()
 }
 
-/** 20,000 rows of 50 noisy sines. */
+/** A table of 20,000 rows of 50 noisy sines. */
 private fun syntheticBag(): ByteArray {
     val writer = RowWriter()
     repeat(50) { writer.text("Signal $it") }

@@ -2,7 +2,7 @@
 
 namespace frc {
 
-/** As much of WPILib as the guide's robot needs. */
+/** The part of WPILib that the guide's robot needs. */
 class TimedRobot {
 public:
     virtual ~TimedRobot() = default;

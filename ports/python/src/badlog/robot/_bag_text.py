@@ -20,7 +20,7 @@ def text_cell(text: str) -> bytes:
 
 
 def row_of(cells: Sequence[bytes]) -> bytes:
-    """A row. One of a single empty cell would be a blank line, which readers skip."""
+    """A row. A single empty cell is written in quotes, because readers skip blank lines."""
     return (b",".join(cells) or (b'""' if len(cells) == 1 else b"")) + b"\n"
 
 
@@ -42,7 +42,7 @@ def header_lines(topics: Iterable[tuple[str, str, Sequence[str]]], values: Itera
 
 
 def _quoted(text: str) -> str:
-    """As the original writes it, which escapes more than need be."""
+    """As the original writes it, which escapes more than necessary."""
     return '"' + _ESCAPED.sub(lambda match: _SHORT.get(match.group()) or f"\\u{ord(match.group()):04X}", text) + '"'
 
 

@@ -1,4 +1,4 @@
-"""Events that wait for a row, and those a row took that is not written yet: they come back if it cannot be."""
+"""Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NUMBER = re.compile(
 
 
 class EventTexts:
-    """Safe for use by several threads."""
+    """Thread-safe."""
 
     def __init__(self, faults: Faults) -> None:
         self._faults = faults
@@ -48,14 +48,14 @@ class EventTexts:
         return text if _is_read_as_event(text) else f"event {text}"
 
     def written(self) -> None:
-        """Says that the rows which took events are written."""
+        """Forgets the events of rows that are written now."""
         if self._taken:
             with self._lock:
                 self._characters -= sum(len(text) + len(_SEPARATOR) for text in self._taken)
                 self._taken = []
 
     def restore(self) -> None:
-        """Says that the rows which took events are lost: the events wait again."""
+        """Lets the events of lost rows wait again."""
         if self._taken:
             with self._lock:
                 self._waiting = self._taken + self._waiting

@@ -1,4 +1,4 @@
-"""Where everything goes that went wrong in a robot's loop: counted each time, said once, and noted as an event in the log."""
+"""Takes everything that goes wrong in a robot's loop: it is counted each time, reported once, and noted as an event in the log."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class LogCounters:
     slowest_row_nanos: int
     """The longest that one call of `BadLog.log` took, in nanoseconds."""
     slow_writes: int
-    """Writes that took more than 5 ms, also those that failed."""
+    """Writes that took more than 5 ms, including those that failed."""
     failed_syncs: int
-    """Times that the operating system could not bring the file to the disk."""
+    """Times that the operating system could not sync the file to the disk."""
     cells_missed: int
     """Cells left empty because a callable raised or gave None."""
     calls_ignored: int
@@ -42,13 +42,13 @@ class LogCounters:
 
 
 class Faults:
-    """Counts and reports; never raises. Safe for use by several threads."""
+    """Counts and reports. Thread-safe; never raises."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._counts = dict.fromkeys(LogCounters.__dataclass_fields__, 0)
         self._said: set[str] = set()
-        # Apart, because the names that a program makes up must not meet the log's own subjects.
+        # Separate, so that the names that a program makes up are not confused with the log's own subjects.
         self._ignored: dict[str, set[str]] = {"call": set(), "name": set()}
         self.room: EventTexts | None = None
         """The column that takes events, if there is one."""
@@ -96,7 +96,7 @@ class Faults:
             self.say(why)
 
     def say_once(self, about: str, message: Callable[[], str]) -> None:
-        """Says the message, unless something was said about that before."""
+        """Reports the message, unless its subject was reported before."""
         if self._is_new(about):
             self.say(message())
 

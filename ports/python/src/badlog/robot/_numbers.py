@@ -64,8 +64,8 @@ def _text_of(digits: int, exponent: int) -> str:
 def _rounded(magnitude: float) -> tuple[int, int]:
     """Five digits, and the decimal exponent of the first.
 
-    Java first generates digits of the value until what is left is within a margin around it, half the distance to the next double
-    (for a power of two half of that again), then rounds these half up. So a value rounds up if value plus margin is above the tie.
+    Java first generates digits of the value until the rest is within a margin, half the distance to the next double (for a power of two, half of that
+    again), then rounds these digits half up. So a value rounds up if value plus margin is above the tie.
     """
     fraction, exponent = math.frexp(magnitude)
     shift = min(53, exponent + 1074)

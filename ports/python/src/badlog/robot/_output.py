@@ -17,13 +17,13 @@ class AppendFile:
         """Creates or empties the file; its folders are created.
 
         Raises:
-            OSError: That fails.
+            OSError: The file cannot be created.
         """
         path.absolute().parent.mkdir(parents=True, exist_ok=True)
         self._file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0), 0o666)
         self._is_torn = False
         self.length = 0
-        """How many bytes were appended."""
+        """The number of bytes that were appended."""
 
     def append(self, data: bytes) -> None:
         """Raises OSError if not all bytes could be written; then none are, and the next call may try again."""
@@ -44,10 +44,10 @@ class AppendFile:
         self.length += len(data)
 
     def finish(self) -> None:
-        """Writes what the end of a file needs: nothing."""
+        """Writes what the end of the file needs: nothing for a plain file."""
 
     def sync(self) -> None:
-        """Waits until everything is on the disk. To be called by no thread that has anything else to do."""
+        """Waits until everything is on the disk. Only for a thread that has nothing else to do."""
         os.fsync(self._file)
 
     def close(self) -> None:
@@ -62,8 +62,8 @@ class AppendFile:
 class GzipFile(AppendFile):
     """A gzipped bag.
 
-    Each `append` ends on a byte's boundary (zlib's sync flush), so that everything appended can be inflated from a file that has been
-    cut anywhere behind it.
+    Each `append` ends on a byte's boundary (zlib's sync flush), so that everything appended can be inflated even if the file is cut somewhere after
+    it.
     """
 
     def __init__(self, path: Path) -> None:
@@ -85,7 +85,7 @@ class GzipFile(AppendFile):
         try:
             super().append(packed if self.length > 0 else _GZIP_HEADER + packed)
         except OSError:
-            # What follows must not refer back to what is not in the file. The stream goes on where it was.
+            # What follows must not refer to bytes that are not in the file. The stream continues where it was.
             self._deflater = _deflater()
             raise
 

@@ -43,7 +43,7 @@ class LogState(Enum):
 
 
 class LogSession:
-    """The lock is held while a row is put together and written, and never while the robot's callables are asked."""
+    """The lock is held while a row is built and written, and never while the robot's callables are called."""
 
     def __init__(self, flushes_each_row: bool) -> None:
         self._flushes_each_row = flushes_each_row
@@ -58,7 +58,7 @@ class LogSession:
         self._sync_thread: SyncThread | None = None
         self._syncs = True
         self._phase = LogState.SETTING_UP
-        # Who calls while a row is put together, holding the lock, is the program's own formatter.
+        # Whoever calls while a row is built, holding the lock, is the program's own formatter.
         self._is_in_row = False
         self._closes_after_row = False
         self.faults = Faults()
@@ -70,7 +70,7 @@ class LogSession:
         return LogState.FAILING if self._phase is LogState.LOGGING and not is_writable else self._phase
 
     def open(self, path: Path, is_compressed: bool) -> None:
-        """Creates the file; said once if that fails."""
+        """Creates the file; a failure is reported once."""
         file = LogFile.open(path, is_compressed, self.faults)
         if file is not None:
             self._file = file
@@ -109,7 +109,7 @@ class LogSession:
         if self._phase is not LogState.LOGGING:
             self._ignored("update_topics()")
             return
-        # The callables may take locks of their own, or call this again. A thread that comes second finds its work being done.
+        # The callables may take locks of their own, or call this again. For a second thread, the first one already does the work.
         if not self._is_sampling.acquire(blocking=False):
             return
         try:
@@ -146,7 +146,7 @@ class LogSession:
             row = row_of([topic.cell() for topic in self._topics])
             sink.add_row(row, began)
         except Exception as failure:
-            # Such as too little memory for a text: this row is lost, the robot goes on.
+            # For example, too little memory for a text: this row is lost, the robot goes on.
             sink.drop_row()
             reason = describe(failure)
             self.faults.say_once("row", lambda: f"A row of the log was lost: {reason}.")

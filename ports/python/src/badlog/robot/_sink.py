@@ -1,4 +1,4 @@
-"""Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the write before."""
+"""Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the previous write."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ class LogFile:
         self.path = path
         self.output = output
         self.is_missing = False
-        """Whether it is there no more, though it can still be written to."""
+        """Whether it was deleted; it can still be written to."""
 
     @classmethod
     def open(cls, path: Path, is_compressed: bool, faults: Faults) -> LogFile | None:
-        """Creates or empties the file; None, said once, if that is impossible."""
+        """Creates or empties the file; None, which is reported once, if that is impossible."""
         try:
             return cls(path, GzipFile(path) if is_compressed else AppendFile(path))
         except (OSError, ValueError) as failure:
@@ -38,7 +38,7 @@ class LogFile:
             return None
 
     def close(self, faults: Faults) -> None:
-        """Closes it; said if that fails, for a disk may be gone by then."""
+        """Closes it; a failure is reported, because the disk may be gone by then."""
         try:
             self.output.close()
         except OSError as failure:
@@ -47,7 +47,7 @@ class LogFile:
 
 
 class RowSink:
-    """Rows that cannot be written are lost and counted; it then waits a little before it tries again, because a disk that is full or
+    """Rows that cannot be written are lost and counted; the sink then waits a little before it tries again, because a disk that is full or
     gone may be slow to say so. Guarded by the log's lock."""
 
     def __init__(self, file: LogFile, flushes_each_row: bool, faults: Faults) -> None:
@@ -61,12 +61,12 @@ class RowSink:
         self._last_write = time.monotonic_ns()
         self._rows_lost = 0
         self.is_failing = False
-        """Whether the last try to write failed."""
+        """Whether the last attempt to write failed."""
         self.is_dirty = False
         """Whether something was written since this was last set to False."""
 
     def begin(self, lines: bytes, events: list[EventTexts]) -> None:
-        """Writes the header before any row. The rows will take these events."""
+        """Writes the header before any row. Rows will take events from `events`."""
         self._events = events
         self._header = lines
         self._write(time.monotonic_ns())
@@ -80,7 +80,7 @@ class RowSink:
         self._lose(1)
 
     def add_row(self, row: bytes, began: int) -> None:
-        """Takes a row whose making began at that time of `time.monotonic_ns`."""
+        """Takes a row that was begun at `began`, a time of `time.monotonic_ns`."""
         self._rows.append(row)
         self._size += len(row)
         is_due = self._flushes_each_row or self._size >= _BATCH_BYTES or began - self._last_write >= _MAX_WAIT_NANOS
@@ -91,7 +91,7 @@ class RowSink:
     def drop_row(self) -> None:
         """Counts a row that could not be made."""
         self._faults.count("rows_missed")
-        # With those of rows that wait: to have an event in two rows is better than in none.
+        # With the events of rows that still wait: an event in two rows is better than in none.
         for texts in self._events:
             texts.restore()
 
@@ -136,7 +136,7 @@ class RowSink:
             self.is_failing = True
             self._say_failed(failure)
             return
-        # A deleted file takes rows without a word; it may be back, if it was only moved for a while.
+        # A deleted file accepts rows without an error; it may come back, if it was only moved for a while.
         self._faults.count("rows_missed" if self._file.is_missing else "rows_written", rows)
         self._faults.grew_to(self._file.output.length)
         self.is_dirty = True
@@ -153,7 +153,7 @@ class RowSink:
         try:
             self._file.output.append(data)
         finally:
-            # Also when it fails, because a disk that fails is slow above all.
+            # Also if it fails, because a failing disk is often slow.
             self._faults.write_took(time.monotonic_ns() - began)
 
     def _say_failed(self, failure: OSError) -> None:

@@ -1,6 +1,6 @@
-"""Says what went wrong on standard error, by a thread of its own.
+"""Reports what went wrong on standard error, from a thread of its own.
 
-Where standard error is a pipe that nobody reads, writing to it may never return, and a robot's loop cannot wait for that.
+If standard error is a pipe that nobody reads, a write may never return, and a robot's loop cannot wait for that.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _is_started = False
 
 
 def say(message: str) -> None:
-    """Says the message soon, as badlog's. Messages that come while too many wait are left out. Never raises."""
+    """Writes the message soon, marked as badlog's. Messages that come while too many wait are dropped. Never raises."""
     global _is_started
     try:
         _waiting.put_nowait(message)
@@ -32,7 +32,7 @@ def say(message: str) -> None:
         try:
             threading.Thread(target=_say_all, name="badlog messages", daemon=True).start()
             _is_started = True
-            # A program that ends at once because of what is said should not take it along.
+            # If the program ends at once because of what went wrong, the message should still appear.
             atexit.register(await_said, _EXIT_SECONDS)
         except RuntimeError:
             # The system has no thread for this, or the program is ending; the next message tries again.
@@ -40,7 +40,7 @@ def say(message: str) -> None:
 
 
 def await_said(seconds: float) -> bool:
-    """Waits until all is said, but no longer than that; returns whether it is."""
+    """Waits until all messages are written, but no longer than that; returns whether they are."""
     end = time.monotonic() + seconds
     while _waiting.unfinished_tasks > 0:
         if time.monotonic() > end:
@@ -55,7 +55,7 @@ def _say_all() -> None:
         try:
             print(f"badlog: {message}", file=sys.stderr, flush=True)
         except Exception:
-            # A program may have put a stream of its own there, or none.
+            # A program may have replaced the stream, or removed it.
             pass
         finally:
             _waiting.task_done()

@@ -1,4 +1,4 @@
-"""Brings what was written to the disk, four times a second, so that a cut of power takes no more than that."""
+"""Brings what was written to the disk, four times a second, so that a loss of power takes no more than that."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _INTERVAL_SECONDS = 0.25
 
 
 class SyncThread(threading.Thread):
-    """Writes the rows that wait, syncs, and notices when the file was deleted; at last it closes the file.
+    """Writes the rows that wait, syncs, and notices when the file is deleted; in the end it closes the file.
 
     It holds no lock while it waits for a sync.
     """
@@ -28,7 +28,7 @@ class SyncThread(threading.Thread):
         self._times_missing = 0
         self._stopped = threading.Event()
         self.syncs = syncs
-        """Whether it brings rows to the disk; it does the rest anyway."""
+        """Whether it syncs rows to the disk; it does the rest anyway."""
 
     def run(self) -> None:
         if self.syncs:
@@ -63,7 +63,7 @@ class SyncThread(threading.Thread):
             )
 
     def _look_for_file(self) -> None:
-        # Once is not enough: it may be on its way to another name.
+        # Once is not enough: the file may just be being renamed.
         self._times_missing = 0 if self._file.path.exists() else self._times_missing + 1
         is_missing = self._times_missing > 1
         if is_missing:
@@ -72,16 +72,16 @@ class SyncThread(threading.Thread):
                 lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was being written. From now on, "
                 "data is lost; restart the robot program to start a new log.",
             )
-        # Said before it is seen: who sees the log fail can read why.
+        # Reported before it is visible, so that whoever sees the log fail can read why.
         self._file.is_missing = is_missing
 
 
 def _sync_folder(folder: Path) -> None:
-    """Brings the names of the folder's files to the disk: without this, a cut of power could take a new file's very name."""
+    """Brings the names of the folder's files to the disk: otherwise, a loss of power could take even the name of a new file."""
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:
-        # Not every system lets one open a folder; those that do not keep names safe by themselves.
+        # Not every system opens folders; those that do not write names to the disk by themselves.
         return
     try:
         os.fsync(handle)

@@ -1,7 +1,7 @@
 """The columns of a log.
 
-A row is made in three steps: `sample` asks the robot's code, without any lock held, because that code may do what it likes; `commit`
-makes all samples the current ones at once, and `cell` gives those, both under the log's lock.
+A row is made in three steps: `sample` calls the robot's code, without any lock held, because that code may do anything; `commit`
+makes all samples the current ones at once, and `cell` returns their text, both under the log's lock.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ class DataInferMode(Enum):
 class NumberText:
     """How a log's numbers become text: by the format's own rules, or by the program's `function` once it is set.
 
-    A number keeps the function that was set when it was asked for or published.
+    A number keeps the function that was set when it was supplied or published.
     """
 
     def __init__(self, faults: Faults) -> None:
         self._faults = faults
         self.function: NumberFormatter | None = None
         self.current: NumberFormatter | None = None
-        """What `function` was when the current values were asked for."""
+        """What `function` was when the current values were supplied."""
 
     def cell(self, value: float, function: NumberFormatter | None, topic: Topic) -> bytes:
         if function is None:
@@ -66,21 +66,21 @@ class Topic(ABC):
         self.unit = unit
         self.attributes = tuple(attributes)
         self.is_x_axis = "xaxis" in self.attributes
-        """Whether it is the x of all other topics and so needs more digits than they."""
+        """Whether it is the x of all other topics, which needs more digits than they do."""
 
     def sample(self) -> None:
-        """Asks the robot's code, if the topic has something to ask."""
+        """Calls the robot's code, if the topic has a callable."""
 
     def commit(self) -> None:
         """Makes the sample the current one, if there is one."""
 
     @abstractmethod
     def cell(self) -> bytes:
-        """The current sample as it stands in the row."""
+        """The current sample as it is written in the row."""
 
 
 class QueriedTopic(Topic):
-    """A topic whose value the log asks the robot's code for. A question that fails leaves a gap."""
+    """A topic whose value the log gets by calling the robot's code. A failed call leaves a gap."""
 
     def __init__(
         self,
@@ -121,8 +121,8 @@ class QueriedTopic(Topic):
 class SubscribedTopic(Topic):
     """A topic whose value the robot's code publishes, from any thread, at any time.
 
-    A lock of its own keeps publishers from ever waiting for a write. One that is an event log has room for the log's own events in rows
-    in which it has no new text.
+    Because it has a lock of its own, publishers never wait for a write. If it is an event log, it also takes the log's own events, in rows in which
+    it has no new text.
     """
 
     def __init__(self, name: str, unit: str, attributes: Sequence[str], mode: DataInferMode, text: NumberText, texts: EventTexts) -> None:
@@ -163,7 +163,7 @@ class SubscribedTopic(Topic):
 
 
 class EventTopic(Topic):
-    """A topic of events: each row takes all that happened since the row before, however often the topics were updated."""
+    """A topic of events: each row takes all that happened since the row before, no matter how often the topics were updated."""
 
     def __init__(self, name: str, texts: EventTexts) -> None:
         super().__init__(name, UNITLESS, ("log",))

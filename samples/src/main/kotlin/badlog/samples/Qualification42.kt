@@ -12,7 +12,7 @@ import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 
-/** When the push begins that the battery does not live through: 1:30 into the match. */
+/** When the push begins that the old battery cannot supply: 1:30 into the match. */
 const val PUSH_BEGINS = 92.0
 
 /** A match with an old battery. In a pushing fight in high gear its voltage sags until the roboRIO cuts the outputs. */

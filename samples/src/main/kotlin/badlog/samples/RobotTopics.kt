@@ -4,7 +4,7 @@ import badlog.samples.bag.BagLog
 import badlog.samples.robot.Mode
 import badlog.samples.robot.Robot
 
-// The topics that the robot's program creates, by the part that they are of.
+// The topics that the robot's program creates, grouped by the part of the robot.
 
 fun BagLog.createSystemTopics(robot: Robot, event: () -> String, loopMillis: () -> Double = { robot.roboRio.loopMillis }) {
     flag("System/Enabled") { robot.mode != Mode.DISABLED }

@@ -2,7 +2,7 @@ package badlog.samples
 
 import java.io.File
 
-/** The sample files by name, each with what makes it. */
+/** The sample files by name, each with the function that makes it. */
 val SAMPLES: Map<String, () -> ByteArray> = mapOf(
     "qualification-42.bag" to ::qualification42,
     "qualification-57.bag.gz" to ::qualification57Compressed,

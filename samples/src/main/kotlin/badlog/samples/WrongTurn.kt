@@ -77,7 +77,7 @@ private fun placeOf(robot: Robot) = doubleArrayOf(robot.drivetrain.x, robot.driv
 private const val THIRD_X = 7.6
 private const val THIRD_Y = 7.0
 
-/** What is [THIRD_Y] for the other alliance. */
+/** [THIRD_Y] for the other alliance. */
 private const val MIRRORED_Y = 8.07 - THIRD_Y
 private const val SCATTER = 0.06
 private const val SEEN_EVERY = 5

@@ -47,7 +47,7 @@ class FaultyMatchSpec : FunSpec({
         }
     }
 
-    test("who pushes against a wall stands, at a current that makes the battery sag") {
+    test("a robot that pushes against a wall stands still, at a current that makes the battery sag") {
         val view = viewOf(Fault.WALL)
         val rows = view.xAxis.positions.indices.filter { row ->
             view.topic("Drivetrain/Left Output").samples[row] > 0.7 && abs(view.topic("Drivetrain/Left Velocity").samples[row]) < 0.15 &&
@@ -61,7 +61,7 @@ class FaultyMatchSpec : FunSpec({
         viewOf(Fault.TIRED_BATTERY).all("System/Battery Voltage").min() shouldBeLessThan viewOf(null).all("System/Battery Voltage").min() - 1
     }
 
-    test("a motor that is unplugged takes no current, and its neighbour more") {
+    test("a motor that is unplugged draws no current, and the one beside it more") {
         val view = viewOf(Fault.UNPLUGGED_MOTOR)
         fun drawn(motor: String) = view.samples("Drivetrain/$motor Current", 120.0, 150.0).average()
         val sides = listOf("Left", "Right")
@@ -75,7 +75,7 @@ class FaultyMatchSpec : FunSpec({
         view.samples("Drivetrain/$stopped Output", 120.0, 150.0).max() shouldBeGreaterThan 0.3
     }
 
-    test("an interrupted CAN bus counts errors, and all that comes over it stays as it was") {
+    test("errors are counted while the CAN bus is interrupted, and all that comes over it stays as it was") {
         val view = viewOf(Fault.CAN_CUT)
         val errors = view.all("System/CAN Receive Errors")
         val failing = (2 until errors.size - 1).filter { row -> (row - 2..row).all { errors[it + 1] > errors[it] } }
@@ -86,7 +86,7 @@ class FaultyMatchSpec : FunSpec({
         }
     }
 
-    test("without its radio a robot is disabled, and hears nothing") {
+    test("without its radio a robot is disabled, and receives nothing") {
         val view = viewOf(Fault.RADIO_REBOOT)
         val linked = view.all("System/DS Connected")
         val away = linked.indices.filter { linked[it] == 0.0 }
@@ -104,13 +104,13 @@ class FaultyMatchSpec : FunSpec({
         logs.all { view -> view.all("System/Enabled").let { it.first() == 1.0 || it.last() == 1.0 } } shouldBe true
     }
 
-    test("a loose lead takes voltage without current") {
+    test("a loose lead lowers the voltage without more current") {
         val view = viewOf(Fault.LOOSE_LEAD)
         val (volts, amps) = view.all("System/Battery Voltage") to view.all("PDP/Total Current")
         (2 until volts.size).count { volts[it - 2] - volts[it] > 1.5 && amps[it] < amps[it - 2] } shouldBeGreaterThanOrEqual 3
     }
 
-    test("a seized motor draws all it can and moves nothing; vision that blocks the loop is late itself") {
+    test("a seized motor draws all it can and moves nothing; vision that blocks the loop is late, too") {
         val seized = viewOf(Fault.SEIZED_MOTOR)
         val (amps, velocity) = seized.all("Elevator/Current") to seized.all("Elevator/Velocity")
         amps.indices.count { amps[it] > 60 && velocity[it] == 0.0 } shouldBeGreaterThanOrEqual 20

@@ -30,14 +30,14 @@ private val CAUSES = mapOf(
     Fault.RESTART to "The program ended in the match",
 )
 
-/** A match, and what its first incident names: a fault, null for none. */
+/** A match, and the fault that its first incident names, null for none. */
 private class Diagnosis(val match: FaultyMatch, val cause: String?) {
     val named: Fault? = CAUSES.entries.find { it.value == cause }?.key
     val isOther = cause != null && named == null
     val isRight = !isOther && (named == match.fault || (named != null && named == match.second))
 }
 
-/** The first incidents of the matches of [seeds], which no rule was fitted to. */
+/** The first incidents of the matches of [seeds], to which no rule was fitted. */
 private fun diagnoses(seeds: IntRange): List<Diagnosis> = seeds.toList().parallelStream().map { seed ->
     val match = FaultyMatch.of(seed)
     val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(match.signals)))
@@ -73,7 +73,7 @@ class IncidentTableSpec : FunSpec({
         10 * double.count { it.isRight } shouldBeGreaterThanOrEqual 8 * double.size
     }
 
-    test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE writes it anew") {
+    test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE rewrites it") {
         val guide = File("../docs/rules.md")
         val written = guide.readText()
         val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nOf ${double.size} matches with two of these faults, the first incident " +

@@ -24,7 +24,7 @@ class PracticeRunSpec : FunSpec({
         sampleFile("practice.bag").readBytes().count { it == 0.toByte() } shouldBe 4096
     }
 
-    test("has no other problems than its two wounds") {
+    test("has no problems other than its two damaged places") {
         // The hole cuts the row before it and the row after it.
         view.problems.filter { it.severity != Severity.NOTE }.map { it.kind } shouldContainExactlyInAnyOrder
             listOf(ProblemKind.NUL_HOLE, ProblemKind.ROW_CUT, ProblemKind.ROW_CUT, ProblemKind.ROW_CUT)

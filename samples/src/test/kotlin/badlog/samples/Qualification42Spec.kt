@@ -44,7 +44,7 @@ class Qualification42Spec : FunSpec({
         view.samples("Pneumatics/Compressor On", PUSH_BEGINS, 93.0).min() shouldBe 1.0
     }
 
-    test("the old battery resists more than the one of the practice run") {
+    test("the old battery has a higher resistance than that of the practice run") {
         resistance(view, until = 90.0) shouldBeGreaterThan 1.4 * resistance(viewOf("practice.bag"), until = 40.0)
     }
 
@@ -59,7 +59,7 @@ class Qualification42Spec : FunSpec({
             "WARN: loop overrun, \"Vision.update\" took 127 ms"
     }
 
-    test("events stand in the order of time, the first with a comma and quotes") {
+    test("events are in the order of time, the first with a comma and quotes") {
         view.events().map { it.first }.shouldBeSorted()
         view.events().first().second shouldStartWith "Autonomous enabled: \"Two Piece, Left\","
     }

@@ -26,7 +26,7 @@ class Qualification57Spec : FunSpec({
         view.samples("Drivetrain/Left Output", HIT + 0.02, 150.0).max() shouldBeGreaterThan 0.8
     }
 
-    test("the gyro is away for a second, then drifts while the robot stands") {
+    test("the gyro is missing for a second, then drifts while the robot stands still") {
         view.samples("Drivetrain/Angle", HIT + 0.02, HIT + 1.2).all { it.isNaN() } shouldBe true
         view.topic("Drivetrain/Angle").counts.notFinite shouldBe 64
         val atRest = view.samples("Drivetrain/Angle", 156.0, 166.0)

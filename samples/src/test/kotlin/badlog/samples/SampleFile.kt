@@ -27,7 +27,7 @@ fun LogView.samples(topic: String, from: Double, until: Double): List<Double> = 
 
 fun LogView.events(): List<Pair<Double, String>> = folders.flatMap { it.eventLogs }.flatMap { it.events }.map { it.x to it.text }
 
-/** What comes out of a gzip [file] as far as it goes, and whether it came to its end. */
+/** What a gzip [file] holds as far as it can be inflated, and whether its stream has an end. */
 class Inflated(file: ByteArray) {
     val bytes: ByteArray
     val isWhole: Boolean

@@ -54,7 +54,7 @@ class SeasonSpec : FunSpec({
         findingsOf(season + tired).last().map { it.substringBefore(':') } shouldContain "Resistance above other matches"
     }
 
-    test("one crazy match among them changes nothing for the others") {
+    test("one outlier among the matches changes nothing for the others") {
         val crazy = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
             recording.copy(
                 topics = recording.topics.map { topic ->
@@ -66,7 +66,7 @@ class SeasonSpec : FunSpec({
         found.filterIndexed { place, _ -> place != 10 }.flatten().shouldBeEmpty()
     }
 
-    test("with four other matches nothing is compared") {
+    test("with only four other matches nothing is compared") {
         findingsOf(season.take(4) + scaled(500, "Drivetrain/Left Current", 5.0)).flatten().shouldBeEmpty()
         findingsOf(season.take(5) + scaled(500, "Drivetrain/Left Current", 9.0)).last().size shouldBe 1
     }

@@ -20,7 +20,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** A question to one match: 7,500 rows of 50 topics. Reading the file is not part of it. */
+/** Answers a question about one match: 7,500 rows of 50 topics. Reading the file is not part of it. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -47,7 +47,7 @@ public class ExpressionBenchmark {
         windows = (Expression) Expression.Companion.parse(WINDOWS, signals.getVocabulary());
     }
 
-    /** Asked again of a match that was asked before. */
+    /** The same question to the same match again. */
     @Benchmark
     public Answer answer() {
         return question.answer(signals);
@@ -58,7 +58,7 @@ public class ExpressionBenchmark {
         return windows.answer(signals);
     }
 
-    /** The first question to a match, asked before of another with the same topics. */
+    /** The first question to a match, after it was asked of another match with the same topics. */
     @Benchmark
     public Answer firstAnswer() {
         LogViewSignals fresh = new LogViewSignals(view);

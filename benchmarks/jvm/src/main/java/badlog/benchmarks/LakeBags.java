@@ -6,7 +6,9 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A folder of bags like those of a season: matches of some three minutes with 51 columns. Some differ, the others are copies of them. */
+/**
+ * A folder of bags like those of a season: matches of two and a half minutes with 51 columns. Some differ, the others are copies of them.
+ */
 final class LakeBags {
     private static final int DIFFERENT = 20;
     private static final int ROWS = 7_500;

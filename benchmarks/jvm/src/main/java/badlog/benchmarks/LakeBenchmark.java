@@ -15,11 +15,12 @@ import java.util.stream.Stream;
 import kotlin.Unit;
 
 /**
- * Measures a lake of many bags: making it, beside Polars and pandas, which turn the same rows into Parquet files and do nothing else;
- * refreshing it with nothing new; and asking it. Programs are measured as their users would, Java's and Python's start included.
+ * Measures a lake of many bags: making it, compared with Polars and pandas, which turn the same rows into Parquet files and do nothing
+ * else; refreshing it when nothing is new; and querying it. Programs are measured as their users would, Java's and Python's start
+ * included.
  *
- * <p>Arguments: the program {@code badlog}, the folder to work in, the file for the results, how many bags, how many rounds, and a Python
- * with Polars and pandas.
+ * <p>Arguments: the program {@code badlog}, the folder to work in, the file for the results, the number of bags, the number of rounds,
+ * and a Python with Polars and pandas.
  */
 public final class LakeBenchmark {
     private static final int SHORT_ROUNDS = 5;
@@ -67,7 +68,7 @@ public final class LakeBenchmark {
         benchmark.lines.forEach(System.out::println);
     }
 
-    /** The others have turns with badlog, because machines are noisy. */
+    /** Polars and badlog take turns, because machines are noisy. */
     private void measureMaking(int rounds) throws Exception {
         Best lake = new Best();
         Best polars = new Best();
@@ -78,7 +79,7 @@ public final class LakeBenchmark {
                 polars.add(written("polars", python, "-c", POLARS));
             }
             lake.add(written("lake", program, "lake", bags.toString(), "--out", work.resolve("lake").toString()));
-            // It takes the longest, and is not what the lake is compared with.
+            // Once, because pandas takes the longest, and the ratio is to Polars.
             if (hasPython && round == 0) {
                 pandas.add(written("pandas", python, "-c", PANDAS));
             }
@@ -174,7 +175,7 @@ public final class LakeBenchmark {
         }
     }
 
-    /** The quickest of some runs, and the most memory that one had. */
+    /** The shortest time of some runs, and the most memory that one of them used. */
     private static final class Best {
         private double seconds = Double.MAX_VALUE;
         private long peakKilobytes;

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** One run of a program: how long it took and, on Linux, how much memory it held at most. */
+/** One run of a program: its time and, on Linux, its peak memory. */
 record MeasuredRun(double seconds, long peakKilobytes) {
     static MeasuredRun of(String... command) throws IOException, InterruptedException {
         return of(Map.of(), command);

@@ -20,7 +20,7 @@ import org.openqa.selenium.interactions.Actions;
 /**
  * Measures exported pages in headless Chromium: the time from opening to the first graphs, the memory that JavaScript holds
  * then, and how long a zoom by mouse takes to reach all graphs on screen; the same zoom with ten graphs on the board, and with the
- * processor slowed six times, as a phone's is.
+ * processor slowed down six times, to about that of a phone.
  *
  * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing.
  * Needs {@code chromium} and {@code chromedriver} on the PATH.
@@ -75,7 +75,10 @@ public final class PageBenchmark {
         }
     }
 
-    /** With a board of {@link #BOARD} low graphs, which its address asks for, on a screen so high that all of them are drawn. */
+    /**
+     * Returns the table's line for a page with a board of {@link #BOARD} short graphs, given in its address, on a screen high
+     * enough to draw all of them.
+     */
     private static String measureBoard(Path bag, Path page) throws Exception {
         ChromeDriver browser = start();
         try {
@@ -98,14 +101,14 @@ public final class PageBenchmark {
         }
     }
 
-    /** The first topics of numbers that the page draws. */
+    /** The names of the first numeric topics that the page draws. */
     private static List<String> names(ChromeDriver browser) {
         Object names = browser.executeScript("return [...new Set([...document.querySelectorAll('section.graph[data-kind=lines]')]"
             + ".map(graph => graph.dataset.name))].slice(0, arguments[0])", BOARD);
         return ((List<?>) names).stream().map(String::valueOf).toList();
     }
 
-    /** As the text of a board writes a name. */
+    /** A name as the text of a board has it. */
     private static String escaped(String name) {
         StringBuilder text = new StringBuilder();
         name.chars().forEach(c -> {
@@ -125,7 +128,7 @@ public final class PageBenchmark {
         options.setBinary(onPath("chromium"));
         options.addArguments("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync");
-        // Named, because Selenium would otherwise ask the network for one.
+        // Given, because Selenium would otherwise download a driver.
         ChromeDriverService service = new ChromeDriverService.Builder()
             .usingDriverExecutable(onPath("chromedriver"))
             .build();
@@ -145,7 +148,7 @@ public final class PageBenchmark {
         throw new IllegalStateException("The page is measured with " + program + ", which is not on the PATH.");
     }
 
-    /** The quickest of three times of {@link #open}, of one where the page is huge. */
+    /** The shortest of three times of {@link #open}; of only one if the page is huge. */
     private static double quickest(ChromeDriver browser, Path page, String address) throws Exception {
         double opened = Double.MAX_VALUE;
         int rounds = MeasuredBags.size(page) > 100_000_000 ? 1 : 3;
@@ -185,9 +188,9 @@ public final class PageBenchmark {
     }
 
     /**
-     * Milliseconds of the page's own {@code measure} for each of some zooms by mouse in one of {@code graphs}, sorted:
+     * The page's own {@code measure} of some zooms by mouse in one of {@code graphs}, in milliseconds, sorted:
      * {@code badlog-zoom} lasts from the change of the range until all graphs on screen are drawn, {@code badlog-zoom-script} is the
-     * script of it.
+     * script's part of that.
      */
     private static List<Double> zooms(ChromeDriver browser, String measure, String graphs, int place) throws InterruptedException {
         awaitRules(browser);
@@ -196,7 +199,7 @@ public final class PageBenchmark {
         List<Double> times = new ArrayList<>();
         for (int zoom = 0; zoom < ZOOMS; zoom++) {
             browser.executeScript("performance.clearMeasures()");
-            // Looked up anew, for a graph that left the screen meanwhile is drawn on another element.
+            // Looked up each time, because a graph that left the screen meanwhile is drawn on another element.
             WebElement frame = graph(browser, graphs, place).findElement(By.cssSelector(".plot-frame"));
             int width = frame.getSize().getWidth();
             new Actions(browser).moveToElement(frame, -width / 4, 0).clickAndHold()
@@ -209,12 +212,12 @@ public final class PageBenchmark {
         return times.stream().sorted().toList();
     }
 
-    /** Away from the header and the values, where the screen is full of graphs. */
+    /** The graph at {@code place}; not the first, because the screen around the header and the values is not full of graphs. */
     private static WebElement graph(ChromeDriver browser, String graphs, int place) {
         return browser.findElements(By.cssSelector(graphs)).get(place);
     }
 
-    /** The rules run beside what is measured, and move the graphs when their findings are listed. */
+    /** Waits until the rules have run: they would take time from what is measured, and listing their findings moves the graphs. */
     private static void awaitRules(ChromeDriver browser) throws InterruptedException {
         for (int tries = 0; tries < 6000; tries++) {
             if (Boolean.TRUE.equals(browser.executeScript("return 'rules' in document.documentElement.dataset"))) {

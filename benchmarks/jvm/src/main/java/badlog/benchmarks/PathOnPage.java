@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import org.openqa.selenium.chrome.ChromeDriver;
 
-/** The script of zooms into the path of a robot, of a million poses, on a page: all of it is drawn again within the event. */
+/** Measures the script of zooms into a robot's path of a million poses on a page: the path is redrawn within the event. */
 final class PathOnPage {
     private static final int POSES = 1_000_000;
     private static final int ZOOMS = 30;
@@ -18,7 +18,7 @@ final class PathOnPage {
     private PathOnPage() {
     }
 
-    /** A line of the table, of a page that {@code program} makes in the folder {@code work}. */
+    /** Returns the table's line for a page that {@code program} makes in the folder {@code work}. */
     static String measure(String program, Path work) throws Exception {
         Path bag = work.resolve("path.bag");
         Path page = work.resolve("path.bag.html");

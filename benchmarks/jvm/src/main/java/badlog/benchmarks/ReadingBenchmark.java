@@ -15,10 +15,12 @@ import java.util.Locale;
 import kotlin.Unit;
 
 /**
- * Measures how long a file takes from the disk's cache to a recording with all samples, on one core and on all, as the window
- * reads it. Where Python has Polars, its {@code read_csv} reads the same rows in turn with that, because machines are noisy.
+ * Measures how long the window's way of reading takes, from a file in the disk's cache to a recording with all samples, on
+ * one core and on all. If Polars is installed in Python, its {@code read_csv} reads the same rows in turn, because machines
+ * are noisy.
  *
- * <p>Arguments: a program that is not used, the folder to work in, the file for the results, and a folder of bags or nothing.
+ * <p>Arguments: a program, which is not used, the folder to work in, the file for the results, and a folder of bags or
+ * nothing.
  */
 public final class ReadingBenchmark {
     private static final int ROUNDS = 7;

@@ -16,7 +16,10 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import kotlin.Unit;
 
-/** Measures a question and a report over a folder of logs: without a cache, while one is filled, and from it. */
+/**
+ * Measures a question and a report over a folder of logs: first without a cache, which is filled meanwhile, then from
+ * the cache.
+ */
 public final class ReportBenchmark {
     private static final String QUESTION = "min(System/Battery Voltage) < 7";
 

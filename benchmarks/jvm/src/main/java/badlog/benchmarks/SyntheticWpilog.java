@@ -9,7 +9,9 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
 
-/** A WPILOG as a robot writes it: mostly numbers at 50 Hz, some poses, arrays, switches and texts; the same at every call. */
+/**
+ * A WPILOG as a robot writes it: mostly numbers at 50 Hz, some poses, arrays, truth values and texts; the same at every call.
+ */
 final class SyntheticWpilog {
     private static final int NUMBERS = 60;
     private static final int POSE = NUMBERS + 1;

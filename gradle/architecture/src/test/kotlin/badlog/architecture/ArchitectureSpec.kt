@@ -11,7 +11,7 @@ private val ROOT = File("../..").canonicalFile
 private val SOURCES = sourcesUnder(ROOT)
 private val TABLE = moduleTable(File(ROOT, "docs/architecture.md"))
 
-/** The arrows that lie in circles still. Who cuts one takes its line away; none comes. */
+/** The arrows that are still part of cycles. Whoever removes one removes its line; none may be added. */
 private val EXCEPTIONS = File("src/test/resources/circles.txt").readLines().filter { it.isNotBlank() && !it.startsWith('#') }.toSet()
 
 private val MODULES_OF_PACKAGES = SOURCES.filter { !it.isTest }.groupBy({ it.packageName }, { it.module }).mapValues { it.value.toSet() }
@@ -26,7 +26,7 @@ class ArchitectureSpec : FunSpec({
         TABLE.map { it.module }.toSet() shouldBe SOURCES.map { it.module }.toSet()
     }
 
-    test("what modules may use, as docs/architecture.md says, forms no circle") {
+    test("the uses that docs/architecture.md allows between modules form no cycle") {
         circular(TABLE.flatMapTo(HashSet()) { row -> row.mayUse.map { Arrow(row.module, it) } }).shouldBeEmpty()
     }
 
@@ -41,11 +41,11 @@ class ArchitectureSpec : FunSpec({
         }.shouldBeEmpty()
     }
 
-    test("a package stands in one module") {
+    test("a package is in one module") {
         MODULES_OF_PACKAGES.filter { it.key.isNotEmpty() && it.value.size > 1 }.keys.shouldBeEmpty()
     }
 
-    test("packages form no circle, in code or by what tests share") {
+    test("packages form no cycle, in code or in what tests share") {
         val code = packageArrows(SOURCES.filter { !it.isTest }) { packageOf(it, MODULES_OF_PACKAGES.keys) }
         val tests = SOURCES.filter { it.isTest }.groupBy { it.module }.values.map { files ->
             val shared = files.flatMapTo(HashSet()) { it.declared }

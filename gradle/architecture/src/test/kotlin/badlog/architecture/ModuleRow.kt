@@ -8,7 +8,7 @@ private val NAME = Regex("`([^`]+)`")
  * A row of the table of modules in `docs/architecture.md`.
  *
  * @property module its folder; those in `libraries/` go without it.
- * @property sourceSets which of its source sets the row is about; empty for all.
+ * @property sourceSets its source sets that the row is about; empty for all.
  * @property mayUse the modules that its code may use.
  * @property testsMayUse those that only its tests may use.
  */

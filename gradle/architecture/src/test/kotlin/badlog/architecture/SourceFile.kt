@@ -5,7 +5,7 @@ import java.io.File
 private val PACKAGE = Regex("""(?m)^package ([\w.]+)""")
 private val IMPORT = Regex("""(?m)^import (?:static )?([\w.]+)""")
 
-/** What is declared at the left margin, behind its modifiers, type parameters and receiver. */
+/** A declaration at the left margin; its name follows modifiers, type parameters and receiver. */
 private val DECLARATION = Regex(
     """(?m)^(?:(?:public|internal|const|inline|data|value|sealed|abstract|open|enum|annotation|suspend|operator|infix|tailrec|final|lateinit) )*""" +
         """(?:class|interface|object|fun(?: interface)?|val|var|typealias) (?:<[^>]*> )?(?:[\w<>?*, ]+\.)?(\w+)""",
@@ -14,11 +14,11 @@ private val DECLARATION = Regex(
 /**
  * A source file of the project.
  *
- * @property path where it stands, from the project's folder.
+ * @property path its path, relative to the project's folder.
  * @property module the folder of its module; those in `libraries/` go without it.
  * @property sourceSet the folder under `src`, as in `jsMain`.
- * @property packageName empty for none.
- * @property imports the full names that it imports; those of a star import end where the star stood.
+ * @property packageName its package, empty if it has none.
+ * @property imports the full names that it imports; those of a star import end before the star.
  * @property declared the full names of what it declares at the top level.
  */
 internal class SourceFile(
@@ -32,7 +32,7 @@ internal class SourceFile(
     val isTest: Boolean get() = "test" in sourceSet.lowercase()
 }
 
-/** All Kotlin and Java under [root], but for what builds left behind. */
+/** All Kotlin and Java files under [root], except what builds left behind. */
 internal fun sourcesUnder(root: File): List<SourceFile> = root.walk()
     .onEnter { it == root || (it.name !in setOf("build", "node_modules") && !it.name.startsWith('.')) }
     .filter { it.extension == "kt" || it.extension == "java" }

@@ -17,11 +17,12 @@ import java.util.HexFormat
 import java.util.UUID
 
 /**
- * What the downloads of one release consist of, beside this project's own code.
+ * What the downloads of one release contain besides this project's own code.
  *
  * @param version that of the release.
- * @param seconds when it was committed, in seconds since 1970: the only time in the document, so that the same commit makes the same one.
- * @param java the Java that downloads bring along: who made it, and its version.
+ * @param seconds when it was committed, in seconds since 1970: the only time in the document, so that the same commit makes the same
+ * document.
+ * @param java the Java that downloads include: its vendor and its version.
  */
 internal class BillOfMaterials(
     private val version: String,

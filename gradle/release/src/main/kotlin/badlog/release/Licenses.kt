@@ -7,7 +7,8 @@ import javax.xml.XMLConstants
 import javax.xml.parsers.DocumentBuilderFactory
 
 /**
- * The licenses of libraries: what their POMs say, and for those whose POM leaves it to a parent, which no build has on the disk, [known].
+ * The licenses of libraries: what their POMs say, or [known] for those whose POM leaves it to a parent POM, which a build does not have
+ * on the disk.
  *
  * @param known licenses by group, or by group and name with a colon between.
  */
@@ -15,7 +16,7 @@ internal class Licenses(private val known: Map<String, List<String>>) {
     /**
      * The names of the licenses of [library]; one of several may be chosen.
      *
-     * @throws IllegalArgumentException when neither the POM nor the list knows one.
+     * @throws IllegalArgumentException if neither the POM nor the list names one.
      */
     fun of(library: ShippedLibrary): List<String> {
         val own = namesIn(library.description)

@@ -3,7 +3,7 @@ package badlog.release
 import java.io.File
 
 /**
- * A library of others that downloads bring along.
+ * A third-party library in the downloads.
  *
  * @property group as on Maven Central, such as `org.slf4j`.
  * @property file its jar.
@@ -18,15 +18,16 @@ internal data class ShippedLibrary(
     val description: File,
     val programs: List<String>,
 ) {
-    /** The part between the version and the ending of the jar's name, such as `linux-x86_64`; null where there is nothing. */
+    /** The part between the version and the ending of the jar's name, such as `linux-x86_64`; null if there is none. */
     val classifier: String?
         get() = file.name.takeIf { it.startsWith("$name-$version-") }?.removePrefix("$name-$version-")?.removeSuffix(".jar")
 }
 
 /**
- * The libraries that [lines] list, by name: on each line the program, `library` or `description`, group, name, version and path, parted by tabs.
+ * The libraries that [lines] list, by name: on each line the program, `library` or `description`, group, name, version and path, separated by
+ * tabs.
  *
- * @throws IllegalArgumentException where a library has no description.
+ * @throws IllegalArgumentException if a library has no description.
  */
 internal fun shippedLibraries(lines: List<String>): List<ShippedLibrary> {
     val (libraries, descriptions) = lines.filter { it.isNotBlank() }.map { it.split('\t') }.partition { it[KIND] == "library" }

@@ -65,7 +65,7 @@ class ArchivesProof : FunSpec({
         val bill = ObjectMapper().readTree(File(RELEASE, "badlog-$VERSION-$PLATFORM.cdx.json"))
         val known = bill["components"].flatMap { it.path("hashes") }.map { it["content"].asText() }.toSet()
         archives.flatMap { archive ->
-            // Java's own one is a part of Java, which has an entry of its own.
+            // This jar is a part of Java, which has an entry of its own.
             val jars = entriesOf(archive) { it.endsWith(".jar") && !it.endsWith("/jrt-fs.jar") }
             jars.filter { it.sha256 != null && !isOwn(it.name) && it.sha256 !in known }.map { "${archive.name}: ${it.name}" }
         }.shouldBeEmpty()
@@ -82,13 +82,13 @@ private fun entriesOf(archive: File, hashed: (String) -> Boolean = { false }): L
 private fun zipEntries(stream: InputStream, hashed: (String) -> Boolean): List<Entry> {
     val zip = ZipInputStream(stream)
     return generateSequence { zip.nextEntry }.map { entry ->
-        // A zip has the time of a clock on the wall.
+        // A zip has local times without a time zone.
         val time = entry.timeLocal.atZone(ZoneId.of("UTC")).toInstant()
         Entry(entry.name, time, if (hashed(entry.name)) sha256Of(zip.readBytes()) else null)
     }.toList()
 }
 
-/** As tar has them: blocks of 512 bytes, a header before each file. */
+/** The entries of a tar archive: blocks of 512 bytes, a header before each file. */
 private fun tarEntries(stream: InputStream, hashed: (String) -> Boolean): List<Entry> {
     val entries = ArrayList<Entry>()
     var longName: String? = null

@@ -41,11 +41,11 @@ class BillOfMaterialsSpec : FunSpec({
         component["properties"].single()["value"].asText() shouldBe "badlog"
     }
 
-    test("code for one system is told apart by its classifier") {
+    test("libraries for different systems are distinguished by their classifiers") {
         componentIn(bill(library("org.native", "MIT", "thing-1.0-linux-x86_64.jar")))["purl"].asText() shouldContain "?classifier=linux-x86_64"
     }
 
-    test("a license that a parent names is looked up, and one that nobody knows stops the release") {
+    test("a license that a parent POM names is looked up, and an unknown one stops the release") {
         componentIn(bill(library("org.parented", null)))["licenses"].single()["license"]["id"].asText() shouldBe "Apache-2.0"
         shouldThrow<IllegalArgumentException> { bill(library("org.unknown", null)) }.message shouldContain "org.unknown:thing names no license"
     }
@@ -55,7 +55,7 @@ class BillOfMaterialsSpec : FunSpec({
         bill(library) shouldBe bill(library)
     }
 
-    test("a library that two programs have stands there once") {
+    test("a library that two programs have is listed once") {
         fun lines(program: String) = listOf("library", "description").map { "$program\t$it\torg.example\tthing\t1.0\t/lib/thing-1.0.jar" }
         shippedLibraries(lines("badlog") + lines("badlog-viewer")).single().programs shouldBe listOf("badlog", "badlog-viewer")
     }

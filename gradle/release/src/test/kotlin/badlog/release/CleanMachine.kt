@@ -12,7 +12,7 @@ internal class Ended(val code: Int, val text: String)
 /**
  * A machine that has only [programs]: no variable in its environment, a PATH that names nothing else, a home folder of its own, and no network.
  *
- * @param folder an empty one, in which it lives.
+ * @param folder an empty folder for its files.
  */
 internal class CleanMachine(private val folder: File, programs: List<String>) {
     private val path = File(folder, "path")
@@ -22,10 +22,10 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
         for (program in programs) Files.createSymbolicLink(File(path, File(program).name).toPath(), found(program).toPath().toRealPath())
     }
 
-    /** Runs [command] in [workFolder]; [variables] come into its environment. */
+    /** Runs [command] in [workFolder]; [variables] are added to its environment. */
     fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): Ended = run(process(command, workFolder, variables))
 
-    /** [command], to be started. */
+    /** Returns [command] as a process that is not started yet. */
     fun process(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProcessBuilder {
         val builder = ProcessBuilder(WITHOUT_NETWORK + command).directory(workFolder)
         builder.environment().clear()
@@ -34,12 +34,12 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
     }
 
     companion object {
-        // A namespace of its own has no network; its loopback is brought up, for some programs speak to themselves by it.
+        // A new namespace has no network; its loopback interface is brought up because some programs connect to themselves.
         private val WITHOUT_NETWORK = listOf(
             found("unshare").path, "--user", "--map-root-user", "--net", "--", "/bin/sh", "-c", "/sbin/ip link set lo up; exec \"\$@\"", "sh",
         )
 
-        /** For a test that needs one. */
+        /** For a test that needs such a machine. */
         val IF_POSSIBLE: EnabledOrReasonIf = {
             when {
                 !PLATFORM.startsWith("linux") -> Enabled.disabled("clean machines are made on Linux only")

@@ -10,7 +10,7 @@ internal val RELEASE = File(ROOT, "build/release")
 /** The machine that builds, as downloads name it. */
 internal val PLATFORM: String = System.getProperty("badlog.platform")
 
-/** The download whose name is [name]; a test that needs one that this machine cannot make asks [ifMade] first. */
+/** The download [name]; a test of one that not every machine can make asks [ifMade] first. */
 internal fun download(name: String): File = File(RELEASE, name).also { check(it.isFile) { "build/release has no $name." } }
 
 /** For a test of the download [name], which not every machine can make. */
@@ -23,7 +23,7 @@ internal val IF_LINUX: EnabledOrReasonIf = {
     if (PLATFORM.startsWith("linux")) Enabled.enabled else Enabled.disabled("clean machines are made on Linux only")
 }
 
-/** Unpacks [archive] into [folder] by the programs that people have, and returns the only file or folder that came. */
+/** Unpacks [archive] into [folder] with the programs that people use, and returns the only file or folder in it. */
 internal fun unpacked(archive: File, folder: File): File {
     folder.mkdirs()
     val command = when {

@@ -24,7 +24,7 @@ class PublicationProof : FunSpec({
         (modules - poms.map { it.name.substringBefore("-$VERSION.pom") }.toSet()).shouldBeEmpty()
     }
 
-    test("a publication says what Maven Central asks of each: name, description, license, developers, and address once there is one") {
+    test("a publication has what Maven Central requires: name, description, license, developers, and address once there is one") {
         for (pom in poms) {
             val project = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(pom).documentElement
             val named = listOf("groupId", "artifactId", "version", "name", "description", "licenses", "developers")

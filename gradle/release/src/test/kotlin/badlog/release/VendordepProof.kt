@@ -45,7 +45,10 @@ class VendordepProof : FunSpec({
     }
 })
 
-/** A robot as docs/robot.md has it, with stand-ins for WPILib, whose own plugin is on no registry that every machine reaches. */
+/**
+ * A robot as docs/robot.md has it, with stand-ins for WPILib, because not every machine reaches the registry of its Gradle
+ * plugin.
+ */
 private fun robotProject(folder: File, vendordep: File) {
     vendordep.copyTo(File(folder, "vendordeps/Badlog.json"))
     val guide = File(ROOT, "docs/robot.md").readText()

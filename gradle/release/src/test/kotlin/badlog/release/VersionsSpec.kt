@@ -26,7 +26,7 @@ class VersionsSpec : FunSpec({
         }
     }
 
-    test("while the project has no home, vendordeps name no address") {
+    test("while the project has no address, vendordeps name none") {
         val home = property("badlog.home")
         for (name in listOf("Badlog", "Badlog2027", "BadlogCpp", "BadlogCpp2027")) {
             val json = ObjectMapper().readTree(File(ROOT, "vendordep/build/json/$name.json"))

@@ -23,7 +23,7 @@ class ViewerProof : FunSpec({
         shouldShow(File(home, "bin/badlog"), File(folder, "machine"), "viewer-archive.png")
     }
 
-    test("the package has the same program, the menu's entry, and opens bags").config(enabledOrReasonIf = ifShown(PACKAGE)) {
+    test("the package has the same program and a menu entry, and opens bags").config(enabledOrReasonIf = ifShown(PACKAGE)) {
         val root = unpacked(download(PACKAGE), File(folder, "package"))
         val launcher = root.walk().first { it.path.endsWith("bin/badlog") }
         val entry = launcher.parentFile.parentFile.walk().first { it.isFile && it.extension == "desktop" }.readText()
@@ -76,5 +76,5 @@ private fun ifShown(name: String): EnabledOrReasonIf = { test ->
 private const val SCREEN_WIDTH = 1600
 private const val SCREEN_HEIGHT = 1000
 
-/** More than a window has that shows only its frame, texts and buttons. */
+/** More colors than a window has that shows only its frame, texts and buttons. */
 private const val COLORS_OF_GRAPHS = 1_000

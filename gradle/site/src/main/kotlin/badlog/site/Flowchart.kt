@@ -10,7 +10,7 @@ internal class Flowchart private constructor(val arrows: List<Arrow>) {
     /** An arrow between two boxes, each known by its text; [label] is written beside it, empty for none. */
     class Arrow(val from: String, val label: String, val to: String)
 
-    /** The chart as a drawing, and below it as a list for those who do not see that. */
+    /** The chart as a drawing, and below it as a list for those who cannot see it. */
     fun html(): String = drawingOf(this).let {
         "<figure class=\"flowchart\">\n$it\n<details><summary>The same as a list</summary>\n${list()}</details>\n</figure>\n"
     }

@@ -73,7 +73,7 @@ private fun box(text: String, cell: mxCell): String = with(cell.geometry) {
 
 private fun number(value: Double): String = String.format(Locale.ROOT, "%.1f", value).removeSuffix(".0")
 
-/** As wide as a letter of the drawing is at most on average, in pixels. */
+/** The greatest average width of a letter in the drawing, in pixels. */
 private const val LETTER = 7.8
 private const val MARGIN = 12.0
 private const val HEIGHT = 32.0

@@ -52,7 +52,7 @@ internal class Frame(private val contents: Contents) {
         return "<h2>${escape(section.title)}</h2>\n<ul>\n$entries\n</ul>"
     }
 
-    /** The headings of the page, where there are enough of them to get lost. */
+    /** The headings of the page, if there are enough of them to get lost. */
     private fun outline(guide: Guide): String {
         val headings = guide.sections.filter { it.level == 2 }
         if (headings.size < 3) return ""

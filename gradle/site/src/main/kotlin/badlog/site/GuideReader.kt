@@ -17,7 +17,7 @@ import org.commonmark.renderer.html.HtmlRenderer
 import java.nio.file.Path
 import kotlin.io.path.readText
 
-/** Reads the Markdown files of [root], and leads their links to the addresses of [plan]. */
+/** Reads the Markdown files of [root], and rewrites their links to the addresses of [plan]. */
 internal class GuideReader(private val root: Path, private val plan: SitePlan) {
     private val extensions: List<Extension> = listOf(TablesExtension.create())
     private val parser = Parser.builder().extensions(extensions).build()
@@ -93,7 +93,7 @@ internal class GuideReader(private val root: Path, private val plan: SitePlan) {
 
 internal fun children(node: Node): List<Node> = generateSequence(node.firstChild) { it.next }.toList()
 
-/** Anchors of headings, and pictures that wait until they are seen. */
+/** Anchors of headings, and pictures that are loaded when they come into sight. */
 private class GuideAttributes(private val anchors: Map<Heading, String>) : AttributeProvider {
     override fun setAttributes(node: Node, tagName: String, attributes: MutableMap<String, String>) {
         if (node is Heading) anchors[node]?.let { attributes["id"] = it }

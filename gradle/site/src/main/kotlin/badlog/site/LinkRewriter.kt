@@ -8,8 +8,8 @@ import org.commonmark.node.Link
 import org.commonmark.node.Node
 
 /**
- * Leads the links and pictures of the page at [path], which is at [address] on the site, to where [plan] has what they link to. A link to a folder
- * of the repository becomes plain text.
+ * Rewrites the links and pictures of the page at [path], which is at [address] on the site, to the addresses that [plan] gives their targets. A
+ * link to a folder of the repository becomes plain text.
  */
 internal class LinkRewriter(private val path: String, private val address: String, private val plan: SitePlan) : AbstractVisitor() {
     /** The files that are linked to and are to be copied to the site, each with its address. */

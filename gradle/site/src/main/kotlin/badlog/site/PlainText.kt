@@ -14,7 +14,7 @@ import org.commonmark.node.Paragraph
 import org.commonmark.node.SoftLineBreak
 import org.commonmark.node.Text
 
-/** What a reader reads of [node], without its markup; in prose only, if [codeToo] is false. */
+/** The text of [node] without its markup; without its code, too, if [codeToo] is false. */
 internal fun plainText(node: Node, codeToo: Boolean = true): String {
     val text = StringBuilder()
     node.accept(object : AbstractVisitor() {

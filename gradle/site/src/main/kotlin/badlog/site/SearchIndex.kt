@@ -1,7 +1,7 @@
 package badlog.site
 
 /**
- * What the search looks through, as a script: a page on disk may load scripts, but no data.
+ * The index of the search, as a script: a page on disk may load scripts, but no data.
  *
  * Each section of a guide is one entry; so is each public type of the API.
  */
@@ -21,7 +21,7 @@ internal class SearchIndex {
         entries += listOf(address, title, heading, text.replace(SPACES, " ")).joinToString(",", "[", "]", transform = ::quote)
     }
 
-    /** The script. */
+    /** Returns the script. */
     fun script(): String = entries.joinToString(",\n", "window.searchIndex = [\n", "\n];\n")
 
     private fun quote(text: String): String = buildString {

@@ -43,7 +43,7 @@ internal class Site(private val root: Path, private val parts: Map<String, Path>
         for (asset in listOf("site.css", "site.js", "minisearch.js")) copyAsset(asset, target.resolve(asset))
     }
 
-    /** The parts that are no guides stand where a reader looks for them. */
+    /** Adds the parts that are not guides to the sections in which a reader looks for them. */
     private fun contentsWithParts(contents: Contents): Contents {
         val more = listOf(
             Triple("Try it", "samples", Contents.Entry("A match as a page", "samples/qualification-42.bag.html")),

@@ -19,7 +19,7 @@ internal class SitePlan(private val root: Path) {
         (BESIDE_DOCS + guides).sorted().associateWith(::pageAddress)
     }
 
-    /** What a link on a page leads to. */
+    /** The target of a link on a page. */
     sealed interface Target {
         /** The place on the site at [address]. [copied] is the file of the repository to be copied there, null for a page. */
         data class OnSite(val address: String, val copied: String?) : Target
@@ -52,7 +52,7 @@ internal class SitePlan(private val root: Path) {
         /** The contents of the site: its sections and their pages, in the order in which they are listed. */
         const val CONTENTS = "docs/README.md"
 
-        /** What the site begins with. */
+        /** The front page of the site. */
         const val FRONT = "README.md"
 
         private val BESIDE_DOCS =

@@ -70,7 +70,7 @@
         copy.textContent = "Copy";
         const code = block.textContent;
         copy.addEventListener("click", async () => {
-          // Of a dialog with a terminal, what a person would type.
+          // From a terminal session, only what a person types.
           const typed = code.split("\n").filter(line => line.startsWith("$ ")).map(line => line.slice(2));
           await navigator.clipboard.writeText(typed.length ? typed.join("\n") : code);
           copy.textContent = "Copied";

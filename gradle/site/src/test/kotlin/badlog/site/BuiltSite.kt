@@ -24,7 +24,7 @@ internal object BuiltSite {
     private val chromium = System.getenv("PATH").orEmpty().split(File.pathSeparator)
         .flatMap { folder -> listOf("chromium", "chromium-browser", "google-chrome").map { Path.of(folder, it) } }.firstOrNull(Files::isExecutable)
 
-    /** Whether there is a browser, and if not, that tests need one. */
+    /** Enabled if there is a browser; otherwise the reason says that the test needs one. */
     val browser: Enabled =
         if (chromium != null || System.getenv("BADLOG_BROWSER") == "required") Enabled.enabled else Enabled.disabled("Chromium is missing on the PATH")
 

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.readLines
 
-/** Words that the dictionary lacks and that are right: names, units, words of robotics. One a line, in the order of the alphabet. */
+/** Correct words that the dictionary lacks: names, units, words of robotics. One per line, in alphabetical order. */
 private val WORDS = Path.of("words.txt").readLines().filter { it.isNotBlank() && !it.startsWith('#') }
 
 class SpellingSpec : FunSpec({
@@ -20,14 +20,14 @@ class SpellingSpec : FunSpec({
     val speller = runCatching { aspell("dump", "dicts").inputStream.reader().readText() }.getOrDefault("").lines().any { it == "en_US" }
     val enabled = if (speller || System.getenv("BADLOG_SPELLING") == "required") Enabled.enabled else Enabled.disabled("aspell and its English words are missing")
 
-    /** The words of [text] that neither the dictionary has nor the list of words. */
+    /** The words of [text] that are neither in the dictionary nor in the list of words. */
     fun misspelled(text: String): Set<String> {
         val program = aspell("--ignore=2", "list")
         program.outputStream.writer().use { it.write(text.replace('’', '\'')) }
         return program.inputStream.reader().readLines().map { it.removeSuffix("'s") }.filter { it.isNotEmpty() && it !in WORDS }.toSortedSet()
     }
 
-    test("the guides have no word that neither the dictionary has nor words.txt").config(enabledOrReasonIf = { enabled }) {
+    test("each word of the guides is in the dictionary or in words.txt").config(enabledOrReasonIf = { enabled }) {
         val reader = GuideReader(root, SitePlan(root))
         SitePlan(root).pages.keys.flatMap { path -> misspelled(reader.prose(path)).map { "$path: $it" } }.joinToString("\n") shouldBe ""
     }
@@ -37,7 +37,7 @@ class SpellingSpec : FunSpec({
         misspelled("The roboRIO browns out.") shouldNotContain "roboRIO"
     }
 
-    test("the list of words is in order, and has each word once") {
+    test("the list of words is in alphabetical order, and has each word once") {
         WORDS.zip(WORDS.drop(1)).filter { (a, b) -> compareValuesBy(a, b, { it.lowercase() }, { it }) >= 0 }.shouldBeEmpty()
     }
 

@@ -9,7 +9,7 @@ import badlog.recording.Value
 /**
  * A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier.
  *
- * @param measured what a topic of this name and unit is logged from, instead of its supplier.
+ * @param measured returns the supplier that a topic of this name and unit is really logged from.
  */
 class BagLog(
     private val numberText: NumberText,
@@ -41,12 +41,12 @@ class BagLog(
         columns += Column(BagTopic(name, attributes = attributes.toList())) { writer.text(supplier()) }
     }
 
-    /** Writes the header; no topic can be created after. */
+    /** Writes the header; no topic can be created afterwards. */
     fun finishInitialization() {
         writer.header(BagHeader(columns.map { it.topic }, values))
     }
 
-    /** Writes the header of a table that is no bag: titles alone. */
+    /** Writes the header of a table that is not a bag: titles alone. */
     fun writeTitles() {
         for (column in columns) writer.text(column.topic.name)
         writer.endRow()

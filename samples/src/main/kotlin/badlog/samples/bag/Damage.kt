@@ -19,7 +19,7 @@ fun losePage(bag: ByteArray, at: Double): ByteArray {
     return bag.copyOf().also { it.fill(0, page, page + PAGE) }
 }
 
-/** A gzip stream that nobody closes: what the compressor still holds, its last block and its trailer are missing. */
+/** A gzip stream that is never closed: what the compressor still holds, its last block and its trailer are missing. */
 fun gzipNeverClosed(bag: ByteArray): ByteArray {
     val file = ByteArrayOutputStream()
     GZIPOutputStream(file).write(bag)

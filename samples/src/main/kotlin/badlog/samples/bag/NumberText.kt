@@ -4,7 +4,7 @@ import kotlin.math.abs
 
 /** How a robot's program writes its numbers. */
 enum class NumberText {
-    /** As a logger does that was not told otherwise: `%.5g`. */
+    /** As a logger does by default: `%.5g`. */
     FIVE_DIGITS,
 
     /** With a text function of the team's own: no more decimals than the sensor has. */

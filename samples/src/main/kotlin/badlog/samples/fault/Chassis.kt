@@ -48,13 +48,13 @@ internal enum class Chassis {
     },
     ;
 
-    /** Which of its motors turn together, as a team says it in its `badlog-signals.toml`. */
+    /** Which of its motors turn together, as a team writes it in its `badlog-signals.toml`. */
     abstract val signals: String
 
-    /** How many motors stand still with one gearbox. */
+    /** The number of motors that stand still when one gearbox is stuck. */
     abstract val motorsPerGearbox: Int
 
-    /** Creates the topics of what it drives with; returns what is to be called in each loop with its time. */
+    /** Creates the topics of the chassis; returns a function to call in each loop with the loop's time. */
     abstract fun createTopics(log: BagLog, robot: Robot, mishaps: Mishaps, noise: Noise): (time: Double) -> Unit
 
     protected fun linked(one: String, other: String = "$one Follower") = "[[linked]]\nmotors = [\"$one\", \"$other\"]\n\n"
@@ -65,7 +65,7 @@ internal enum class Chassis {
     }
 }
 
-/** One of four modules: motor [motor] of [side]. Of each side, faults are those of the first. */
+/** One of four modules: motor [motor] of [side]. A fault of a side is one of its first module. */
 private class SwerveModule(
     private val name: String,
     private val side: Side,

@@ -10,9 +10,10 @@ import badlog.samples.robot.Side
 import badlog.samples.robot.Superstructure
 
 /**
- * What goes wrong in a simulated match. What follows from it is up to the robot: voltages, currents and outputs are not planted.
+ * What goes wrong in a simulated match. The consequences are up to the simulated robot: voltages, currents and outputs are not
+ * planted.
  *
- * @property title what people call it.
+ * @property title its name for people.
  */
 enum class Fault(val title: String) {
     WALL("pushing against a wall") {
@@ -43,7 +44,7 @@ enum class Fault(val title: String) {
         }
     },
     SEIZED_MOTOR("seized motor") {
-        // Who only stands still with it for the last seconds may not even notice.
+        // While the elevator only holds still, for the last seconds, nobody may notice.
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             plan.mishaps += Mishap.SeizedElevator(if (isFaint) plan.lastRaise + 1.4 else noise.timeIn(20.0, 118.0))
         }
@@ -102,7 +103,7 @@ enum class Fault(val title: String) {
         }
     }, ;
 
-    /** Plants it in [plan]; a faint one may leave nothing in the log that anybody could find. */
+    /** Plants it in [plan]; a faint one may leave nothing to find in the log. */
     internal abstract fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean)
 
     private companion object {
@@ -110,7 +111,7 @@ enum class Fault(val title: String) {
     }
 }
 
-/** What is to be in a simulated match, before it begins. */
+/** What is planned for a simulated match, before it begins. */
 internal class MatchPlan(val chassis: Chassis, var battery: Battery, val orders: MutableList<Order>, val mishaps: MutableList<Mishap>) {
     var crash: Mishap.ProgramCrash? = null
 
@@ -120,7 +121,7 @@ internal class MatchPlan(val chassis: Chassis, var battery: Battery, val orders:
     /** When the elevator is raised for the last time. */
     val lastRaise get() = orders.last { it.state == Superstructure.RAISING }.at
 
-    /** Has [task] done from [at] on for [seconds]; then the robot backs off and goes on with what it was at. */
+    /** Inserts [task] from [at] on for [seconds]; then the robot backs off and resumes what it was doing. */
     fun insert(at: Double, task: Task, seconds: Double) {
         val before = orders.last { it.at <= at }
         orders.removeAll { it.at > at && it.at <= at + seconds + BACK_OFF }

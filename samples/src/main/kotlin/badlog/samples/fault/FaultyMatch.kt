@@ -23,13 +23,13 @@ import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 
 /**
- * A whole match, 15 s of autonomous and 135 s of teleop, of which everything comes from [seed]: the driver, the battery, contacts
+ * A whole match, 15 s of autonomous and 135 s of teleop, derived entirely from [seed]: the driver, the battery, contacts
  * with other robots, and what goes wrong.
  *
  * @property fault what goes wrong; null for nothing.
  * @property isFaint whether it goes wrong so little, or so late, that the log may not show it.
  * @property second what goes wrong besides; null for nothing.
- * @param isSwerve whether it drives on four modules; else on two gearboxes.
+ * @param isSwerve whether it drives on four modules; otherwise on two gearboxes.
  */
 class FaultyMatch(
     private val seed: Int,
@@ -40,7 +40,7 @@ class FaultyMatch(
 ) {
     private val chassis = if (isSwerve) Chassis.SWERVE else Chassis.TANK
 
-    /** Which of the robot's motors turn together, as a team says it in its `badlog-signals.toml`. */
+    /** Which of the robot's motors turn together, as a team writes it in its `badlog-signals.toml`. */
     val signals: String get() = chassis.signals
 
     /** The match's bag, with a row for every other loop of the robot. */
@@ -120,7 +120,7 @@ class FaultyMatch(
     companion object {
         private const val LOOPS_PER_ROW = 2
 
-        // Between seeds, so that neighbours do not share their random numbers.
+        // Between seeds, so that neighboring seeds do not share their random numbers.
         private const val SPREAD = 7919L
 
         /** The match of [seed]: each fault in turn, and none, with either chassis; one of five is faint, and one has two faults. */

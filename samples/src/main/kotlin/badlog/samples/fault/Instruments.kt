@@ -3,8 +3,8 @@ package badlog.samples.fault
 import badlog.samples.robot.Noise
 
 /**
- * What lies between a robot and its log: sensors of current that lag and are noisy, steps in which things are measured, and frames on
- * the CAN bus that come late, so that a value is that of the row before.
+ * What lies between a robot and its log: current sensors that lag and are noisy, the resolution of measurements, and frames on the
+ * CAN bus that come too late, so that a value is that of the row before.
  */
 internal class Instruments(private val noise: Noise) {
     private val isLate = HashMap<String, Boolean>()
@@ -12,12 +12,12 @@ internal class Instruments(private val noise: Noise) {
     private val ampsDeviation = 0.2 + 0.5 * noise.unit()
     private val lateShare = 0.01 + 0.09 * noise.unit()
 
-    /** A row is logged: each device's frame is there in time, or is not; where the bus [isCut], none is. */
+    /** Begins a row: the frame of each device arrives in time or does not; none arrives while the bus [isCut]. */
     fun nextRow(isCut: Boolean) {
         for (device in isLate.keys) isLate[device] = noise.unit() < lateShare || isCut
     }
 
-    /** What the topic [name] in [unit] has of [actual]. */
+    /** Returns the supplier of what the topic [name] in [unit] logs of [actual]. */
     fun measuring(name: String, unit: String, actual: () -> Double?): () -> Double? {
         val isOfBus = BUS.any { name.startsWith(it) }
         val device = name.substringBeforeLast(' ')
@@ -52,7 +52,7 @@ internal class Instruments(private val noise: Noise) {
     private companion object {
         val BUS = listOf("Drivetrain/", "Swerve/", "Elevator/", "PDP/", "Intake/")
 
-        /** Of the log, in s. */
+        /** The time from one row of the log to the next, in s. */
         const val ROW = 0.04
         const val STEP_AMPS = 0.125
         const val STEP_VOLTS = 0.02

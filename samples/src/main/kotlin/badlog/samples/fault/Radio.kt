@@ -5,13 +5,13 @@ import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 
-/** The way between robot and driver station, as the robot's program sees it. */
+/** The link between robot and driver station, as the robot's program sees it. */
 internal class Radio(private val mishaps: Mishaps, private val noise: Noise) {
     private var lossPercent = 0.0
     var isLinked = true
         private set
 
-    /** How long a packet was under way, in milliseconds; null while none comes. */
+    /** The trip time of a packet, in milliseconds; null while none arrives. */
     var tripMillis: Double? = null
         private set
     val packetLoss: Double? get() = lossPercent.takeIf { isLinked }

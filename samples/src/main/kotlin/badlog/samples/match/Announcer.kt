@@ -16,7 +16,7 @@ class Announcer(private val robot: Robot, private val driver: Driver, private va
     private var lastTime = 0.0
     private var scoredAt = 0.0
 
-    /** Looks at what changed since the last call; the event of this row, or an empty text. */
+    /** Returns the event of this row, made of what changed since the last call, or an empty text. */
     fun eventAt(time: Double): String {
         if (robot.mode != mode) announceMode()
         if (driver.hasNewOrder) driver.order?.note?.takeIf { it.isNotEmpty() }?.let(waiting::add)

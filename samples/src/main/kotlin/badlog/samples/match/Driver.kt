@@ -14,8 +14,8 @@ import kotlin.math.sqrt
 /**
  * How somebody drives.
  *
- * @property fastest the most throttle across the field.
- * @property ramp how much of the throttle is moved in a second.
+ * @property fastest the highest throttle across the field.
+ * @property ramp how far the throttle moves in a second, at most.
  */
 class DrivingStyle(val fastest: Double = 0.88, val ramp: Double = 2.0)
 
@@ -82,12 +82,12 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         is Task.DriveTo -> approach(task.x, task.y, 0.0, style.fastest, drivetrain)
     }
 
-    /** Turns to (x, y) and drives until it is [short] meters away, with [most] throttle. */
+    /** Turns to (x, y) and drives until it is [short] meters away, with at most [most] throttle. */
     private fun approach(x: Double, y: Double, short: Double, most: Double, drivetrain: Drivetrain) {
         val dx = x - drivetrain.x
         val dy = y - drivetrain.y
         val distance = sqrt(dx * dx + dy * dy) - short
-        // Who is nearly there does not turn around for the rest.
+        // A driver who is nearly there does not turn around for the rest.
         if (distance < 0.5 && short == 0.0) hasArrived = true
         if (hasArrived) return hold(0.0, 0.0)
         if (distance > 3) highGear = true
@@ -97,7 +97,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         hold(throttle, if (abs(error) < 0.02 && throttle == 0.0) 0.0 else (error * 1.1).coerceIn(-0.5, 0.5))
     }
 
-    // Who backs off is still held by the other robot at first.
+    // While the robot begins to back off, the other robot still holds it.
     private fun obstacle(task: Task, time: Double) = when {
         task is Task.PushWall -> WALL
         task == Task.Push || (task == Task.BackOff && throttle > 0) -> defender(time)
@@ -117,7 +117,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
     }
 
     private companion object {
-        // In N·s/m, as the robot has it.
+        // In N·s/m, like the robot's obstacle.
         const val WALL = 12_000.0
         const val SCORING_DISTANCE = 1.25
     }

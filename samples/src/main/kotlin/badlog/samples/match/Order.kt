@@ -9,7 +9,7 @@ class Order(val at: Double, val task: Task, val state: Superstructure, val note:
 sealed interface Task {
     data object Wait : Task
 
-    /** To a place on the field, turning towards it first. */
+    /** To a place on the field, turning toward it first. */
     class DriveTo(val x: Double, val y: Double) : Task
 
     /** Slowly ahead, onto a game piece. */
@@ -18,7 +18,7 @@ sealed interface Task {
     /** Turning and closing in on the target. */
     data object Aim : Task
 
-    /** With all there is, against a robot that gives no way. */
+    /** At full throttle, against a robot that does not give way. */
     data object Push : Task
 
     /** Against something that does not move. */

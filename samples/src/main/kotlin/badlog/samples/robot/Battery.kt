@@ -2,23 +2,23 @@ package badlog.samples.robot
 
 /**
  * A 12 V lead-acid battery: a resting voltage that falls with its charge, behind a resistance that acts at once and a
- * second one that builds up over seconds, when acid near the plates is used up faster than it comes after.
+ * second one that builds up over seconds, when acid near the plates is used up faster than it is replaced.
  *
- * @param ohms what acts at once, with leads, main breaker and connectors.
- * @param slowOhms what builds up.
- * @param ampHours what it holds when full.
+ * @param ohms the resistance that acts at once, including leads, main breaker and connectors.
+ * @param slowOhms the resistance that builds up.
+ * @param ampHours its capacity.
  * @param charge 1 for full.
  */
 class Battery(private val ohms: Double, private val slowOhms: Double, private val ampHours: Double, private var charge: Double) {
     private var slowVolts = 0.0
 
-    /** What a bad contact in the lead adds. */
+    /** The resistance that a bad contact in the lead adds. */
     var contactOhms = 0.0
 
     var volts = restingVolts()
         private set
 
-    /** Finds the voltage at which battery and [loads] agree, and discharges by what flows for [seconds]. */
+    /** Finds the voltage at which battery and [loads] agree, and discharges the battery by what flows in [seconds]. */
     fun supply(loads: List<Load>, seconds: Double) {
         var offset = 0.0
         var conductance = 0.0

@@ -6,7 +6,7 @@ import kotlin.math.abs
 class Camera(private val noise: Noise) {
     private var blind = 0.0
 
-    /** Degrees to the target's right, or null when no target is seen. */
+    /** Degrees to the target's right, or null if no target is seen. */
     var targetX: Double? = null
         private set
     var latency = 24.0
@@ -17,7 +17,7 @@ class Camera(private val noise: Noise) {
         val dy = TARGET_Y - drivetrain.y
         val bearing = degrees(wrapped(direction(dx, dy) - drivetrain.heading))
         blind -= seconds
-        // Someone drives past, or the light glares.
+        // A robot drives past, or a light dazzles the camera.
         if (noise.unit() < 0.004) blind = 0.08 + noise.unit() * 0.4
         val isSharp = abs(drivetrain.turnRate) < 2.2 && blind <= 0
         val isSeen = abs(bearing) < HALF_VIEW && dx * dx + dy * dy < 42 && isSharp

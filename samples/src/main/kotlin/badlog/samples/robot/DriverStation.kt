@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** What the driver station tells the robot to be. */
+/** The mode that the driver station sets. */
 enum class Mode { DISABLED, AUTONOMOUS, TELEOP }
 
 /**

@@ -8,16 +8,16 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     var rightOutput = 0.0
     var isHighGear = false
 
-    /** Whether the motors get what they are told; else they brake. */
+    /** Whether the motors follow their outputs; otherwise they brake. */
     var isDriven = true
 
     /** The sides on which one of two motors has no power. */
     var unplugged: List<Side> = emptyList()
 
-    /** Whose gearbox is stuck; null for none. */
+    /** The gearbox that is stuck; null for none. */
     var seized: SeizedGearbox? = null
 
-    /** How hard something in the way holds the robot back, in N·s/m: a robot that pushes against it, a wall. */
+    /** How hard something in the way holds the robot back, in N·s/m: another robot, or a wall. */
     var obstacle = 0.0
 
     var speed = 0.0
@@ -62,7 +62,7 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         rightPosition += shaftVelocity(Side.RIGHT) * seconds
     }
 
-    /** How fast the gearbox of a side turns, which a stuck one does not though the robot moves. */
+    /** How fast the gearbox of a side turns: a stuck one does not turn even while the robot moves. */
     fun shaftVelocity(side: Side): Double = when {
         stuckMotors(side) == MOTORS_PER_SIDE -> 0.0
         side == Side.LEFT -> leftVelocity
@@ -104,12 +104,12 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         // What the wheels of one side can push before they slip.
         private const val GRIP = 330.0
 
-        // What one of its wheels holds back that does not turn.
+        // The drag of one wheel that does not turn.
         private const val DRAG = 70.0
     }
 }
 
-/** A gearbox that is stuck: that of so many [motors] of [side]. */
+/** A gearbox of [side] that is stuck, and the number of [motors] on it. */
 class SeizedGearbox(val side: Side, val motors: Int)
 
 /** A side of the drivetrain. */

@@ -19,7 +19,7 @@ class Elevator(private val gain: Double = GAIN) {
     /** Whether its gears are stuck. */
     var isSeized = false
 
-    /** Whether its motors get what they are told; else they brake. */
+    /** Whether its motors follow their outputs; otherwise they brake. */
     var isDriven = true
     private val drive get() = if (isDriven) output else 0.0
 
@@ -42,7 +42,7 @@ class Elevator(private val gain: Double = GAIN) {
         }
     }
 
-    /** What its motor controllers measure; they do not see what flows while they only brake. */
+    /** What its motor controllers measure; they do not measure what flows while they only brake. */
     fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(motors * Motor.windingAmps(output, volts, velocity * GEARING))
 
     fun move(volts: Double, seconds: Double) {
@@ -74,7 +74,7 @@ class Elevator(private val gain: Double = GAIN) {
         private const val GEARING = 279.0
         private const val WEIGHT = 69.0
 
-        // The carriage, and the motors' rotors, which weigh more than it through the gearbox.
+        // The carriage, and the motors' rotors, which count for more than the carriage, because of the gearbox.
         private const val MOVED_MASS = 26.0
     }
 }

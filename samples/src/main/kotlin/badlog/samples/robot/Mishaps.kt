@@ -33,7 +33,7 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
     fun contactOhms(time: Double): Double =
         all.firstNotNullOfOrNull { lead -> (lead as? Mishap.LooseLead)?.takeIf { time >= it.at && time < it.at + it.seconds } }?.ohms ?: 0.0
 
-    /** What the robot's program says of what happened between [from] and [until]. */
+    /** What the robot's program reports of what happened from [from] until [until]. */
     fun reportsBetween(from: Double, until: Double): List<String> = all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
 }
 
@@ -51,7 +51,7 @@ sealed class Mishap(val at: Double, val saidAt: Double, val report: String) {
 
     class LooseLead(at: Double, val seconds: Double, val ohms: Double = 0.035) : Mishap(at, at, "")
 
-    /** No motor controller is heard, and none hears: all values stay as they were, and motors stop. */
+    /** No motor controller is heard, and none receives anything: all values stay as they were, and motors stop. */
     class CanCut(at: Double, val seconds: Double) : Mishap(at, at, "")
 
     /** The program ends, and is started again after [seconds]; until then the robot is disabled. */

@@ -8,12 +8,17 @@ object Motor {
     // The motor's own 0.092, and its wires.
     private const val OHMS = 0.11
 
-    /** The current in the windings. The battery gives only the share [duty] of it, as the controller is a chopper. */
+    /**
+     * The current in the windings. The battery gives only the share [duty] of it, because the controller is a chopper.
+     */
     fun windingAmps(duty: Double, volts: Double, speed: Double): Double = (duty * volts - VOLTS_PER_SPEED * speed) / OHMS
 
     fun torque(duty: Double, volts: Double, speed: Double): Double = TORQUE_PER_AMP * windingAmps(duty, volts, speed)
 
-    /** What one motor asks of the battery, which was at [volts] before. A braking motor burns its power itself. */
+    /**
+     * Adds what one motor draws from the battery, which was at [volts] before. A braking motor turns its power into
+     * heat itself.
+     */
     fun load(load: Load, duty: Double, volts: Double, speed: Double) {
         if (duty * windingAmps(duty, volts, speed) <= 0) {
             load.draw(0.0)

@@ -1,8 +1,8 @@
 package badlog.samples.robot
 
 /**
- * Seeded random numbers by SplitMix64. The libraries' own generators may change with a release, and the checked-in bags
- * would change with them.
+ * Seeded random numbers by SplitMix64. The generators of the standard libraries may change with a release, and the
+ * checked-in bags would change with them.
  */
 class Noise(seed: Long) {
     private var state = seed
@@ -22,7 +22,7 @@ class Noise(seed: Long) {
     private companion object {
         const val UNIT = 1.0 / (1L shl 53)
 
-        // Four even numbers have a variance of 4/12 together.
+        // The sum of four evenly spread numbers has a variance of 4/12.
         const val ROOT_OF_3 = 1.7320508075688772
     }
 }

@@ -14,7 +14,7 @@ class RoboRio(private val noise: Noise) {
     var canLoad = 58.0
         private set
 
-    /** How many messages failed since the start. */
+    /** The number of CAN messages that failed since the start. */
     var canErrors = 0
         private set
 

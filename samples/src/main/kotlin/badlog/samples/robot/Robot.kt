@@ -90,10 +90,10 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
     }
 
     private companion object {
-        // The elevator's mass on its stiff motors needs a finer step than a loop.
+        // The elevator's mass on its stiff motors needs steps shorter than a loop.
         const val STEPS = 5
 
-        // What a move of the shifter or the grabber takes out of the tanks, in psi.
+        // The pressure that a move of the shifter or the grabber costs, in psi.
         const val SHIFT = 0.9
         const val GRAB = 1.6
     }

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** What the encoders tell of the mechanisms, with what may happen to them on the way. */
+/** What the encoders report of the mechanisms, and what may go wrong with that. */
 class Sensors(private val robot: Robot, private val noise: Noise) {
     private val lost = HashSet<Side>()
     var leftPosition = 0.0

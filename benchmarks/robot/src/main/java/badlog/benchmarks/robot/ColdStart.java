@@ -5,8 +5,8 @@ import badlog.lib.DataInferMode;
 import java.util.function.Supplier;
 
 /**
- * From {@code init} to the first row in a JVM that has loaded nothing of badlog yet; prints how long it took, in
- * microseconds. The program's own first lambda and its names are made before: those it would pay for with any logger.
+ * Prints the time from {@code init} to the first row, in microseconds, in a JVM that has loaded nothing of badlog yet.
+ * The program's own first lambda and its names are made before that, because it would pay for them with any logger.
  */
 final class ColdStart {
     private ColdStart() {

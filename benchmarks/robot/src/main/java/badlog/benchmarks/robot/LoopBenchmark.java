@@ -21,7 +21,7 @@ import org.openjdk.jmh.annotations.TearDown;
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class LoopBenchmark {
-    /** A file for each iteration, in memory where there is such a disk: the log is measured, not the disk. */
+    /** Makes a file for each iteration, in memory if there is such a disk: the log is measured, not the disk. */
     abstract static class Logging {
         final Signals signals = new Signals();
         private Path file;
@@ -45,7 +45,7 @@ public class LoopBenchmark {
         }
     }
 
-    /** Ours, through whatever creates topics. */
+    /** Our logger, in whatever way topics are created. */
     abstract static class Ours extends Logging {
         private final String[] names = new String[Signals.PUBLISHED];
         BadLog log;

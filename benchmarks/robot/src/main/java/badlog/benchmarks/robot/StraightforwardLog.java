@@ -15,9 +15,9 @@ import java.util.StringJoiner;
 import java.util.function.Supplier;
 
 /**
- * A bag logger as one writes it first, and as the original is: each number becomes a text by {@code String.format},
- * what is published lies in a map of {@code Optional}s, a row is joined and handed to a buffered writer. To compare
- * with.
+ * A bag logger for comparison, as anyone would first write it, and as the original is: each number becomes a text by
+ * {@code String.format}, published values are in a map of {@code Optional}s, a row is joined and passed to a buffered
+ * writer.
  */
 final class StraightforwardLog implements AutoCloseable {
     private static final String NOTHING = "-1.0";

@@ -9,15 +9,15 @@ import java.util.zip.Deflater
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Pictures that follow each other, as an animated PNG: 256 colors, and of each picture only the rectangle that differs from the one before.
- * Programs that know no animation show the first picture.
+ * Pictures that follow each other, as an animated PNG: 256 colors, and of each picture only the rectangle that differs from the picture
+ * before. Programs that do not support animation show the first picture.
  */
 internal class MovingPicture(private val width: Int, private val height: Int) {
     private class Frame(val pixels: IntArray, val millis: Int)
 
     private val frames = ArrayList<Frame>()
 
-    /** Adds [image], shown for [millis] milliseconds. @throws IllegalArgumentException if its size is another one. */
+    /** Adds [image], shown for [millis] milliseconds. @throws IllegalArgumentException if its size differs. */
     fun add(image: BufferedImage, millis: Int) {
         require(image.width == width && image.height == height) {
             "The picture is ${image.width} × ${image.height}, expected $width × $height."
@@ -25,7 +25,7 @@ internal class MovingPicture(private val width: Int, private val height: Int) {
         frames += Frame(IntArray(width * height).also { image.getRGB(0, 0, width, height, it, 0, width) }, millis)
     }
 
-    /** The file. It repeats for ever. */
+    /** Returns the file, which repeats forever. */
     fun bytes(): ByteArray {
         check(frames.isNotEmpty()) { "A moving picture needs a picture; add one first." }
         val palette = Palette.of(frames.map { it.pixels })
@@ -69,7 +69,7 @@ internal class MovingPicture(private val width: Int, private val height: Int) {
         return file.toByteArray()
     }
 
-    /** The smallest rectangle outside of which both are the same; one pixel, if they are the same everywhere. */
+    /** The smallest rectangle outside of which both pictures are the same; one pixel if they are the same everywhere. */
     private fun difference(before: IntArray, after: IntArray): Rectangle {
         val changed = after.indices.filter { before[it] != after[it] }
         if (changed.isEmpty()) return Rectangle(1, 1)

@@ -1,10 +1,10 @@
 package badlog.site.picture
 
-/** At most 256 colors for pictures: those that they have most of. Every other color becomes the nearest of them. */
+/** At most 256 colors for pictures, the most frequent ones. Every other color becomes the nearest of them. */
 internal class Palette private constructor(val colors: List<Int>) {
     private val places = HashMap<Int, Int>().apply { colors.forEachIndexed { i, color -> put(color, i) } }
 
-    /** The place in [colors] for [color], whose transparency does not count. */
+    /** The index in [colors] for [color], whose transparency is ignored. */
     fun indexOf(color: Int): Int = places.getOrPut(color and RGB) { colors.indices.minBy { distance(colors[it], color) } }
 
     private fun distance(a: Int, b: Int): Int = listOf(0, 8, 16).sumOf { shift ->

@@ -11,8 +11,8 @@ import kotlin.io.path.writeBytes
 /**
  * Makes the moving pictures of the README: the docs' folder, the page of Qualification 42, then the folder of the window's pictures.
  *
- * That of the page is taken from the real page in Chromium, at the addresses of a person who looks for the brownout. That of the window shows what its
- * test `TourSpec` has seen on the screen; the names of those pictures say their order and for how many milliseconds each is shown: `07-1500.png`.
+ * The page's pictures are taken from the real page in Chromium, at addresses that a person would visit to find the brownout. The window's are
+ * the screenshots that its test `TourSpec` took; their names give their order and for how many milliseconds each is shown: `07-1500.png`.
  */
 internal fun main(args: Array<String>) {
     val docs = Path.of(args[0])
@@ -37,7 +37,7 @@ private const val WIDTH = 1100
 private const val HEIGHT = 680
 private const val MAX_BYTES = 1_000_000L
 
-/** Where a person who looks for the brownout goes, and for how many milliseconds. */
+/** The addresses that a person would visit to find the brownout, and for how many milliseconds each. */
 private val PAGE = listOf(
     "" to 3000,
     "#x=0:156&t=92.4" to 1500,

@@ -51,7 +51,7 @@ internal fun main(args: Array<String>) {
     makeOffline(target)
 }
 
-/** What the JVM adds to an expected declaration: the common sources describe it already. */
+/** The files with the JVM's implementations of expected declarations, which the common sources already describe. */
 private fun actualsIn(sources: Set<File>): Set<File> =
     sources.flatMap { it.walk() }.filter { it.extension == "kt" && ACTUAL.containsMatchIn(it.readText()) }.toSet()
 

@@ -3,8 +3,8 @@ package badlog.site.api
 import java.io.File
 
 /**
- * Makes Dokka's pages in [folder] work from disk: they fetch their navigation and the search's list of pages, which a browser refuses to a page that
- * no server sent. A script carries both, and answers for them.
+ * Makes Dokka's pages in [folder] work from disk: they fetch their navigation and the search's list of pages, which a browser does not allow a page
+ * on disk. A script contains both, and answers those requests.
  */
 internal fun makeOffline(folder: File) {
     val carried = FETCHED.map { name -> name to File(folder, name) }.filter { (_, file) -> file.exists() }
@@ -34,10 +34,10 @@ internal fun makeOffline(folder: File) {
 private fun quoted(text: String): String =
     text.replace("\\", "\\\\").replace("\"", "\\\"").replace("\r", "").replace("\n", "\\n").replace("</", "<\\/").let { "\"$it\"" }
 
-/** The link to the guides, as Dokka is told it: it writes the same on each page, wherever that is. */
+/** A placeholder for the link to the guides: Dokka writes the same link on every page, in whatever folder. */
 internal const val HOME = "badlog-guides"
 
-/** Scripts of other servers: Dokka's pages can run Kotlin there. */
+/** Scripts from other servers, on which Dokka's pages can run Kotlin. */
 private val FROM_ELSEWHERE = Regex("""<script[^>]* src="https?:[^>]*></script>\s*""")
 
 private const val SCRIPT = "scripts/carried.js"

@@ -33,14 +33,14 @@ class MovingPictureSpec : FunSpec({
     val red = 0xFF0000
     val first = picture(blue, blue, blue, blue, blue, blue)
 
-    test("a program that knows no animation shows the first picture") {
+    test("a program that does not support animation shows the first picture") {
         val file = MovingPicture(3, 2).apply { add(first, 100) }.bytes()
         val read = ImageIO.read(ByteArrayInputStream(file))
         (read.getRGB(2, 1) and 0xFFFFFF) shouldBe blue
         listOf(read.width, read.height) shouldContainExactly listOf(3, 2)
     }
 
-    test("of the next picture only what differs is there, at its place and for its time") {
+    test("of the next picture only what differs is stored, with its place and its time") {
         val next = picture(blue, blue, blue, blue, red, blue)
         val chunks = chunks(
             MovingPicture(3, 2).apply {
@@ -57,7 +57,7 @@ class MovingPictureSpec : FunSpec({
         color.toList() shouldContainExactly listOf(-1, 0, 0)
     }
 
-    test("more colors than 256 become the nearest that are there most") {
+    test("of more than 256 colors, the rare ones become the nearest frequent ones") {
         val pixels = IntArray(600) { if (it < 300) it else 0x00FF00 }
         val palette = Palette.of(listOf(pixels))
         palette.colors.size shouldBe 256
