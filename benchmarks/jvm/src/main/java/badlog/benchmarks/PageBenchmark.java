@@ -54,9 +54,9 @@ public final class PageBenchmark {
         lines.add("");
         lines.addAll(boards);
         lines.add("");
-        lines.add("| page of, with a path | poses | script of a zoom into the path, median | slowest |");
+        lines.add("| page of, with y over x | samples | script of a zoom into it, median | slowest |");
         lines.add("|---|---|---|---|");
-        lines.add(PathOnPage.measure(args[0], work));
+        lines.addAll(PathOnPage.measure(args[0], work));
         Files.write(Path.of(args[2]), lines);
         lines.forEach(System.out::println);
     }

@@ -55,8 +55,20 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
         context.lineWidth = LINE * ratio
     }
 
-    /** Draws the lines and dots of a trace. */
-    fun strokes(strokes: Strokes, isDashed: Boolean) = clipped {
+    /** Draws a trace: lines and single dots if it [isJoined]; otherwise dots, or for many of them the rows of pixels that they are in. */
+    fun trace(strokes: Strokes, isJoined: Boolean, isDashed: Boolean) = clipped {
+        if (isJoined) lines(strokes, isDashed)
+        val size = DOT * ratio
+        for (i in 0 until strokes.dotsSize step 2) context.fillRect(strokes.dots[i] - size / 2, strokes.dots[i + 1] - size / 2, size, size)
+        if (isJoined) return@clipped
+        for (i in 0 until strokes.count) {
+            val at = strokes.startOf(i)
+            val long = strokes.points[at + 2] - strokes.points[at] - 1 + size
+            context.fillRect(strokes.points[at] + (1 - size) / 2, strokes.points[at + 1] - size / 2, long, size)
+        }
+    }
+
+    private fun lines(strokes: Strokes, isDashed: Boolean) {
         context.setLineDash(if (isDashed && !strokes.isDense) arrayOf(6 * ratio, 4 * ratio) else emptyArray())
         if (strokes.isDense) context.lineWidth = 1.0
         context.beginPath()
@@ -66,8 +78,6 @@ internal class XyCanvas(private val context: CanvasRenderingContext2D, wide: Dou
             for (at in start + 2 until strokes.endOf(i) step 2) context.lineTo(strokes.points[at], strokes.points[at + 1])
         }
         context.stroke()
-        val size = DOT * ratio
-        for (i in 0 until strokes.dotsSize step 2) context.fillRect(strokes.dots[i] - size / 2, strokes.dots[i + 1] - size / 2, size, size)
     }
 
     /** Draws the line that joins [places], which alternate x and y. */

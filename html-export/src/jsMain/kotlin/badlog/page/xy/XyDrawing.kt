@@ -167,7 +167,7 @@ internal class XyDrawing(
     private fun drawTrace(canvas: XyCanvas, trace: XyTrace, span: Span, seen: Plane, opacity: Double) {
         trace.draw(span, seen, canvas.width.toInt(), canvas.height.toInt(), strokes)
         canvas.color(scene.palette.line(trace.color), opacity)
-        canvas.strokes(strokes, isDashed = trace.role == PoseRole.PLANNED)
+        canvas.trace(strokes, trace.isJoined, isDashed = trace.role == PoseRole.PLANNED)
     }
 
     private fun seen(canvas: XyCanvas): Plane {

@@ -102,10 +102,23 @@ internal fun DrawScope.drawXyTraces(xy: DrawnXy, spec: BoardGraph, plane: Plane,
 private fun DrawScope.drawXyTrace(xy: DrawnXy, trace: XyTrace, span: Span, plane: Plane, color: Color) {
     if (trace.followers.isNotEmpty()) return
     trace.draw(span, plane, size.width.toInt(), size.height.toInt(), xy.strokes)
-    drawXyStrokes(xy.strokes, color, isDashed = trace.role == PoseRole.PLANNED)
+    if (trace.isJoined) drawXyLines(xy.strokes, color, isDashed = trace.role == PoseRole.PLANNED) else drawXyRows(xy.strokes, color)
+    val dots = List(xy.strokes.dotsSize / 2) { Offset(xy.strokes.dots[2 * it].toFloat(), xy.strokes.dots[2 * it + 1].toFloat()) }
+    drawPoints(dots, PointMode.Points, color, DOT * density, StrokeCap.Round)
 }
 
-private fun DrawScope.drawXyStrokes(strokes: Strokes, color: Color, isDashed: Boolean) {
+/** Draws the rows of pixels that many dots are in, as thick as dots. */
+private fun DrawScope.drawXyRows(rows: Strokes, color: Color) {
+    val size = DOT * density
+    for (i in 0 until rows.count) {
+        val at = rows.startOf(i)
+        val left = rows.points[at].toFloat()
+        val long = rows.points[at + 2].toFloat() - left - 1 + size
+        drawRect(color, Offset(left + (1 - size) / 2, rows.points[at + 1].toFloat() - size / 2), Size(long, size))
+    }
+}
+
+private fun DrawScope.drawXyLines(strokes: Strokes, color: Color, isDashed: Boolean) {
     val path = Path()
     for (i in 0 until strokes.count) {
         for (at in strokes.startOf(i) until strokes.endOf(i) step 2) {
@@ -123,8 +136,6 @@ private fun DrawScope.drawXyStrokes(strokes: Strokes, color: Color, isDashed: Bo
     }
     // A hairline is many times faster than any other stroke.
     drawPath(path, color, style = Stroke(if (strokes.isDense) Stroke.HairlineWidth else LINE * density, pathEffect = dashes))
-    val dots = List(strokes.dotsSize / 2) { Offset(strokes.dots[2 * it].toFloat(), strokes.dots[2 * it + 1].toFloat()) }
-    drawPoints(dots, PointMode.Points, color, DOT * density, StrokeCap.Round)
 }
 
 /** Draws the result of [xy]: where the robot left its plan, or the line fitted to the samples with its values. */

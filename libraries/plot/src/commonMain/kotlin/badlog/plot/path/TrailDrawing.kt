@@ -13,7 +13,8 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
     private val pixels = TakenPixels()
 
     /**
-     * Adds the samples from [start] until [end] to [strokes], which is cleared first.
+     * Adds the samples from [start] until [end] to [strokes], which is cleared first. If they are dense, strokes may be rows of pixels; for
+     * dots, they are.
      *
      * @param isJoined whether samples are joined by lines; otherwise each is a dot.
      */
@@ -85,9 +86,10 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
             last = i
         }
         strokes.lift()
+        if (!isJoined) drawn = strokes.dotsSize / 2
         strokes.isDense = drawn > DENSE
         // Filled areas need far fewer strokes this way.
-        if (strokes.isDense && pixels.runs(null) < drawn / 2) {
+        if (strokes.isDense && (!isJoined || pixels.runs(null) < drawn / 2)) {
             strokes.begin()
             pixels.runs(strokes)
         }
@@ -99,7 +101,7 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
         /** How many pixels a line may be off the samples that it passes over: nobody sees less. */
         const val BEND = 0.25
 
-        /** More samples than these are drawn in the thinnest lines. */
+        /** More samples than these are drawn in the thinnest lines, or as rows of dots. */
         const val DENSE = 20_000
     }
 }

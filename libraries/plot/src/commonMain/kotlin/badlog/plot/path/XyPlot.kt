@@ -53,6 +53,9 @@ public class XyPlot internal constructor(
 
     private val path by lazy { PlannedPath.of(traces.mapNotNull { it.pose }) }
 
+    /** The last answer of [lineFit]: a zoom into the plane asks again for the same time. */
+    private var fitted: Pair<Span, LineFit?>? = null
+
     private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
 
     /** Returns where the robot of [view] left its plan, according to [planDistance]; null for nowhere, and if there is no plan. */
@@ -82,7 +85,12 @@ public class XyPlot internal constructor(
     }
 
     /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or there is no fit. */
-    public fun lineFit(visible: Span): LineFit? = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
+    public fun lineFit(visible: Span): LineFit? {
+        fitted?.let { (span, fit) -> if (span == visible) return fit }
+        val fit = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
+        fitted = visible to fit
+        return fit
+    }
 
     /** Returns the text of [fit], with the units of x and y. */
     public fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)

@@ -4,6 +4,7 @@ import badlog.analysis.Span
 import badlog.plot.curve.Strokes
 import badlog.rules.path.Trail
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
@@ -14,6 +15,7 @@ import io.kotest.property.checkAll
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.cos
+import kotlin.math.floor
 import kotlin.math.sin
 import kotlin.random.Random
 
@@ -124,6 +126,34 @@ class TrailPyramidSpec : FunSpec({
         val expected = allPixels(trail, 0, trail.size, plane, isJoined = true)
         missing(expected, pixelsOf(strokes)) shouldBe 0
         missing(pixelsOf(strokes), expected) shouldBe 0
+    }
+
+    test("very many dots are drawn as the rows of pixels that they are in, fewer ones each in its place") {
+        val random = Random(1)
+        fun drawn(count: Int): Pair<Strokes, BooleanArray> {
+            val trail = DoubleArray(count) { it.toDouble() }.let { times ->
+                Trail(times, DoubleArray(count) { 1.2 * random.nextDouble() - 0.1 }, DoubleArray(count) { 0.6 * random.nextDouble() })
+            }
+            val plane = Plane(Span(0.0, 1.0), Span(0.0, 1.0))
+            val strokes = Strokes()
+            TrailDrawing(TrailPyramid(trail)).draw(0, count, plane.xScale(WIDTH.toDouble()), plane.yScale(HEIGHT.toDouble()), WIDTH, HEIGHT, false, strokes)
+            return strokes to allPixels(trail, 0, count, plane, isJoined = false)
+        }
+        val (rows, expected) = drawn(100_000)
+        rows.isDense shouldBe true
+        rows.dotsSize shouldBe 0
+        rows.count shouldBeLessThan 10_000
+        val pixels = BooleanArray(WIDTH * HEIGHT)
+        for (row in 0 until rows.count) {
+            val at = rows.startOf(row)
+            for (column in rows.points[at].toInt() until rows.points[at + 2].toInt()) pixels[rows.points[at + 1].toInt() * WIDTH + column] = true
+        }
+        pixels.indices.filter { pixels[it] != expected[it] }.shouldBeEmpty()
+
+        val (dots, _) = drawn(10_000)
+        dots.isDense shouldBe false
+        dots.count shouldBe 0
+        dots.dotsSize / 2 shouldBe dots.dots.take(dots.dotsSize).chunked(2) { (x, y) -> floor(x) to floor(y) }.toSet().size
     }
 
     test("every sample is visited once and in order where nothing may be passed over, and blocks end where their last sample is") {
