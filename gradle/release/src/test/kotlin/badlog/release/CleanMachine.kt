@@ -51,7 +51,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
     }
 }
 
-/** Starts [builder], and waits for its end: five minutes at most. */
+/** Starts [builder], and waits for its end: 15 minutes at most. */
 internal fun run(builder: ProcessBuilder): Ended {
     val output = File.createTempFile("output", ".txt")
     val process = builder.redirectErrorStream(true).redirectOutput(output).start()
@@ -70,4 +70,4 @@ internal fun found(program: String): File = if ('/' in program) {
     System.getenv("PATH").split(File.pathSeparator).map { File(it, program) }.firstOrNull { it.canExecute() } ?: File("/nowhere/$program")
 }
 
-private const val MINUTES = 5L
+private const val MINUTES = 15L

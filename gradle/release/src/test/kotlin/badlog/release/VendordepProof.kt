@@ -61,16 +61,23 @@ private fun robotProject(folder: File, vendordep: File) {
 
         import edu.wpi.first.wpilibj.DriverStation;
         import edu.wpi.first.wpilibj.RobotController;
+        import java.io.File;
 
         public class Main {
             public static void main(String[] arguments) throws InterruptedException {
                 DriverStation.enabled = true;
                 RobotController.systemTimeValid = true;
                 Robot robot = new Robot();
-                for (int i = 0; i < 60; i++) {
+                // Another thread creates the log, on a busy machine perhaps late.
+                for (int i = 0; i < 60 || (!hasRows() && i < 20_000); i++) {
                     robot.robotPeriodic();
                     Thread.sleep(5);
                 }
+            }
+
+            private static boolean hasRows() {
+                File[] logs = new File("logs").listFiles();
+                return logs != null && logs.length == 1 && logs[0].length() > 3_000;
             }
         }
         """.trimIndent(),

@@ -44,7 +44,7 @@ private fun shouldShow(launcher: File, place: File, picture: String) {
     try {
         val robot = Robot()
         val screen = Rectangle(0, 0, SCREEN_WIDTH, SCREEN_HEIGHT)
-        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(2)
+        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
         var colors = 0
         while (colors < COLORS_OF_GRAPHS && process.isAlive && System.nanoTime() < end) {
             Thread.sleep(1_000)

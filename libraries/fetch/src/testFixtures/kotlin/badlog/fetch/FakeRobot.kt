@@ -56,6 +56,9 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
     /** How many bytes of logs each connection was given that asked for some, in their order. */
     val servedByConnection: List<Long> get() = synchronized(servedBySession) { servedBySession.values.toList() }
 
+    /** How many are connected. */
+    val connections: Int get() = server.activeSessions.size
+
     val port: Int get() = server.port
 
     init {
