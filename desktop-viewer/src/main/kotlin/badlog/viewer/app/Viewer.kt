@@ -150,6 +150,8 @@ internal class Viewer(
         check = compared::toggle,
         askForFolder = opener::askForFolder,
         askForLog = opener::askForLog,
+        canCloseLog = { current.recording != null && library.state.isWithoutLogs },
+        closeLog = ::closeLog,
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
@@ -258,6 +260,16 @@ internal class Viewer(
     /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
     private fun openSample() {
         tasks.run("Opening the sample match", { SampleLog.unpackInto(folders.cache) }, loader::open)
+    }
+
+    /** Closes the open log, which is in no folder of logs; so the window shows its welcome again. */
+    private fun closeLog() = Snapshot.withMutableSnapshot {
+        loader.stop()
+        compared.clear()
+        formulas.closeSheet()
+        current.close()
+        board.replace(Board())
+        panels.change { copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) }
     }
 
     private fun askForRobot() {

@@ -12,6 +12,8 @@ import java.nio.file.Path
  * @property check starts or stops comparing with the log in a file.
  * @property askForFolder asks for another folder and opens it.
  * @property askForLog asks for a log and opens it.
+ * @property canCloseLog returns whether the open log can be closed: one of a folder stays open, because another could only replace it.
+ * @property closeLog closes the open log.
  * @property toggleTable shows all logs as a table, or the graphs again.
  */
 internal class LibraryActions(
@@ -21,6 +23,8 @@ internal class LibraryActions(
     val check: (Path) -> Unit,
     val askForFolder: () -> Unit,
     val askForLog: () -> Unit,
+    val canCloseLog: () -> Boolean,
+    val closeLog: () -> Unit,
     val toggleTable: () -> Unit,
 )
 

@@ -53,6 +53,12 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
             isOpen = false
             actions.askForLog()
         }
+        if (actions.canCloseLog()) {
+            MenuLine("Close log") {
+                isOpen = false
+                actions.closeLog()
+            }
+        }
         val others = settings.state.recentFolders.filter { it != folder?.toString() }
         if (others.isNotEmpty()) HorizontalDivider()
         for (recent in others) {

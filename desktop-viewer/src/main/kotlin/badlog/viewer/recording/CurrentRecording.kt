@@ -7,11 +7,14 @@ import badlog.viewer.part.Part
 
 /** The recording that the window shows, if any. */
 internal class CurrentRecording : Part<OpenRecording?>(null) {
-    /** The recording; null before one was opened. */
+    /** The recording; null before one was opened, and after it was closed. */
     val recording: OpenRecording? get() = state
 
     /** Shows [recording] from now on: another one, or the same file read or calculated again. */
     fun replace(recording: OpenRecording) = change { recording }
+
+    /** Shows no recording from now on. */
+    fun close() = change { null }
 }
 
 /** The events of the [current] recording, and which of them are listed and have marks. */

@@ -47,6 +47,12 @@ internal class RecordingLoader(
         job.invokeOnCompletion { if (reading === job) isReading = false }
     }
 
+    /** Stops reading, and no longer keeps the open recording up to date. */
+    fun stop() {
+        reading?.cancel()
+        watching?.cancel()
+    }
+
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
             fun read(file: Path, read: () -> OpenRecording): Stamped {

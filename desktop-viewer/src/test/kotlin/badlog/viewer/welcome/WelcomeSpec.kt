@@ -55,6 +55,37 @@ class WelcomeSpec : FunSpec({
         }
     }
 
+    test("closing the sample leads back to the invitation, also beside a folder without logs; a log of a folder stays open") {
+        val folder = tempdir().toPath()
+        val chosen = ChosenFiles(folder)
+        atFirstStart(chosen) { viewer ->
+            fun openAndCloseSample() {
+                onNodeWithContentDescription("Open the sample match").performClick()
+                waitFor { viewer.current.recording != null }
+                onNodeWithContentDescription("Welcome").assertDoesNotExist()
+                viewer.view.change { showing(10.0, 20.0) }
+                onNodeWithContentDescription("Folder").performClick()
+                onNodeWithText("Close log").performClick()
+                onNodeWithContentDescription("Welcome").assertExists()
+                viewer.current.recording shouldBe null
+                viewer.board.state.graphs.shouldBeEmpty()
+            }
+            openAndCloseSample()
+            onNodeWithContentDescription("Folder").performClick()
+            onNodeWithText("Close log").assertDoesNotExist()
+            onNodeWithContentDescription("Folder").performClick()
+            onNodeWithContentDescription("Open a folder of your logs").performClick()
+            waitFor { viewer.library.state.hasLooked }
+            openAndCloseSample()
+            folder.put("first.bag", bag())
+            waitFor { viewer.current.recording != null }
+            onNodeWithContentDescription("Welcome").assertDoesNotExist()
+            onNodeWithContentDescription("Folder").performClick()
+            onNodeWithText("Open folder…").assertExists()
+            onNodeWithText("Close log").assertDoesNotExist()
+        }
+    }
+
     test("the match that comes with the window is that of the samples, and is made whole again when it was damaged") {
         val cache = tempdir().toPath()
         val file = SampleLog.unpackInto(cache)
