@@ -1,6 +1,5 @@
 package badlog.viewer.formula
 
-import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
@@ -23,6 +22,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.plot.formula.Formula
+import badlog.viewer.menu.ContextArea
 import badlog.viewer.recording.OpenRecording
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
@@ -45,7 +45,7 @@ internal fun reasonFor(formula: Formula, open: OpenRecording): String? =
 @Composable
 private fun UnmadeLine(formulas: FormulaStore, definition: String, reason: String) {
     val palette = LocalPalette.current
-    ContextMenuArea({ formulaMenu(formulas, definition) }) {
+    ContextArea({ formulaMenu(formulas, definition) }) {
         Row(
             Modifier
                 .fillMaxWidth()

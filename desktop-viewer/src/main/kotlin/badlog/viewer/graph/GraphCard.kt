@@ -1,6 +1,5 @@
 package badlog.viewer.graph
 
-import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.background
 import androidx.compose.foundation.hoverable
@@ -28,6 +27,7 @@ import androidx.compose.ui.unit.dp
 import badlog.plot.board.BoardGraph
 import badlog.viewer.graph.scene.GraphScene
 import badlog.viewer.graph.xy.XyPane
+import badlog.viewer.menu.ContextArea
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.LocalPalette
 import badlog.viewer.theme.ToolButton
@@ -51,7 +51,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             .semantics { contentDescription = "Graph ${spec.title}" },
     ) {
         Column {
-            ContextMenuArea({ graphActions(scene, spec).flatten().map { ContextMenuItem(it.label, it.run) } }) {
+            ContextArea({ graphActions(scene, spec).flatten().map { ContextMenuItem(it.label, it.run) } }) {
                 GraphHeader(
                     scene,
                     spec,

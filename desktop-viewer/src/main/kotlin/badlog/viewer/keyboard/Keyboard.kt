@@ -93,11 +93,12 @@ internal class Keyboard {
 
     /**
      * Passes Space to [commands] even after a button was clicked, which would take it for another click; Enter still
-     * presses the button. Escape closes the open menu. For `onPreviewKeyEvent` of the window.
+     * presses the button. Escape closes the open menu, and a context menu hears its keys. For `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.key == Key.Tab && event.type == KeyEventType.KeyDown) showsFocus = true
         if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
+        if (event.type == KeyEventType.KeyDown && menus.heard(event.key)) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
         // The button must not receive its release either.

@@ -1,5 +1,7 @@
 package badlog.viewer.menu
 
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
@@ -8,20 +10,26 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.relocation.BringIntoViewRequester
+import androidx.compose.foundation.relocation.bringIntoViewRequester
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.LocalWindowInfo
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -112,13 +120,19 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
 private val MENU_WIDTH = 320.dp
 private val ROOMY = 900.dp
 
-/** A line of a menu, which [mark] marks as selected. */
+/** A line of a menu, which [mark] marks as selected. With [isMarked], it is the one that Enter selects. */
 @Composable
-internal fun MenuLine(text: String, mark: ImageVector? = null, onClick: () -> Unit) {
+internal fun MenuLine(text: String, mark: ImageVector? = null, isMarked: Boolean = false, onClick: () -> Unit) {
     val palette = LocalPalette.current
+    val sight = remember { BringIntoViewRequester() }
+    if (isMarked) LaunchedEffect(sight) { sight.bringIntoView() }
     Row(
         Modifier
+            .bringIntoViewRequester(sight)
             .widthIn(min = 180.dp, max = 420.dp)
+            .background(if (isMarked) palette.accentSoft else Color.Transparent)
+            .border(2.dp, if (isMarked) palette.accent else Color.Transparent, RoundedCornerShape(4.dp))
+            .semantics { if (isMarked) selected = true }
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 12.dp, vertical = 6.dp),
         horizontalArrangement = Arrangement.spacedBy(8.dp),

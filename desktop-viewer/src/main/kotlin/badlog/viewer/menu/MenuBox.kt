@@ -15,6 +15,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.layout.LayoutCoordinates
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
@@ -37,7 +38,7 @@ internal fun MenuBox(
     Box(modifier.onGloballyPositioned { place = it }.focusRequester(focus).focusGroup()) { opener() }
     if (isOpen) {
         val anchor = place?.takeIf { it.isAttached }?.let { Rect(it.positionInRoot(), it.size.toSize()) } ?: Rect.Zero
-        ShowMenu(anchor, takesKeys = true, onClose, { if (place?.isAttached == true) focus.requestFocus() }, menu)
+        ShowMenu(anchor, takesKeys = true, onClose, { if (place?.isAttached == true) focus.requestFocus() }, content = menu)
     }
 }
 
@@ -45,15 +46,24 @@ internal fun MenuBox(
  * Makes the [MenuLayer] show [content] beside [anchor], a place in the window, while this is composed.
  *
  * @param onClosed called when that ends, but not if a press elsewhere closed it.
+ * @param onKey called with each key that is pressed, before the focused element gets it; returns whether it was meant for the menu.
  */
 @Composable
-internal fun ShowMenu(anchor: Rect, takesKeys: Boolean, onClose: () -> Unit, onClosed: () -> Unit, content: @Composable () -> Unit) {
+internal fun ShowMenu(
+    anchor: Rect,
+    takesKeys: Boolean,
+    onClose: () -> Unit,
+    onClosed: () -> Unit,
+    onKey: (Key) -> Boolean = { false },
+    content: @Composable () -> Unit,
+) {
     ClosesByEscape(isOpen = true, onClose)
     val menus = LocalOpenMenus.current
     val latest by rememberUpdatedState(content)
     val close by rememberUpdatedState(onClose)
     val closed by rememberUpdatedState(onClosed)
-    val shown = remember { OpenMenu(takesKeys, { close() }) { latest() } }
+    val hear by rememberUpdatedState(onKey)
+    val shown = remember { OpenMenu(takesKeys, { close() }, { hear(it) }) { latest() } }
     SideEffect { shown.anchor = anchor }
     DisposableEffect(menus) {
         menus.shown += shown

@@ -11,6 +11,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.input.key.Key
 
 /** The open menus, and whatever else Escape closes first. */
 internal class OpenMenus {
@@ -36,6 +37,9 @@ internal class OpenMenus {
         }
     }
 
+    /** Passes a press of [key] to the menu that was opened last. Returns whether it was meant for that. */
+    fun heard(key: Key): Boolean = shown.lastOrNull()?.onKey?.invoke(key) ?: false
+
     fun add(close: () -> Unit) {
         closers += close
     }
@@ -50,9 +54,10 @@ internal class OpenMenus {
  *
  * @property takesKeys whether it has the keyboard focus while it is open.
  * @property close closes it.
+ * @property onKey handles a key that is pressed; returns whether it was meant for the menu.
  * @property content its content.
  */
-internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val content: @Composable () -> Unit) {
+internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val onKey: (Key) -> Boolean, val content: @Composable () -> Unit) {
     /** The place in the window of the element that opened it. */
     var anchor: Rect by mutableStateOf(Rect.Zero)
 

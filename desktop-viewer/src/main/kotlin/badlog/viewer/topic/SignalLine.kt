@@ -1,6 +1,5 @@
 package badlog.viewer.topic
 
-import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
@@ -55,6 +54,7 @@ import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.formulaMenu
 import badlog.viewer.graph.quoted
 import badlog.viewer.graph.signalTransfer
+import badlog.viewer.menu.ContextArea
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
@@ -99,7 +99,7 @@ internal fun SignalLine(
     var held by remember { mutableStateOf(PointerKeyboardModifiers()) }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
-    ContextMenuArea({ menuOf(board, formulas, topics, row) }) {
+    ContextArea({ menuOf(board, formulas, topics, row) }) {
         Row(
             Modifier
                 .fillMaxWidth()

@@ -1,6 +1,5 @@
 package badlog.viewer.topic
 
-import androidx.compose.foundation.ContextMenuArea
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
@@ -51,6 +50,7 @@ import badlog.viewer.compare.ComparedRecordings
 import badlog.viewer.formula.FormulaStore
 import badlog.viewer.formula.UnmadeFormulas
 import badlog.viewer.graph.plot.MAX_LINES
+import badlog.viewer.menu.ContextArea
 import badlog.viewer.panels.WindowPanels
 import badlog.viewer.recording.CurrentRecording
 import badlog.viewer.recording.FilteredEvents
@@ -159,7 +159,7 @@ private fun Rows(
         LazyColumn(Modifier.fillMaxSize(), state) {
             items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
                 when (row) {
-                    is FolderRow -> ContextMenuArea({ folderMenu(board, open, row.path) }) {
+                    is FolderRow -> ContextArea({ folderMenu(board, open, row.path) }) {
                         FolderLine(row, query) {
                             topics.change { toggledFolder(row.path) }
                         }

@@ -14,7 +14,9 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithTag
@@ -27,15 +29,19 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.rightClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.unit.dp
+import badlog.viewer.graph.savePicture
 import badlog.viewer.keyboard.Keyboard
 import badlog.viewer.theme.Icons
 import badlog.viewer.theme.Theme
 import badlog.viewer.theme.ToolButton
 import badlog.viewer.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
 
 @OptIn(ExperimentalTestApi::class)
 class OpenMenusSpec : FunSpec({
@@ -121,6 +127,78 @@ class OpenMenusSpec : FunSpec({
             runOnIdle { keyboard.menus.closeLast() shouldBe true }
             onNodeWithText("Line 0").assertDoesNotExist()
             done shouldContainExactly listOf("39")
+        }
+    }
+
+    test("a menu of the right button hears the arrow keys, Enter and Escape, while what was focused keeps the focus") {
+        val done = ArrayList<String>()
+        runDesktopComposeUiTest(400, 300) {
+            setContent {
+                TestWindow {
+                    Column {
+                        ContextArea({ List(40) { ContextMenuItem("Line $it") { done += "$it" } } }) { Box(Modifier.testTag("area").size(100.dp)) }
+                        ToolButton("Beside", text = "Beside") { done += "beside" }
+                    }
+                }
+            }
+            val beside = onNodeWithContentDescription("Beside")
+            beside.requestFocus()
+            fun press(keys: List<Key>) = beside.performKeyInput { keys.forEach { pressKey(it) } }
+
+            onNodeWithTag("area").performMouseInput { rightClick() }
+            press(listOf(Key.Enter))
+            done.shouldBeEmpty()
+            press(listOf(Key.DirectionDown, Key.DirectionDown))
+            onNodeWithText("Line 1").assertIsSelected()
+            press(listOf(Key.Enter))
+            onNodeWithText("Line 1").assertDoesNotExist()
+            done shouldContainExactly listOf("1")
+
+            onNodeWithTag("area").performMouseInput { rightClick() }
+            press(listOf(Key.DirectionUp))
+            onNodeWithText("Line 39").assertIsSelected().assertIsDisplayed()
+            savePicture("context-menu-marked")
+            press(listOf(Key.MoveHome, Key.DirectionUp, Key.DirectionDown, Key.MoveEnd, Key.Enter))
+            done shouldContainExactly listOf("1", "39")
+
+            onNodeWithTag("area").performMouseInput { rightClick() }
+            press(listOf(Key.DirectionDown, Key.Escape))
+            onNodeWithText("Line 0").assertDoesNotExist()
+            beside.assertIsFocused()
+            press(listOf(Key.Enter))
+            done shouldContainExactly listOf("1", "39", "beside")
+        }
+    }
+
+    test("the menu key and Shift+F10 open the menu of what has the keyboard focus, with its first line marked") {
+        val done = ArrayList<String>()
+        runDesktopComposeUiTest(400, 300) {
+            setContent {
+                TestWindow {
+                    Column {
+                        ContextArea({ listOf(ContextMenuItem("Do one") { done += "one" }) }) { ToolButton("One", text = "One") {} }
+                        ContextArea({ emptyList() }) { ToolButton("None", text = "None") {} }
+                    }
+                }
+            }
+            val one = onNodeWithContentDescription("One")
+            one.requestFocus()
+            one.performKeyInput { pressKey(Key.F10) }
+            onNodeWithText("Do one").assertDoesNotExist()
+            one.performKeyInput { withKeyDown(Key.ShiftLeft) { pressKey(Key.F10) } }
+            onNodeWithText("Do one").assertIsSelected()
+            one.performKeyInput { pressKey(Key.Enter) }
+            one.performKeyInput { pressKey(Key(KeyEvent.VK_CONTEXT_MENU)) }
+            onNodeWithText("Do one").assertIsSelected()
+            one.performKeyInput { pressKey(Key.Escape) }
+            onNodeWithText("Do one").assertDoesNotExist()
+            one.assertIsFocused()
+            done shouldContainExactly listOf("one")
+
+            val none = onNodeWithContentDescription("None")
+            none.requestFocus()
+            none.performKeyInput { withKeyDown(Key.ShiftLeft) { pressKey(Key.F10) } }
+            runOnIdle { keyboard.menus.closeLast() shouldBe false }
         }
     }
 })
