@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** What [Downsampling] promises, found the slow way. */
+/** What [Downsampling] promises, found in a slow and simple way. */
 private fun expected(series: Series, from: Double, to: Double, count: Int): List<List<Double>> = List(count) { column ->
     val indices = series.x.indices.filter { i ->
         series.x[i] in from..to && columnOf(series.x[i], from, to, count) == column
@@ -24,7 +24,7 @@ private fun columnOf(x: Double, from: Double, to: Double, count: Int): Int = (0 
 
 private fun found(series: Series, from: Double, to: Double, count: Int): List<List<Double>> {
     val columns = PixelColumns(count)
-    // Filled twice: what an earlier zoom left must not show.
+    // Filled twice, because nothing may remain of an earlier zoom.
     val downsampling = Downsampling(series)
     series.range?.let { if (it.endInclusive > it.start) downsampling.fill(it.start, it.endInclusive, columns) }
     downsampling.fill(from, to, columns)
@@ -70,7 +70,7 @@ class DownsamplingSpec : FunSpec({
         }
     }
 
-    test("a gap as wide as a column stays a gap, and is not taken for a place without samples") {
+    test("a gap as wide as a column stays a gap, and is not confused with a place without samples") {
         val series = Series(DoubleArray(100) { it.toDouble() }, DoubleArray(100) { if (it in 40..59) Double.NaN else 1.0 })
         val columns = PixelColumns(10)
         Downsampling(series).fill(0.0, 100.0, columns)

@@ -21,7 +21,7 @@ private fun spans(vararg rows: String): List<EnabledSpan> {
 }
 
 class EnabledSpanSpec : FunSpec({
-    test("autonomous and driven stretches follow one another, and what is disabled is none") {
+    test("autonomous and driven stretches follow one another, and disabled time belongs to neither") {
         spans("0,false,true", "1,true,true", "2,true,false", "3,true,false", "4,false,false", "5,true,false") shouldBe listOf(
             EnabledSpan(Span(1.0, 2.0), isAutonomous = true),
             EnabledSpan(Span(2.0, 4.0), isAutonomous = false),
@@ -29,11 +29,11 @@ class EnabledSpanSpec : FunSpec({
         )
     }
 
-    test("numbers show as truth values do") {
+    test("numbers show enabled as truth values do") {
         spans("0,0,0", "1,1.0000,0", "2,0,0") shouldBe listOf(EnabledSpan(Span(1.0, 2.0), isAutonomous = false))
     }
 
-    test("a topic that says when the robot was disabled, a bit of a word and a state tell as well") {
+    test("a topic that says when the robot was disabled, a bit of a word, and a state show it, too") {
         fun spans(reading: FlagReading, vararg cells: String): List<Span> {
             val parser = BagParser()
             val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Mode","unit":"ul","attrs":[]}],"values":[]}"""
@@ -47,7 +47,7 @@ class EnabledSpanSpec : FunSpec({
         spans(FlagReading.Text("auto"), "Disabled", "Autonomous", "Teleop", "Teleop") shouldBe listOf(Span(1.0, 2.0))
     }
 
-    test("where no topic shows, and where x goes backwards, nothing is claimed") {
+    test("without a topic that shows it, and where x goes backwards, nothing is claimed") {
         val parser = BagParser()
         parser.accept("Time,On\n0,true\n1,true\n".encodeToByteArray())
         LogView.of(parser.finish()).enabledBy(null) shouldBe emptyList()

@@ -76,7 +76,7 @@ class LogViewSpec : FunSpec({
         view.graph("[ Angle Integral ]").series.single().data.y.toList() shouldBe listOf(0.0, 6.0)
     }
 
-    test("units without a unit: Index stands for x, and a derivative is per x") {
+    test("x without a unit is Index, and a derivative without a unit is per x") {
         Units.ofDerivative("V", "ul") shouldBe "V/Index"
         Units.ofIntegral("V", "") shouldBe "V·Index"
         Units.ofDerivative("ul", "s") shouldBe "1/s"
@@ -139,7 +139,7 @@ class LogViewSpec : FunSpec({
         view.graph("State").showsStates shouldBe true
     }
 
-    test("The events of a topic are there whether or not they are shown") {
+    test("the events of a topic are there whether or not they are shown") {
         val view = view(TIME, topic("What", "log", "hide"), rows = listOf(listOf(1.5, null), listOf(2.5, "boom")))
         view.folders.flatMap { it.eventLogs }.shouldBeEmpty()
         view.eventsOf(view.recording.topics[1]).events.map { it.x to it.text } shouldBe listOf(2.5 to "boom")
@@ -172,14 +172,14 @@ class LogViewSpec : FunSpec({
         view(TIME, topic("A", "integrate"), rows = rows).kinds() shouldContain ProblemKind.INTEGRAL_OVER_GAPS
     }
 
-    test("a derived graph whose name a topic bears, or another derived graph, is shown beside it") {
+    test("a derived graph with the name of a topic, or of another derived graph, is shown beside that") {
         val view = view(TIME, topic("A", "differentiate"), topic("A Derivative"), topic("B", "delta", "delta:1"))
         view.graphs.map { it.title } shouldBe
             listOf("A", "[ A Derivative (2) ]", "A Derivative", "B", "[ B Delta ]", "[ B Delta (2) ]")
         view.kinds() shouldBe listOf(ProblemKind.UNFIT_ATTRIBUTE)
     }
 
-    test("unknown and double attributes are noted, empty ones ignored") {
+    test("unknown and duplicate attributes are noted, empty ones ignored") {
         view(topic("A", "sparkle", "", "zero", "zero")).kinds() shouldBe
             listOf(ProblemKind.UNKNOWN_ATTRIBUTE, ProblemKind.DUPLICATE_ATTRIBUTE)
     }
@@ -201,7 +201,7 @@ class LogViewSpec : FunSpec({
         view.graph("A").series.single().data.y.toList() shouldBe listOf(1.0, 2.0, 4.0, 5.0)
     }
 
-    test("an x far away from all others is reported with its number, and everything else can be seen") {
+    test("x values far away from all others are counted and reported, and everything else can be seen") {
         val rows = List(500) { listOf(if (it == 7) 18_447_000_000_000.0 else it * 0.02, 1.0) }
         val view = view(TIME, topic("A"), rows = rows)
         view.xAxis.range shouldBe 0.0..9.98

@@ -35,7 +35,7 @@ class MixedClocksSpec : FunSpec({
         view.xAxis.clocks.map { it.toList() } shouldBe listOf(listOf(1.0, 2.0), listOf(0.25, 7.5))
     }
 
-    test("a clock is one, though its topics do not stand beside each other") {
+    test("topics of one clock are one clock, even if others stand between them") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         val one = view.recording.topics.last()
         val other = Topic("other", "V", emptyList(), one.samples, one.texts, one.counts, doubleArrayOf(0.25, 7.5))

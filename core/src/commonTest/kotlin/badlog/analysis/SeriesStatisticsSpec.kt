@@ -14,7 +14,7 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 import kotlin.random.Random
 
-/** The statistics the slow way: all pieces over which a value holds, in sorted order. */
+/** The statistics in a slow and simple way: all pieces over which a value holds, in sorted order. */
 private fun sortedWay(series: Series, from: Double, to: Double, end: Double): SeriesStatistics {
     val inside = (0 until series.size).filter { series.x[it] in from..to }
     val before = (0 until series.size).lastOrNull { series.x[it] < from }
@@ -69,7 +69,10 @@ private infix fun SeriesStatistics.shouldBeLike(other: SeriesStatistics) {
     }
 }
 
-/** Values as logs have them, and as they should not be: few different ones, gaps, infinities, both zeros, huge ones. */
+/**
+ * Values as logs have them, and as they should not have them: few different ones, gaps, infinities, both zeros, huge
+ * ones.
+ */
 private val VALUES = Arb.choose(
     6 to Arb.double(-5.0, 5.0),
     3 to Arb.element(-1.0, -0.0, 0.0, 1.0, 2.0),
@@ -82,7 +85,7 @@ class SeriesStatisticsSpec : FunSpec({
         doubleArrayOf(2.0, 4.0, Double.NaN, 4.0, 5.0, 9.0),
     )
 
-    test("every figure is as worked out by hand") {
+    test("every figure is the one calculated by hand") {
         val statistics = series.statistics()
         statistics.count shouldBe 5
         statistics.gaps shouldBe 1
@@ -114,7 +117,7 @@ class SeriesStatisticsSpec : FunSpec({
         changes.statistics(12.0, 30.0, end = 20.0).integral shouldBe 56.0
     }
 
-    test("a signal has the same statistics logged again and again and logged when it changes") {
+    test("a signal has the same statistics whether it is logged repeatedly or only when it changes") {
         val random = Random(3)
         repeat(300) {
             val y = DoubleArray(50) { if (random.nextInt(8) == 0) Double.NaN else random.nextInt(4).toDouble() }
@@ -167,7 +170,7 @@ class SeriesStatisticsSpec : FunSpec({
         }
     }
 
-    test("large series have the figures too, whatever their shape") {
+    test("large series have these figures, too, whatever their shape") {
         val random = Random(42)
         val size = 20_000
         val shapes = listOf<(Int) -> Double>(
@@ -188,7 +191,7 @@ class SeriesStatisticsSpec : FunSpec({
         }
     }
 
-    test("of several parts together it counts and weighs what lies in them, and nothing between them") {
+    test("statistics of several parts together count and weigh what is in them, and nothing between them") {
         val series = Series(DoubleArray(10) { it.toDouble() }, DoubleArray(10) { if (it in 3..5) 100.0 else it.toDouble() })
         val together = series.statistics(listOf(Span(0.5, 2.0), Span(6.0, 8.0)))
         together.count shouldBe 5

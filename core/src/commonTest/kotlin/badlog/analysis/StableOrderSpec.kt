@@ -17,7 +17,7 @@ class StableOrderSpec : FunSpec({
         }
     }
 
-    test("some of the indices are ordered among themselves, and the array that was given stays") {
+    test("some of the indices can be ordered among themselves, and the given array is unchanged") {
         val indices = intArrayOf(3, 1, 0)
         stableOrder(doubleArrayOf(5.0, 4.0, 3.0, 4.0), indices).toList() shouldBe listOf(3, 1, 0)
         indices.toList() shouldBe listOf(3, 1, 0)

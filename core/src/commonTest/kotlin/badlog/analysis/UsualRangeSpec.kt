@@ -31,7 +31,7 @@ class UsualRangeSpec : FunSpec({
         with(0 to Double.NaN, 9 to Double.POSITIVE_INFINITY).run { range to wildCount } shouldBe (0.02..99.98 to 0)
     }
 
-    test("many that are far away are a part of the log, and few positions have nothing usual") {
+    test("many far positions are a part of the log, and among few positions nothing is usual") {
         UsualRange(DoubleArray(5000) { if (it % 50 == 0) 1e9 else it * 0.02 }).wildCount shouldBe 0
         UsualRange(doubleArrayOf(0.0, 1.0, 1e9)).run { range to wildCount } shouldBe (0.0..1e9 to 0)
         UsualRange(DoubleArray(0)).range shouldBe null
@@ -39,7 +39,7 @@ class UsualRangeSpec : FunSpec({
         UsualRange(match).wildest.shouldBeNaN()
     }
 
-    test("whatever the positions, the range is one of them to another, and at most one of a hundred is left out") {
+    test("whatever the positions, the range goes from one of them to another, and at most one of a hundred is left out") {
         checkAll(200, Arb.list(Arb.double(), 0..300), Arb.int(0..300)) { some, usual ->
             val positions = (some.take(some.size / 50) + List(usual) { it / 10.0 }).toDoubleArray()
             val result = UsualRange(positions)

@@ -68,7 +68,7 @@ class BagParserSpec : FunSpec({
         }
     }
 
-    test("neither short first rows nor a wrong expected size make room for far more rows than have come") {
+    test("neither short first rows nor a wrong expected size allocate room for far more rows than have arrived") {
         val columns = 2000
         val text = List(columns) { "c$it" }.joinToString(",") + "\n" + ("0,".repeat(columns - 1) + "0\n").repeat(100)
         // Room for all the rows that this size promises would be a terabyte.
@@ -83,7 +83,7 @@ class BagParserSpec : FunSpec({
         recording.topics[1].texts[4] shouldBe "state 1"
     }
 
-    test("a problem that is met a thousand times is listed ten times and counted") {
+    test("a problem that occurs a thousand times is listed ten times and counted") {
         val recording = parse("a,b\n" + "1\n".repeat(1000))
         val short = recording.problems.filter { it.kind == ProblemKind.ROW_SHORT }
         short.size shouldBe 11
@@ -99,12 +99,12 @@ class BagParserSpec : FunSpec({
         recording.topics[1].texts[3] shouldBe "z"
     }
 
-    test("a line number speaks of the physical line, also after a text with newlines") {
+    test("a line number is that of the physical line, even after a text with newlines") {
         val recording = parse("a,b\n1,\"x\ny\nz\"\n2\n")
         recording.problems.single { it.kind == ProblemKind.ROW_SHORT }.line shouldBe 5
     }
 
-    test("compressed bytes and a WPILOG say what they are") {
+    test("compressed bytes and a WPILOG are reported as what they are") {
         parse(byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0)).isReadable shouldBe false
         parse("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000").problems.first().kind shouldBe ProblemKind.NOT_A_RECORDING
     }
@@ -123,7 +123,7 @@ class BagParserSpec : FunSpec({
         recording.rowCount shouldBe 1
     }
 
-    test("40,000 equal names are distinguished in a time that grows with their number") {
+    test("40,000 equal names are distinguished in a time that grows only with their number") {
         parse(List(40_000) { "a" }.joinToString(",") + "\n").topics.last().name shouldBe "a (40000)"
     }
 

@@ -19,7 +19,7 @@ private fun Recording.doubts() = problems.filter { it.kind == ProblemKind.NAME_I
 
 private fun Recording.kinds() = problems.map { it.kind }
 
-/** What each topic has in the first row. */
+/** The cell of each topic in the first row. */
 private fun Recording.firstRow() = topics.associate { it.name to it.samples[0].toInt() }
 
 private val RIGHT = NAMES.withIndex().associate { (index, name) -> name to 100 + index }
@@ -45,7 +45,7 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("where a newline or a quote has come among the titles, line 1 names the columns and no row is lost") {
+    test("where a newline or a quote got into the titles, line 1 names the columns and no row is lost") {
         for (odd in listOf("\n", "\"", "\"\n", ",", "\u0003\r\n")) {
             val recording = parse(json() + titles.replaceFirst("Topic 9,", odd + "Topic 9,") + "\n" + ROWS)
             recording.firstRow() shouldBe RIGHT
@@ -117,7 +117,7 @@ class DamagedHeaderSpec : FunSpec({
         recording.kinds() shouldContain ProblemKind.HEADER_UNREADABLE
     }
 
-    test("a newline in the line of JSON does not make titles of its rest, however many cells that has") {
+    test("after a newline in the line of JSON, the rest of that line is not taken for titles, however many cells it has") {
         val names = NAMES.take(3)
         val line = json(names)
         val rows = (1..20).joinToString("") { row -> "${row}00,${row}01,${row}02\n" }
@@ -143,13 +143,13 @@ class DamagedHeaderSpec : FunSpec({
         recording.doubts() shouldContainExactly listOf("Time", "Volts", "Am")
     }
 
-    test("what has no rows of text is refused") {
+    test("bytes without rows of text are refused") {
         for (bytes in listOf("\u0001\u0002\u0003\n\u0004\n", "PK\u0003\u0004,\u0007\nab,\u0001,\n", "\u007fELF\u0002\n\u0001,2\n")) {
             parse(bytes).kinds() shouldContainExactly listOf(ProblemKind.NOT_A_RECORDING)
         }
     }
 
-    test("a picture that lies among the logs is refused, whatever of its bytes looks like rows") {
+    test("a picture among the logs is refused, even if some of its bytes look like rows") {
         for (seed in 0 until 300) {
             val bytes = "\u0000PNG\r\n\u001a\n".encodeToByteArray() + Random(seed).nextBytes(20_000)
             bytes[0] = 0x89.toByte()

@@ -15,7 +15,7 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 
 class HeaderJsonSpec : FunSpec({
-    test("keys may come in any order, and missing units and attributes read as none") {
+    test("keys may be in any order, and missing units and attributes are read as none") {
         readHeader("""{"values":[{"value":"8","name":"Match"}],"topics":[{"attrs":["log"],"name":"Log"},{"name":"A"}]}""") shouldBe
             BagHeader(
                 topics = listOf(BagTopic("Log", "ul", listOf("log")), BagTopic("A", "ul", emptyList())),
@@ -74,7 +74,7 @@ class HeaderJsonSpec : FunSpec({
         }
     }
 
-    test("a header written as the original did has its order and its escapes, and is read the same") {
+    test("a header written in the original's way has its order and its escapes, and is read the same") {
         val header = BagHeader(listOf(BagTopic("A/B", "V", listOf("hide"))), listOf(BagValue(Value("a", "\"\\\n\u0001\u0085€°"))))
         val text = headerText(header, asOriginal = true)
         text shouldBe """{"topics":[{"unit":"V","name":"A\/B","attrs":["hide"]}],""" +

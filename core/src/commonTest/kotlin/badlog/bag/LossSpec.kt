@@ -27,7 +27,7 @@ class LossSpec : FunSpec({
             mapOf(ProblemKind.NUL_HOLE to Loss(bytes = 3), ProblemKind.ROW_CUT to Loss(rows = 1, cells = 1, bytes = 1))
     }
 
-    test("a header that is none costs its bytes") {
+    test("a header that is not one costs its bytes") {
         losses("{\"topics\na,b\n1,2\n")[ProblemKind.HEADER_UNREADABLE] shouldBe Loss(bytes = 8)
     }
 
@@ -35,7 +35,7 @@ class LossSpec : FunSpec({
         losses("${header}1,2\n\n3\n")[ProblemKind.ROW_SHORT] shouldBe Loss.NONE
     }
 
-    test("the problem that counts those that are not listed has their losses too") {
+    test("the problem that counts the unlisted ones includes their losses") {
         val problems = parse(header + "1,2,3\n".repeat(15)).problems
         problems.last().count shouldBe 5
         problems.map { it.loss }.reduce(Loss::plus) shouldBe Loss(cells = 15, bytes = 15)

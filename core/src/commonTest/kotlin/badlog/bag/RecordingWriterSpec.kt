@@ -31,7 +31,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("a bag reads well") {
+    test("a bag is readable text") {
         write(parse(VARIED_BAG)) shouldBe VARIED_HEADER + """
             0,12.346,,false
             0.02,-123460,"armed, ready",false
@@ -78,12 +78,12 @@ class RecordingWriterSpec : FunSpec({
     test("the recording's own line 1 is kept as it is while it says the same") {
         val line = "{ \"values\":[],\"by\":\"us\", \"topics\":[{\"name\":\"a\",\"color\":\"red\"},{\"name\":\"b\"}]}"
         write(parse("$line\na,b\n1,2\n")) shouldBe "$line\na,b\n1,2\n"
-        // A topic without column: the line would describe what is not there.
+        // The line would describe a topic without a column.
         write(parse("$line\na\n1\n")) shouldBe "{\"topics\":[{\"name\":\"a\",\"unit\":\"ul\",\"attrs\":[]," +
             "\"color\":\"red\"}],\"values\":[],\"by\":\"us\"}\na\n1\n"
     }
 
-    test("rows can be picked, with their texts") {
+    test("rows can be selected, with their texts") {
         val recording = parse(VARIED_BAG)
         checkAll(50, Arb.int(0..6), Arb.int(0..6)) { one, other ->
             val rows = minOf(one, other) until maxOf(one, other)
@@ -95,7 +95,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("names that a title can hardly hold come back from both formats") {
+    test("names that are difficult in a line of titles come back from both formats") {
         for (name in listOf("a,b", "\"a\"", " a ", "\ta", "\u00A0a", "{a", "WPILOG", "\uFEFFa", "Ω\uD83E\uDD16", "1")) {
             val header = BagHeader(listOf(BagTopic(name), BagTopic("x")))
             val recording = parse(RowWriter().header(header).exact(1.0).exact(2.0).endRow().run { bytes.copyOf(size) })
@@ -104,7 +104,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("a name that no title can hold comes back as near as can be") {
+    test("a name that no title can hold comes back as similar as possible") {
         for (escape in listOf("\\n", "\\u0000", "\\uD800")) {
             // Without a line of titles, the names are those of line 1.
             val recording = parse("{\"topics\":[{\"name\":\"a${escape}b\",\"unit\":\"m\"},{\"name\":\"c\"}]}")
@@ -114,7 +114,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("a column of one odd title is not another kind of table") {
+    test("a single column with an odd title is still read as the same table") {
         for (name in listOf("a;b", "a\tb", "a\u0007b")) {
             val header = BagHeader(listOf(BagTopic(name)))
             val bag = parse(RowWriter().header(header).exact(1.0).endRow().run { bytes.copyOf(size) })

@@ -3,7 +3,7 @@ package badlog.bag
 import badlog.recording.Recording
 import badlog.recording.RecordingFormat
 
-/** The file that [recording] makes, as text. */
+/** The file that is written of [recording], as text. */
 internal fun write(
     recording: Recording,
     format: RecordingFormat = RecordingFormat.BAG,

@@ -13,7 +13,7 @@ import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-// What a CSV file's titles mean, only its rows tell.
+// Only the rows of a CSV file show what its titles mean.
 private const val HEADER = "{\"topics\":[{\"name\":\"first\"},{\"name\":\"second\"}]}\nfirst,second\n"
 
 class RowBatchSpec : FunSpec({
@@ -32,7 +32,7 @@ class RowBatchSpec : FunSpec({
         taken shouldBeGreaterThan 10_000
     }
 
-    test("so do they where samples are not kept") {
+    test("they also do if samples are not kept") {
         val random = Random(2016)
         repeat(500) {
             val bytes = randomBag(random)
@@ -55,7 +55,7 @@ class RowBatchSpec : FunSpec({
         parser.accept(batch).shouldBeTrue()
     }
 
-    test("a batch without numbers is refused where they are kept or go elsewhere, one with them where only counts are kept") {
+    test("a batch without numbers is refused if numbers are kept or sent elsewhere, one with numbers if only counts are kept") {
         val bytes = "1,2\n".encodeToByteArray()
         val (whole, counted) = listOf(true, false).map {
             checkNotNull(RowBatchParser(booleanArrayOf(true, true), it).parse(bytes, 0, bytes.size))
@@ -81,7 +81,7 @@ class RowBatchSpec : FunSpec({
         parser.parse(byteArrayOf('1'.code.toByte(), ','.code.toByte(), -3, '\n'.code.toByte()), 0, 4).shouldBeNull()
     }
 
-    test("a problem met before is reported once for a column, with its first line, also where the rest came in batches") {
+    test("a problem of a column is reported once, with its first line, even if the later rows come in batches") {
         val bytes = "a,b\n\"1,5\",oh\n\"2,5\",2\n\"3,5\",3\n4,no\n5,5\n6,6\n7,7\n8,8\n".encodeToByteArray()
         val recording = Batches(bytes, 12, keepSamples = true).read()
         recording.problems.first { it.kind == ProblemKind.DECIMAL_COMMA }.run {

@@ -47,7 +47,7 @@ class RowWriterSpec : FunSpec({
         }
     }
 
-    test("a cleared writer starts anew") {
+    test("a cleared writer starts over") {
         val writer = RowWriter().number(1.0)
         writer.clear()
         writer.number(2.0).endRow().written() shouldBe "2.0000\n"
@@ -72,7 +72,7 @@ class RowWriterSpec : FunSpec({
             "1772000000000000.000000,-1.0000e+19,NaN\n"
     }
 
-    test("exact numbers are written as a person would") {
+    test("exact numbers are written as a person would write them") {
         val numbers = listOf(
             0.0 to "0", -0.0 to "-0", 1.0 to "1", -7.0 to "-7", 0.02 to "0.02", 100.02 to "100.02", 12.346 to "12.346",
             1e5 to "100000", 1.0e15 to "1000000000000000", 9007199254740991.0 to "9007199254740991", 1e22 to "1e22",
@@ -84,7 +84,7 @@ class RowWriterSpec : FunSpec({
         for ((number, text) in numbers) RowWriter().exact(number).endRow().written() shouldBe "$text\n"
     }
 
-    test("any exact number is read again to the last bit") {
+    test("any exact number is read back to the last bit") {
         val shapes = listOf(
             Arb.long().map { Double.fromBits(it) },
             Arb.double(-1e6, 1e6),
@@ -100,7 +100,7 @@ class RowWriterSpec : FunSpec({
         }
     }
 
-    test("a title's blanks of any sort at its ends are its own") {
+    test("whitespace of any kind at a title's ends is part of the title") {
         for (name in listOf(" a", "a ", "\ta", "a\u00A0")) {
             parse(RowWriter().header(BagHeader(listOf(BagTopic(name), BagTopic("b")))).written()).topics[0].name shouldBe name
         }

@@ -31,7 +31,7 @@ private fun parse(bytes: ByteArray, piece: Int): Recording {
 
 private fun jsonOf(recording: Recording): String = comparable(expectationJson("", expectationOf(recording)))
 
-/** Without the description, and with a NaN as a gap, see [expectationOf]. */
+/** The expectation without its description, and with NaN as a gap, see [expectationOf]. */
 private fun comparable(json: String): String = json.lines()
     .filterNot { it.startsWith("  \"description\": ") }
     .joinToString("\n") { if (it.startsWith("      \"samples\": ")) it.replace("\"NaN\"", "null") else it }

@@ -7,7 +7,7 @@ import badlog.recording.TopicKind
 import badlog.recording.Value
 
 /**
- * What any reader must arrive at for one file of the corpus. Order matters everywhere but in the two lists of problems.
+ * What any reader must read in one file of the corpus. Order matters everywhere except in the two lists of problems.
  *
  * @property attributeProblems what is odd about the attributes: found when they are applied, not when the file is read.
  */

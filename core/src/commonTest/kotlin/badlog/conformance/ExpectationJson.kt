@@ -2,7 +2,7 @@ package badlog.conformance
 
 import kotlin.math.abs
 
-/** The expectation as the corpus holds it: JSON in a form that leaves no choice, so that texts can be compared. */
+/** The expectation as the corpus holds it: JSON in a canonical form, so that texts can be compared. */
 internal fun expectationJson(description: String, expectation: Expectation): String = buildString {
     append("{\n  \"description\": ").append(quoted(description)).append(",\n")
     append("  \"format\": ").append(quoted(expectation.format.name.lowercase())).append(",\n")
@@ -40,7 +40,7 @@ private fun <T> jsonArray(items: List<T>, json: (T) -> String): String = items.j
 
 private fun problemJson(problem: ExpectedProblem): String = "{\"kind\": \"${problem.kind}\", \"line\": ${problem.line}, \"topic\": ${problem.topic?.let(::quoted)}}"
 
-/** By line, those without one last; then by kind, then by topic. */
+/** Ordered by line, those without one last; then by kind, then by topic. */
 private fun sorted(problems: List<ExpectedProblem>): List<ExpectedProblem> = problems.sortedWith(compareBy({ it.line ?: Int.MAX_VALUE }, { it.kind.name }, { it.topic ?: "" }))
 
 private fun sampleJson(sample: Double?): String = when {
@@ -49,7 +49,7 @@ private fun sampleJson(sample: Double?): String = when {
     else -> quoted(sample.toString())
 }
 
-/** The shortest digits, as JavaScript writes them, on every platform. */
+/** The number with the fewest digits, as JavaScript writes it, on every platform. */
 internal fun numberJson(number: Double): String {
     val sign = if (number < 0 || 1 / number < 0) "-" else ""
     val text = abs(number).toString().lowercase()

@@ -6,8 +6,8 @@ import badlog.recording.Recording
 import badlog.recording.Topic
 
 /**
- * A recording in the words of the corpus. A topic's samples do not tell a gap from a NaN, only its counts do, so both
- * come out as a gap.
+ * A recording as the corpus would expect it. A topic's samples do not distinguish a gap from a NaN, only its counts do,
+ * so both are written as gaps.
  */
 internal fun expectationOf(recording: Recording): Expectation = Expectation(
     format = recording.format,

@@ -22,7 +22,7 @@ class DecimalReaderSpec : FunSpec({
         }
     }
 
-    test("what is not exactly a number is none") {
+    test("what is not exactly a number is not read as one") {
         for (text in listOf("", "-", ".", "1.2.3", "1e", "1e+", "e5", "1 2", "0x10", "1f", "--1", "1,5", "½")) {
             read(text) shouldBe null
         }

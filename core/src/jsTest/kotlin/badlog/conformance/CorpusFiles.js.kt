@@ -2,7 +2,7 @@ package badlog.conformance
 
 import org.khronos.webgl.Int8Array
 
-// Set by the build, since Node runs the tests in a folder of its own.
+// Set by the build, because Node runs the tests in a different folder.
 private val folder = js("process.env.BADLOG_CONFORMANCE").unsafeCast<String>()
 
 internal actual fun corpusFileNames(): List<String> = readdirSync(folder).sorted()

@@ -11,7 +11,7 @@ import java.io.File
 import java.util.zip.GZIPInputStream
 import kotlin.random.Random
 
-/** How many damaged files are read: a few in each build, more when asked. */
+/** The number of damaged files that are read: a few in each build, more with `./gradlew fuzz`. */
 private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1556
 
 /** A whole file: its header, and where its rows are. */
@@ -19,7 +19,7 @@ private class Original(val name: String, val bytes: ByteArray) {
     val recording = parse(bytes)
     val isBag = bytes[0] == '{'.code.toByte()
 
-    /** Where each line begins; then the end. */
+    /** Where each line begins, then the end of the file. */
     val lines: List<Int> = listOf(0) + bytes.indices.filter { bytes[it] == '\n'.code.toByte() }.map { it + 1 }
     val firstRow = if (isBag) 2 else 1
     val head = lines[firstRow]
@@ -49,7 +49,7 @@ private fun sample(name: String, rows: Int): Original {
     return Original("the first $rows rows of $name", all.copyOf(ends[first + rows - 1] + 1))
 }
 
-/** A bag, or a CSV file, whose titles stand in an order of their own, with texts that have quotes and commas. */
+/** A bag, or a CSV file, whose titles are in an order of their own, with texts that have quotes and commas. */
 private fun generated(columns: Int, isBag: Boolean, isReordered: Boolean, seed: Int): Original {
     val random = Random(seed)
     val names = List(columns) { if (it == 0) "Time" else "Folder ${it % 3}/Topic $it" }
@@ -68,7 +68,7 @@ private fun generated(columns: Int, isBag: Boolean, isReordered: Boolean, seed: 
     return Original("$columns columns, bag $isBag, reordered $isReordered", ((if (isBag) json else "") + titles.joinToString(",") + "\n" + rows.joinToString("") { "$it\n" }).encodeToByteArray())
 }
 
-/** What is wrong with what was read of [mutant]; null when nothing is. */
+/** What is wrong with what was read of [mutant]; null if nothing is. */
 private fun fault(original: Original, mutant: Mutant): String? {
     val rows = survivors(original, mutant)
     val recording = parse(mutant.bytes)
@@ -91,7 +91,7 @@ private fun fault(original: Original, mutant: Mutant): String? {
 
 private fun isRow(original: Original, sure: List<Topic>, cells: Cells, recording: Recording, row: Int, at: Int): Boolean {
     if (sure.isNotEmpty()) return sure.all { original.cells.of(it, row) == cells.of(cells.byName.getValue(it.name), at) }
-    // Without a name that is sure, at least all the values are there.
+    // Even if the names are in doubt, all the values are there.
     val wanted = original.recording.topics.groupingBy { original.cells.of(it, row) }.eachCount()
     val found = recording.topics.groupingBy { cells.of(it, at) }.eachCount()
     return wanted.all { (value, count) -> (found[value] ?: 0) >= count }
@@ -126,7 +126,7 @@ class SalvageSpec : FunSpec({
         generated(30, isBag = true, isReordered = false, 4),
     )
 
-    test("of any damaged bag or CSV file, every row that is intact is there under its own names") {
+    test("every intact row of any damaged bag or CSV file is read, under its own names") {
         val random = Random(1556)
         val faults = ArrayList<String>()
         repeat(MUTANTS) { number ->

@@ -18,7 +18,7 @@ class SpreadsheetExportSpec : FunSpec({
         recording.topics.size shouldBe 170
         for (topic in recording.topics) topic.counts.total shouldBe recording.rowCount
 
-        // Counted here in another way: by commas and quotes alone.
+        // Counted independently of the parser: by commas and quotes alone.
         val cells = LOG.readText().let(::cellsOf).drop(1)
         recording.rowCount shouldBe cells.size
         for ((column, topic) in recording.topics.withIndex()) {

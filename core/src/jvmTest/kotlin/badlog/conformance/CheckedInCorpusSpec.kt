@@ -18,7 +18,7 @@ class CheckedInCorpusSpec : FunSpec({
     test("each file is what ./gradlew :core:writeConformance writes") {
         val stale = conformanceFiles().filterNot { (name, bytes) -> readCorpusFile(name).contentEquals(bytes) }
         stale.keys.shouldBeEmpty()
-        // Not compared by a matcher, which would show thousands of lines.
+        // Not compared with a matcher, which would print thousands of lines.
         (readCorpusFile(NUMBER_CORPUS).decodeToString() == numberCorpus()) shouldBe true
     }
 })

@@ -7,7 +7,7 @@ import badlog.recording.TopicKind
 import badlog.recording.Value
 
 /**
- * A file, what any reader must arrive at for it, and why. The expectation is written by hand from `docs/bag-format.md`,
+ * A file, what any reader must read in it, and why. The expectation is written by hand from `docs/bag-format.md`,
  * never copied from what a parser does.
  */
 internal class ConformanceCase(val name: String, val why: String, val bytes: ByteArray, val expected: Expectation)
@@ -17,7 +17,7 @@ internal fun case(name: String, why: String, file: String, expected: Expectation
 /** A case whose file is not UTF-8: each character below U+0100 is that byte. */
 internal fun bytesCase(name: String, why: String, file: String, expected: Expectation) = ConformanceCase(name, why, file.toByteArray(Charsets.ISO_8859_1), expected)
 
-/** A bag of which these [topics] are read. */
+/** A bag in which these [topics] are read. */
 internal fun bag(
     vararg topics: ExpectedTopic,
     values: List<Value> = emptyList(),
@@ -25,7 +25,7 @@ internal fun bag(
     attributeProblems: List<ExpectedProblem> = emptyList(),
 ) = expectation(RecordingFormat.BAG, values, topics.asList(), problems, attributeProblems)
 
-/** A plain CSV file of which these [topics] are read. */
+/** A plain CSV file in which these [topics] are read. */
 internal fun csv(vararg topics: ExpectedTopic, problems: List<ExpectedProblem> = emptyList()) = expectation(RecordingFormat.CSV, emptyList(), topics.asList(), problems, emptyList())
 
 private fun expectation(
@@ -75,13 +75,13 @@ internal fun topic(
 /** The cells of a topic, from the first row to the last. */
 internal fun cells(vararg cells: Any?): List<Any?> = cells.asList()
 
-/** A problem that stands on a line. */
+/** A problem on a line. */
 internal infix fun ProblemKind.at(line: Int) = ExpectedProblem(this, line)
 
-/** A problem of a topic that has no line. */
+/** A problem of a topic, without a line. */
 internal infix fun ProblemKind.of(topic: String) = ExpectedProblem(this, topic = topic)
 
-/** A problem of a topic that stands on a line. */
+/** A problem of a topic, on a line. */
 internal infix fun ExpectedProblem.of(topic: String) = copy(topic = topic)
 
 /** A problem of the whole file. */

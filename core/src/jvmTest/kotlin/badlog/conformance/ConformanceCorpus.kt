@@ -14,10 +14,10 @@ internal fun conformanceFiles(): Map<String, ByteArray> = CONFORMANCE_CASES.flat
     )
 }.toMap()
 
-/** Whether [name] is that of a file which [conformanceFiles] gives, or gave once. */
+/** Whether [name] is that of a file which [conformanceFiles] returns, or once returned. */
 internal fun isConformanceFile(name: String): Boolean = name.endsWith(".bag") || name.endsWith(".json")
 
-/** Writes the corpus into the folder that is the only argument, and removes the files of cases that are no more. */
+/** Writes the corpus into the folder that is the only argument, and removes the files of cases that no longer exist. */
 public fun main(arguments: Array<String>) {
     val folder = File(arguments.single())
     val files = conformanceFiles()

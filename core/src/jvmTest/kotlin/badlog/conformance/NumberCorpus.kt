@@ -6,10 +6,12 @@ import kotlin.math.nextDown
 import kotlin.math.nextUp
 import kotlin.math.pow
 
-/** Where the texts of numbers stand in the corpus. */
+/** The file of the corpus with the texts of numbers. */
 internal const val NUMBER_CORPUS = "numbers/five-digits.txt"
 
-/** Doubles by their bits, with the text that a writer of bags gives them, and digests of the texts of very many. */
+/**
+ * Doubles by their bits, with the text that a writer of bags gives them, and digests of the texts of very many doubles.
+ */
 internal fun numberCorpus(): String = buildString {
     for (value in namedNumbers()) append(value.toRawBits().toULong().toString(16).padStart(16, '0')).append(' ').append(textOf(value)).append('\n')
     for (kind in NumberKind.entries) {

@@ -16,7 +16,7 @@ internal fun parse(bytes: ByteArray, piece: Int = maxOf(1, bytes.size)): Recordi
 
 internal fun parse(text: String, piece: Int = Int.MAX_VALUE): Recording = parse(text.encodeToByteArray(), piece)
 
-/** All that a recording says, as text, so that two can be compared and a difference be read. */
+/** All that a recording holds, as text, so that two can be compared and a difference can be read. */
 internal fun describe(recording: Recording): String = buildString {
     appendLine("${recording.format} ${recording.rowCount} rows ${recording.headerLine}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")
@@ -44,5 +44,5 @@ internal val VARIED_ROWS: List<String> = listOf(
     "0.10000,99.000,,true\n",
 )
 
-/** A small bag that has a bit of everything: numbers, gaps, quoted texts with commas, newlines and quotes, true and false. */
+/** A small bag with a bit of everything: numbers, gaps, quoted texts with commas, newlines and quotes, true and false. */
 internal val VARIED_BAG: String = VARIED_HEADER + VARIED_ROWS.joinToString("")

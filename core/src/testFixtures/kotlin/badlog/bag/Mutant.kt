@@ -6,7 +6,7 @@ import kotlin.random.Random
  * A file after damage, as by a loss of power, a bad disk or a transfer that went wrong.
  *
  * @property bytes what the file holds now.
- * @property origin for each byte its place in the original; -1 where it is a new one.
+ * @property origin for each byte its place in the original; -1 for a new byte.
  * @property damage what was done, for messages.
  */
 internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: String) {
@@ -16,7 +16,7 @@ internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: St
         return false
     }
 
-    /** Returns whether the bytes of the original from [from] until [until] stand at [at]. */
+    /** Returns whether the bytes of the original from [from] until [until] are at [at]. */
     fun holdsAt(at: Int, from: Int, until: Int): Boolean = at >= 0 && at + until - from <= origin.size && (from until until).all { origin[at + it - from] == it }
 
     private fun replaced(at: Int, size: Int, by: ByteArray, origins: IntArray, damage: String): Mutant {
@@ -28,7 +28,7 @@ internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: St
         )
     }
 
-    /** This file with one more damage, in its first [head] bytes more often than elsewhere. */
+    /** Returns this file with one more damaged place, which is in its first [head] bytes more often than elsewhere. */
     fun damaged(random: Random, head: Int): Mutant {
         val place = if (random.nextBoolean()) minOf(head, bytes.size) else bytes.size
         if (place == 0) return this
@@ -47,7 +47,7 @@ internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: St
     }
 
     companion object {
-        /** Returns the file [bytes] with one damage or two. */
+        /** Returns the file [bytes] with one or two damaged places. */
         fun of(bytes: ByteArray, random: Random, head: Int): Mutant {
             val whole = Mutant(bytes, IntArray(bytes.size) { it }, "")
             val once = whole.damaged(random, head)

@@ -3,7 +3,7 @@ package badlog.bag
 import badlog.recording.Recording
 import kotlin.random.Random
 
-/** The pieces that bags, and broken bags, are made of: far more telling than random bytes alone. */
+/** The pieces of good and broken bags: they find far more mistakes than random bytes alone. */
 internal val FRAGMENTS = listOf(
     "1", "-2.5", "1e5", "12.346", "abc", "\"", "\"\"", ",", ",", ",", "\n", "\n", "\r", "\r\n", "\u0000", "\u0000\u0000",
     "true", "NaN", "null", "\"1,5\"", "\"a,b\"", " ", "Ω", "{", "}", "[",
@@ -16,7 +16,7 @@ private val CELLS = listOf(
 
 private const val HEADER = "{\"topics\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\",\"attrs\":[\"log\"]}]}\na,b,c\n"
 
-/** Returns a bag that has a bit of everything, and in a few rows something odd; now and then cut, or in Latin-1. */
+/** Returns a bag with a bit of everything, and something odd in a few rows; sometimes it is cut, or in Latin-1. */
 internal fun randomBag(random: Random): ByteArray {
     val rows = List(random.nextInt(0, 40)) {
         val row = List(3) { CELLS.random(random) }.joinToString(",")

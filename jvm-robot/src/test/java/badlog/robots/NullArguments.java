@@ -4,12 +4,12 @@ import badlog.lib.BadLog;
 import badlog.lib.DataInferMode;
 import java.util.List;
 
-/** Creates topics with what Kotlin has no word for: null in place of a supplier or of an array of attributes. */
+/** Creates topics with arguments that Kotlin cannot express: null for a supplier or for an array of attributes. */
 public final class NullArguments {
     private NullArguments() {
     }
 
-    /** How many creators refuse it. */
+    /** Returns how many of the functions refuse null. */
     public static int createAll() {
         String[] noArray = null;
         List<Runnable> creators = List.of(

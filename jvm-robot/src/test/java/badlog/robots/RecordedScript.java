@@ -5,7 +5,7 @@ import badlog.lib.DataInferMode;
 
 /**
  * Calls as teams make them. Compiled against the original, it wrote {@code recorded-script.bag}; it must write the same
- * here. It avoids what is different on purpose.
+ * here. It avoids the intended differences.
  */
 public final class RecordedScript {
     private static final double[] NUMBERS = {

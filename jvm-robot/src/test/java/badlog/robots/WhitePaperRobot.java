@@ -3,7 +3,7 @@ package badlog.robots;
 import badlog.lib.BadLog;
 import badlog.lib.DataInferMode;
 
-/** The example of the white paper, with numbers that are known. */
+/** The example of the white paper, with known numbers. */
 public final class WhitePaperRobot {
     private BadLog log;
     private double matchTime = 15.0;

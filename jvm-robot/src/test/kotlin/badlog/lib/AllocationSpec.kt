@@ -8,7 +8,7 @@ private const val LOOPS = 10_000
 
 class AllocationSpec : FunSpec({
     for (compress in listOf(false, true)) {
-        test("updating and logging 50 numeric topics makes no garbage" + if (compress) ", compressed" else "") {
+        test("updating and logging 50 numeric topics allocates nothing" + if (compress) ", compressed" else "") {
             inFolder { folder ->
                 BadLog.init(File(folder, "test.bag").path, compress, true).use { log ->
                     val values = DoubleArray(50)
@@ -26,7 +26,8 @@ class AllocationSpec : FunSpec({
                         for (i in 0 until 5) BadLog.publish(names[i], values[45 + i])
                         log.row()
                     }
-                    // The boxes that Kotlin's function types make are not the log's: numbers below 128 are boxed already.
+                    // Numbers below 128, so that the boxes that Kotlin's function types make are not counted: those are
+                    // cached.
                     garbageOf { for (row in 0 until LOOPS) loop(row % 128) } shouldBe 0
                 }
             }

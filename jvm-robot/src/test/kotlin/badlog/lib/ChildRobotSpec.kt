@@ -12,7 +12,7 @@ import java.util.zip.ZipFile
 private val FOREIGN = listOf("kotlinx.", "kotlin.coroutines", "edu.wpi.", "org.wpilib.", "org.json.")
 
 class ChildRobotSpec : FunSpec({
-    test("a robot has what it needs in the jars it gets, and loads no coroutine, WPILib or JSON class") {
+    test("a robot has all it needs in the jars it gets, and loads no class of coroutines, WPILib or JSON") {
         inFolder { folder ->
             val classes = File(folder, "classes.txt")
             val (exit, said) = run(childCommand(arguments(folder, 100), listOf("-Xlog:class+load:file=$classes")))
@@ -30,7 +30,7 @@ class ChildRobotSpec : FunSpec({
             val strace = listOf("strace", "-f", "-y", "-e", calls, "-o", "$trace")
             run(strace + childCommand(arguments(folder, 500))).first shouldBe 0
             val seen = trace.readLines().filter { "test.bag>" in it }
-            // One for the header, and what the program's end writes of its own accord: nothing.
+            // One more for the header; the program's end writes nothing.
             seen.count { " write(" in it } shouldBe 501
             val caller = seen.first { " write(" in it }.substringBefore(' ')
             seen.filter { "sync(" in it && it.startsWith("$caller ") }.shouldBeEmpty()
@@ -55,7 +55,7 @@ private fun ifStrace(): Enabled = when {
     else -> Enabled.enabled
 }
 
-/** The name and the major version of each class in a jar or a folder, but for those of later releases only. */
+/** The name and the major version of each class in a jar or a folder, except those for later releases of Java only. */
 private fun classFilesIn(place: File): List<Pair<String, Int>> = if (place.isDirectory) {
     place.walk().filter { it.extension == "class" }.map { it.path to majorVersionOf(it.readBytes()) }.toList()
 } else {

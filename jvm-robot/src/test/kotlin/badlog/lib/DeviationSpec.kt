@@ -9,7 +9,7 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.util.Locale
 
-/** All in which a bag differs from the original's, each with what the original did. */
+/** All differences from a bag of the original, each with what the original did. */
 class DeviationSpec : FunSpec({
     test("an x axis has microseconds; the original left 10 ms of 100 s") {
         inFolder { folder ->
@@ -39,7 +39,7 @@ class DeviationSpec : FunSpec({
         }
     }
 
-    test("files are UTF-8 and numbers have points anywhere; the original asked the machine") {
+    test("files are UTF-8 and numbers have points on any machine; the original used the machine's settings") {
         val before = Locale.getDefault()
         Locale.setDefault(Locale.FRANCE)
         try {
@@ -55,7 +55,7 @@ class DeviationSpec : FunSpec({
         }
     }
 
-    test("line ends are \\n anywhere; the original asked the machine") {
+    test("line ends are \\n on any machine; the original used the machine's") {
         inFolder { folder ->
             val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { it.row() }
             file.readText() shouldContain "]}\nA\n1.0000\n"
@@ -132,7 +132,7 @@ class DeviationSpec : FunSpec({
         }
     }
 
-    test("folders are created; the original logged nothing then") {
+    test("missing folders are created; the original then logged nothing") {
         inFolder { folder ->
             val file = File(folder, "a/b/c.bag")
             BadLog.init(file.path).use { it.finishInitialization() }

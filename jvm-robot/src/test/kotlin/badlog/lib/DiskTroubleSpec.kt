@@ -17,7 +17,7 @@ private const val MAX_NANOS = 20_000_000L
 
 class DiskTroubleSpec : FunSpec({
     for (compress in listOf(false, true)) {
-        test("a full disk costs the rows meanwhile and nothing else" + if (compress) ", compressed" else "")
+        test("while the disk is full, rows are lost and nothing else" + if (compress) ", compressed" else "")
             .config(enabledOrReasonIf = { ifMount() }) {
                 onSmallDisk { disk ->
                     val filler = File(disk, "filler")
@@ -63,7 +63,7 @@ class DiskTroubleSpec : FunSpec({
                     log.finishInitialization()
                     log.row()
                     fill(filler)
-                    // Fills the rest of the page that the file has already.
+                    // Fills the rest of the page that the file already has.
                     while (log.state == LogState.LOGGING) {
                         events.event("filling " + "x".repeat(500))
                         log.row()
@@ -91,7 +91,7 @@ class DiskTroubleSpec : FunSpec({
             events.event("one")
             log.row()
             log.close()
-            // With the one that says that nothing can be written.
+            // Including the one that says that nothing can be written.
             log.counters().eventsDropped shouldBe 2
         }
     }
@@ -118,14 +118,14 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a read-only disk is said, and nothing is logged").config(enabledOrReasonIf = { ifMount() }) {
+    test("a read-only disk is reported, and nothing is logged").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             run(listOf("mount", "-o", "remount,ro", disk.path)).first shouldBe 0
             expectNothingLogged(File(disk, "a.bag"))
         }
     }
 
-    test("a folder that cannot be is said, and nothing is logged") {
+    test("a folder that cannot be created is reported, and nothing is logged") {
         inFolder { folder ->
             val file = File(folder, "file").apply { writeText("") }
             expectNothingLogged(File(file, "a.bag"))
@@ -133,7 +133,7 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a file that takes nothing is said") {
+    test("a file that cannot be written to is reported") {
         standardErrorOf {
             BadLog.init("/dev/full").use { log ->
                 createTopics()
@@ -210,7 +210,7 @@ private fun BadLog.timedRow(): Long {
     return System.nanoTime() - began
 }
 
-/** Logs rows until the log is in the [wanted] state; how long each took. */
+/** Logs rows until the log is in the [wanted] state; returns the time that each took. */
 private fun BadLog.rowsUntil(wanted: LogState): List<Long> {
     val nanos = ArrayList<Long>()
     until({ state == wanted }) {
@@ -221,8 +221,8 @@ private fun BadLog.rowsUntil(wanted: LogState): List<Long> {
 }
 
 /**
- * How long a row took at most, but for the first. A machine that does other things stalls any program now and then, so the best
- * of many parts counts.
+ * The longest time of a row, except the first. A busy machine stalls any program now and then, so the best of many parts
+ * counts.
  */
 private fun slowestOf(nanos: List<Long>): Long = nanos.drop(1).chunked(maxOf(nanos.size / 20, 2)).filter { it.size > 1 }.minOfOrNull { it.max() } ?: 0
 
@@ -234,7 +234,7 @@ private fun fill(file: File) {
     }
 }
 
-/** Runs [test] in an own file system of half a megabyte. */
+/** Runs [test] in a file system of its own, of half a megabyte. */
 private inline fun onSmallDisk(test: (File) -> Unit) = inFolder { folder ->
     val disk = File(folder, "disk").apply { mkdir() }
     run(listOf("mount", "-t", "tmpfs", "-o", "size=512k", "badlog", disk.path)).first shouldBe 0

@@ -7,7 +7,7 @@ import java.io.File
 import java.util.zip.GZIPInputStream
 
 class GzipSpec : FunSpec({
-    test("a bag that was closed is a gzip file like any other") {
+    test("a closed bag is a gzip file like any other") {
         inFolder { folder ->
             for (flush in listOf(true, false)) {
                 val file = File(folder, "closed.bag")

@@ -14,7 +14,7 @@ private const val KILLS = 200
 private const val FIRST_ROW_LINE = 3
 
 class KilledSpec : FunSpec({
-    test("$KILLS robots are killed in mid-loop, and every row whose log() returned is in the file") {
+    test("when $KILLS robots are killed in mid-loop, every row whose log() returned is in the file") {
         inFolder { folder ->
             val pool = Executors.newFixedThreadPool(2)
             val kills = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }
@@ -43,7 +43,7 @@ private fun killOne(folder: File, number: Int): String? {
     val whole = (0 until rows.toInt()).all { it < samples.size && samples[it] == it.toDouble() }
     val said = File(folder, "$number.txt").readText()
     listOf(file, path, returned).forEach(File::delete)
-    // The row whose log() had not returned may be cut; nothing before it may.
+    // The row whose log() had not returned may be cut, but nothing before it.
     val lost = recording.problems.filter { it.severity == Severity.ERROR && (it.line ?: 0) < FIRST_ROW_LINE + rows }
     return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) {
         null

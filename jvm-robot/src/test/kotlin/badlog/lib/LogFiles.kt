@@ -11,10 +11,10 @@ import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.util.zip.GZIPInputStream
 
-/** More than enough for the thread that says what went wrong. */
+/** More than enough time for the thread that reports what went wrong. */
 internal const val SAID_MILLIS = 60_000
 
-/** Does [work] again and again until [isSo]; fails after two minutes. */
+/** Repeats [work] until [isSo]; fails after two minutes. */
 internal inline fun until(isSo: () -> Boolean, work: () -> Unit) {
     val end = System.nanoTime() + 120_000_000_000
     while (!isSo()) {
@@ -24,8 +24,9 @@ internal inline fun until(isSo: () -> Boolean, work: () -> Unit) {
 }
 
 /**
- * The least number of bytes that [work] allocates on this thread, of some attempts. Now and then the JVM itself makes an object on a
- * thread, when it compiles what that runs, and a busy machine compiles late. What the work allocated, it would allocate each time.
+ * The least number of bytes that [work] allocates on this thread in some attempts. Now and then the JVM itself allocates on a
+ * thread, when it compiles what the thread runs, and a busy machine compiles late. What the work allocates, it would allocate each
+ * time.
  */
 internal fun garbageOf(work: () -> Unit): Long {
     val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
@@ -90,7 +91,7 @@ fun inflated(packed: ByteArray): ByteArray {
     return out.toByteArray()
 }
 
-/** The lines of a bag behind its two header lines. */
+/** The lines of a bag after its two header lines. */
 fun rowsIn(file: File): List<String> = file.readLines().drop(2)
 
 /** Logs in a new file of [folder]: [create] makes topics, [loop] is what the robot does. Returns the file, closed. */

@@ -10,11 +10,11 @@ import java.io.PrintStream
 import java.util.concurrent.CountDownLatch
 import kotlin.concurrent.thread
 
-/** What takes longer never ends. */
+/** Work that takes longer is assumed never to end. */
 private const val LONG_MILLIS = 120_000L
 
 class LoopFaultsSpec : FunSpec({
-    test("a supplier that throws leaves a gap, is counted, said once, and an event in the log") {
+    test("a supplier that throws leaves a gap, is counted, reported once, and noted as an event in the log") {
         inFolder { folder ->
             val said = standardErrorOf {
                 val file = logged(folder, {
@@ -68,7 +68,7 @@ class LoopFaultsSpec : FunSpec({
         }.lines().count { it.isNotEmpty() } shouldBe 201
     }
 
-    test("publishing what cannot be published is ignored, counted, and said once for each name") {
+    test("publishing what cannot be published is ignored, counted, and reported once for each name") {
         inFolder { folder ->
             val said = standardErrorOf {
                 val file = logged(folder, {
@@ -118,7 +118,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a standard error that nobody reads stops neither the loop nor the memory") {
+    test("a standard error that nobody reads neither stops the loop nor fills the memory") {
         val before = System.err
         val isRead = CountDownLatch(1)
         val full = object : OutputStream() {
@@ -149,7 +149,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a standard error that throws does not end what is said") {
+    test("a standard error that throws does not end the reporting") {
         val before = System.err
         val said = standardErrorOf {
             val captured = System.err
@@ -165,7 +165,7 @@ class LoopFaultsSpec : FunSpec({
         said shouldBe "badlog: two" + System.lineSeparator()
     }
 
-    test("a formatter that logs, updates, flushes or closes in the middle of a row does not tear it") {
+    test("a formatter that logs, updates, flushes or closes in the middle of a row does not tear the row") {
         for (compress in listOf(false, true)) {
             inFolder { folder ->
                 var calls = 0
@@ -197,7 +197,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a formatter that starts another log ends the first after its row") {
+    test("a formatter that starts another log ends the first one after its row") {
         inFolder { folder ->
             var isSecond = false
             standardErrorOf {

@@ -23,7 +23,7 @@ class OriginalBytesSpec : FunSpec({
         }
     }
 
-    test("a recorded script of calls gives the bytes that it gave with the original") {
+    test("a recorded script of calls gives the same bytes as with the original") {
         inFolder { folder ->
             val file = File(folder, "script.bag")
             RecordedScript.run(file.path, 200)

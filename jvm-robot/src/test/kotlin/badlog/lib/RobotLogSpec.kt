@@ -11,7 +11,7 @@ import io.kotest.matchers.string.shouldMatch
 import java.io.File
 import java.util.function.Supplier
 
-/** A robot that is what a test says. */
+/** A robot in the state that a test gives it. */
 private class Robot(folder: File) {
     @Volatile
     var enabled = false
@@ -61,7 +61,7 @@ class RobotLogSpec : FunSpec({
     // Robots of other specs never close their logs, as real ones do not.
     beforeTest { standardErrorOf { BadLog.init("/dev/null").close() } }
 
-    test("nothing is written before a driver station is there; then time, event and match make the name") {
+    test("nothing is written until a driver station is connected; then time, event and match make the name") {
         inFolder { folder ->
             val logs = File(folder, "logs")
             val robot = Robot(logs)
@@ -86,7 +86,7 @@ class RobotLogSpec : FunSpec({
                     robot.match = "Q42"
                     robot.enabled = true
                     log.driveUntil { log.file?.name.orEmpty().endsWith("_OHCL_Q42.bag") }
-                    // This is noted after the log was renamed, so its name stays.
+                    // This event is noted after the log was renamed, so the name stays.
                     log.driveUntil { "Match OHCL Q42" in log.file!!.readText() }
                     logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}_OHCL_Q42\\.bag"
                     log.file?.name shouldBe logs.names().single()
@@ -115,7 +115,7 @@ class RobotLogSpec : FunSpec({
                     log.periodic()
                     return log.log.counters().rowsWritten > before
                 }
-                // When the last row was begun, at the earliest and at the latest.
+                // The earliest and the latest time at which the last row was begun.
                 until({ isRow() }) { Thread.sleep(2) }
                 var earliest = Long.MAX_VALUE
                 var latest = 0L
@@ -139,7 +139,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("what is known when the header is written stands in it; being enabled or waiting long is a reason, too") {
+    test("what is known when the header is written is in it; being enabled or waiting long is a reason to write it, too") {
         inFolder { folder ->
             for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 0.1 })) {
                 val robot = Robot(File(folder, "logs")).apply {
@@ -192,7 +192,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a disk that is all but full is left alone, at the start and later") {
+    test("nothing is logged to a disk that is almost full, at the start and later") {
         inFolder { folder ->
             val robot = Robot(folder).apply {
                 enabled = true
@@ -219,7 +219,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a log that is closed while it begins leaves no file") {
+    test("a log that is closed before it has begun leaves no file") {
         inFolder { folder ->
             var log: RobotLog? = null
             val robot = Robot(folder).apply { enabled = true }
@@ -246,7 +246,7 @@ class RobotLogSpec : FunSpec({
         LogFolder(File("none"), File::getUsableSpace).isFull shouldBe false
     }
 
-    test("suppliers that throw do not stop it") {
+    test("suppliers that throw do not stop the log") {
         inFolder { folder ->
             val robot = Robot(folder).apply {
                 options.headerTimeout = 0.1

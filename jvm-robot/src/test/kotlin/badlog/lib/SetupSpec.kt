@@ -23,7 +23,7 @@ class SetupSpec : FunSpec({
         }
     }
 
-    test("topics and values are created before the set-up is finished, which is once") {
+    test("topics and values are created before the setup is finished, which happens once") {
         inFolder { folder ->
             logged(folder) { log ->
                 log.state shouldBe LogState.LOGGING
@@ -35,7 +35,7 @@ class SetupSpec : FunSpec({
         }
     }
 
-    test("a second log closes the first, and says so; one after the end of another does not") {
+    test("a second log closes the first, and reports that; one after the end of another does not") {
         inFolder { folder ->
             val first = BadLog.init(File(folder, "first.bag").path)
             BadLog.createTopic("A", "ul", { 1.0 })
@@ -55,7 +55,7 @@ class SetupSpec : FunSpec({
         }
     }
 
-    test("an unusual name is taken, with a warning") {
+    test("an unusual name is accepted, with a warning") {
         inFolder { folder ->
             standardErrorOf { logged(folder, { BadLog.createTopic("a:b", "ul", { 1.0 }) }) {} } shouldContain "':'"
         }

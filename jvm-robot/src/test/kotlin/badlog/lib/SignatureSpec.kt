@@ -15,7 +15,7 @@ class SignatureSpec : FunSpec({
         val wanted = list.readText().trim().lines()
         val classes = wanted.map { it.split(' ')[1] }.distinct().map { Class.forName(it) }
         classes.flatMap(::signaturesOf) shouldContainAll wanted
-        // A name that is overloaded in a way the original was not makes method references ambiguous.
+        // An overload that the original did not have makes method references ambiguous.
         val overloads = { name: String -> BadLog::class.java.methods.count { it.name == name } }
         val creators = listOf("createTopic", "createTopicStr", "createTopicSubscriber", "createValue")
         creators.map(overloads) shouldBe List(4) { 1 }

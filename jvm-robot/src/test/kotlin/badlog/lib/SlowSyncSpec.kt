@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
-/** A disk that takes its time: [append], [finish], [sync] and [close] are what its functions do. */
+/** A slow disk: [append], [finish], [sync] and [close] are what its functions do. */
 private class SlowOutput(
     private val append: () -> Unit = {},
     private val finish: () -> Unit = {},
@@ -40,7 +40,7 @@ private class SlowOutput(
 }
 
 class SlowSyncSpec : FunSpec({
-    /** What a robot counts that does [loop] with its log to [output]. */
+    /** The counters of a robot that does [loop] with its log to [output]. */
     fun logTo(output: BagOutput, loop: (BadLog) -> Unit): LogCounters = inFolder { folder ->
         val session = LogSession(flushesEachRow = true)
         val log = BadLog.start(session)
@@ -75,7 +75,7 @@ class SlowSyncSpec : FunSpec({
         counters.get().rowsWritten shouldBe 500
     }
 
-    test("slow writes count, those that fail and the header's too") {
+    test("slow writes are counted, including failed ones and the header") {
         val slow = SlowOutput(
             append = {
                 Thread.sleep(10)
@@ -85,14 +85,14 @@ class SlowSyncSpec : FunSpec({
         )
         standardErrorOf {
             val counters = logTo(slow) { it.row() }
-            // The header at the start and at the end, and as often between as there was a quarter of a second; then the end itself.
+            // The header is tried at the start, at the end, and for each quarter of a second between; the end itself is one more.
             slow.appends.get() shouldBeGreaterThanOrEqual 2
             counters.slowWrites shouldBe slow.appends.get() + 1
             counters.rowsMissed shouldBe 1
         }
     }
 
-    test("a file that cannot be closed is said, and throws nothing") {
+    test("a file that cannot be closed is reported, and nothing is thrown") {
         standardErrorOf {
             val session = LogSession(flushesEachRow = true)
             session.logTo(LogFile(File("none"), SlowOutput(close = { throw IOException("gone") })))
@@ -100,7 +100,7 @@ class SlowSyncSpec : FunSpec({
         } shouldContain "could not be closed"
     }
 
-    test("a quick disk is synced four times a second at most, and for the header") {
+    test("a fast disk is synced at most four times a second, and for the header") {
         val output = SlowOutput()
         val began = System.nanoTime()
         logTo(output) { log ->
@@ -110,7 +110,7 @@ class SlowSyncSpec : FunSpec({
             }
         }
         val quarters = ((System.nanoTime() - began) / 250_000_000).toInt()
-        // At the start and at the end, too.
+        // Also at the start and at the end.
         output.syncs.get() shouldBeLessThanOrEqual quarters + 2
     }
 })

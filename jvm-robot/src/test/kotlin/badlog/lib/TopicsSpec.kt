@@ -10,7 +10,7 @@ import java.io.File
 import kotlin.time.Duration.Companion.minutes
 
 class TopicsSpec : FunSpec({
-    test("published data is consumed by an update; the last counts") {
+    test("an update consumes published data, of which the last counts") {
         inFolder { folder ->
             val file = logged(folder, {
                 BadLog.createTopicSubscriber("Default", "ul", DataInferMode.DEFAULT)
@@ -125,7 +125,7 @@ class TopicsSpec : FunSpec({
                 log.finishInitialization()
                 repeat(3) { log.row() }
                 val written = rowsIn(file).size
-                // Rows that had to wait for a quarter of a second, as on a busy machine, may be written.
+                // On a busy machine, rows may have waited for a quarter of a second and be written.
                 val isLate = System.nanoTime() - began >= 250_000_000
                 if (!isLate) written shouldBe 0
             } while (isLate && attempts < 1000)
@@ -139,7 +139,7 @@ class TopicsSpec : FunSpec({
         }
     }
 
-    test("without flushing, a row waits a quarter of a second at most while others come") {
+    test("without flushing, a row waits at most a quarter of a second while others come") {
         inFolder { folder ->
             val file = File(folder, "a.bag")
             BadLog.init(file.path, false).use { log ->
@@ -151,13 +151,13 @@ class TopicsSpec : FunSpec({
                     rows++
                     Thread.sleep(25)
                 }
-                // So few, of seven bytes each, that they were not written for their size.
+                // So few, at seven bytes each, that their size was not the reason to write them.
                 rows shouldBeLessThan 800
             }
         }
     }
 
-    test("without flushing, a row is written when no other comes, too") {
+    test("without flushing, a row is also written if no other follows") {
         inFolder { folder ->
             val file = File(folder, "a.bag")
             BadLog.init(file.path, false).use { log ->

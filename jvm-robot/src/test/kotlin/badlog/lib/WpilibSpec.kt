@@ -6,7 +6,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class WpilibSpec : FunSpec({
-    test("to season 2026 it is found under edu.wpi.first") {
+    test("up to season 2026, WPILib is found under edu.wpi.first") {
         val wpilib = Wpilib.find(WpilibSpec::class.java.classLoader)
         DriverStation.enabled = false
         wpilib.isEnabled.asBoolean shouldBe false
@@ -26,7 +26,7 @@ class WpilibSpec : FunSpec({
         wpilib.match.get() shouldBe "Q42"
     }
 
-    test("from 2027 on it is found under org.wpilib") {
+    test("from 2027 on, WPILib is found under org.wpilib") {
         val wpilib = Wpilib.find(Hiding("edu.wpi."))
         wpilib.isEnabled.asBoolean shouldBe false
         wpilib.isDriverStationAttached.asBoolean shouldBe true
@@ -35,7 +35,7 @@ class WpilibSpec : FunSpec({
         wpilib.event.get() + wpilib.match.get() shouldBe "ONTOE7"
     }
 
-    test("without it, the robot counts as enabled and the rest as unknown") {
+    test("without WPILib, the robot counts as enabled and the rest as unknown") {
         val wpilib = Wpilib.find(Hiding("edu.wpi.", "org.wpilib."))
         wpilib.isEnabled.asBoolean shouldBe true
         wpilib.isDriverStationAttached.asBoolean shouldBe false
@@ -44,7 +44,7 @@ class WpilibSpec : FunSpec({
         wpilib.event.get() + wpilib.match.get() shouldBe ""
     }
 
-    test("asking it makes no garbage") {
+    test("asking WPILib allocates nothing") {
         val wpilib = Wpilib.find(WpilibSpec::class.java.classLoader)
         val battery = checkNotNull(wpilib.batteryVoltage)
         garbageOf {
@@ -53,7 +53,7 @@ class WpilibSpec : FunSpec({
     }
 })
 
-/** Does as if the classes under [prefixes] did not exist. */
+/** Loads classes as if those under [prefixes] did not exist. */
 private class Hiding(vararg val prefixes: String) : ClassLoader(WpilibSpec::class.java.classLoader) {
     override fun loadClass(name: String, resolve: Boolean): Class<*> {
         if (prefixes.any { name.startsWith(it) }) throw ClassNotFoundException(name)

@@ -7,8 +7,8 @@ import java.nio.channels.FileChannel
 
 /**
  * A robot program in a process of its own: logs to the path in the first argument as many rows as the second says,
- * gzipped if the third is `true`, and says in the file that the fourth names how many calls of `log()` have returned.
- * That file is mapped into memory, so that it is right however the process ends.
+ * gzipped if the third is `true`, and writes to the file that the fourth names how many calls of `log()` have returned.
+ * That file is mapped into memory, so that the number is right however the process ends.
  */
 object ChildRobot {
     @JvmStatic

@@ -1,6 +1,6 @@
 package org.wpilib.system;
 
-/** Stands for WPILib's class of that name, from season 2027 on. */
+/** Stands in for WPILib's class of that name, from season 2027 on. */
 public final class RobotController {
     private RobotController() {
     }

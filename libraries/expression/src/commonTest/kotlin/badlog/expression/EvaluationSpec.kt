@@ -26,11 +26,11 @@ class EvaluationSpec : FunSpec({
             if (!isRounding) throw AssertionError("seed $seed: $text is ${shown(fast)}, not ${shown(slow)}")
             roundings++
         }
-        // More would be an evaluator that is careless.
+        // More could not be explained by rounding.
         roundings shouldBeLessThanOrEqual MOST_ROUNDINGS
     }
 
-    test("random expressions are written so that they are read as the same again") {
+    test("random expressions are written so that they are read back as the same") {
         repeat(ROUNDS) { seed ->
             val random = Random(seed)
             val vocabulary = randomSignals(random).vocabulary

@@ -122,7 +122,7 @@ class FunctionsSpec : FunSpec({
         pairs("v + slow") shouldBe "0:-, 0.5:17, 1:13, 2:11, 2.5:13, 3:-, 4:17"
     }
 
-    test("what holds long enough counts from its begin, what does not counts not at all") {
+    test("what holds long enough counts from its start, anything shorter does not count") {
         pairs("on for 1.5 s") shouldBe "0:0, 1:1, 2:1, 3:0, 4:0"
         pairs("i > 0 for 4 s") shouldBe "0:1, 1:1, 2:1, 3:1, 4:1"
         pairs("on for 2 s") shouldBe "0:0, 1:1, 2:1, 3:0, 4:0"
@@ -190,7 +190,7 @@ class FunctionsSpec : FunSpec({
         parsed("min(i when last(i > 2, 0.5 s))").answer(SIGNALS).quantities.single().value shouldBe 3.0
     }
 
-    test("a condition that is shifted beyond the end of the log becomes false there no more") {
+    test("a condition that is shifted beyond the end of the log no longer becomes false there") {
         parsed("count(falls(shift(on, 1.5 s)))").answer(SIGNALS).quantities.single().value shouldBe 0.0
     }
 
@@ -208,12 +208,12 @@ class FunctionsSpec : FunSpec({
         pairs("back > 15 for 1 s") shouldBe "1:0, 0:1, 2:1"
     }
 
-    test("where time goes back, what another clock shows of a time counts each time that it comes") {
+    test("where time goes back, samples of another clock count each time that their time comes") {
         pairs("back + v") shouldBe "0:-, 1:18, 0:32, 1:28, 2:36, 3:-, 4:40"
         pairs("back > 0 and during(1, 2)") shouldBe "0:0, 1:1, 0:0, 1:1, 2:0"
     }
 
-    test("what holds on while the clock is set back is two spans, but came once") {
+    test("what holds while the clock is set back is two spans, but occurred once") {
         parsed("back > 0").answer(SIGNALS).toString() shouldBe
             "yes, back = 30 at 2 s, at 1 s, in 2 parts since the clock was set back"
     }
@@ -294,7 +294,7 @@ class FunctionsSpec : FunSpec({
         parsed("count(log contains 'x') == 0").answer(empty).outcome shouldBe Outcome.HOLDS
     }
 
-    test("numbers are shown with six digits everywhere alike") {
+    test("numbers are shown with six digits on every platform") {
         listOf(
             0.0, 6.7, -6.7, 1234567.0, 0.1 + 0.2, 0.000012345678, 1e-7, 1.5e20, 9.9999999, 999999.9, 1e300, 5e-324,
             9999999999.0, Double.POSITIVE_INFINITY,

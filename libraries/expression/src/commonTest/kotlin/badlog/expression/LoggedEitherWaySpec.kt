@@ -61,7 +61,7 @@ private val CONDITIONS = listOf(
 private val MOMENTS = listOf("changed(A)", "changed(S)", "changed(F)", "delta(C) > 1", "E contains 'x'", "changed(A) and F", "E == 'xy' or changed(S)", "rises(F)", "falls(A > 0)", "crosses(C, 5)")
 private val OF_MOMENTS = listOf("delta(A)", "delta(C)", "delta(A when F)", "delta(if(F, 1, 0))", "lengths(F)", "cycle_times(F)", "number(E)", "(C when changed(S))")
 
-/** All that is made of numbers, of conditions and of moments, the functions that count samples left out. */
+/** All functions of numbers, conditions and moments, except those that count samples. */
 private val QUESTIONS = NUMBERS.flatMap { x ->
     listOf(
         "min", "max", "mean", "median", "stddev", "first", "last", "integral", "duration", "time_of_min", "time_of_max",
@@ -120,7 +120,7 @@ class LoggedEitherWaySpec : FunSpec({
         }
     }
 
-    test("a log of changes tells as many changes and as much energy as the rows it was made of") {
+    test("a log of changes gives as many changes and as much energy as the rows it was made of") {
         val x = DoubleArray(100) { it * 0.1 }
         val rows = SampleSignals(
             mapOf(

@@ -124,7 +124,7 @@ class ParsingSpec : FunSpec({
         (parsed(".5", VOCABULARY).root as Node.Number).value shouldBe 0.5
     }
 
-    test("a time has no meaning where x is none") {
+    test("a time has no meaning if x is not a time") {
         val rows = Vocabulary(VOCABULARY.signals, hasTime = false)
         errorOf("a > 1 for 5 s", rows).run {
             kind shouldBe ExpressionErrorKind.NO_TIME
@@ -310,14 +310,14 @@ class ParsingSpec : FunSpec({
         parsed("Table/", vocabulary).topics shouldBe listOf("Table/")
     }
 
-    test("equal vocabularies serve each other's expressions") {
+    test("an expression can be used with any equal vocabulary") {
         val other = Vocabulary(VOCABULARY.signals.map { it.copy() })
         (other == VOCABULARY) shouldBe true
         other.hashCode() shouldBe VOCABULARY.hashCode()
         (names("a") == VOCABULARY) shouldBe false
     }
 
-    test("an expression shows which topics it uses and what it gives") {
+    test("an expression shows which topics it uses and the kind of its result") {
         val expression = parsed("min(Battery Voltage) < 7 and a > 1 for 1 s and a < 5", VOCABULARY)
         expression.topics shouldBe listOf("System/Battery Voltage", "a")
         expression.type shouldBe ExpressionType(isCondition = true, isOverTime = true)

@@ -64,10 +64,10 @@ internal class RandomExpressions(private val random: Random) {
         else -> "count(${pick(conditionOverTime(depth), "E", "T", "changed(S)")})"
     }
 
-    // One with a topic always changes over time.
+    // Contains a topic, so that it always changes over time.
     private fun series(depth: Int): String = "${number(depth - 1)} + ${pick("A", "B", "C", "Dir/D")}"
 
-    // Where one of two lasts, what is either of them does.
+    // Of two alternatives, one lasts, so the whole lasts.
     private fun lasting(depth: Int): String = "if(${pick("F", "true or G")}, ${number(depth - 1)}, B) + ${pick("A", "B", "C", "Dir/D")}"
 
     private fun conditionOverTime(depth: Int): String = "(${condition(depth - 1)} ${pick("and", "or")} ${pick("F", "G", "B > 0", "C < 1")})"
@@ -114,7 +114,7 @@ internal fun randomSignals(random: Random): Signals {
         DoubleArray(x.size) { if (random.nextInt(5) == 0) Double.NaN else random.nextInt(-2, 4).toDouble() },
     )
     fun among(x: DoubleArray, count: Int, hasGaps: Boolean = true) = Series(x, DoubleArray(x.size) { if (hasGaps && random.nextInt(5) == 0) Double.NaN else random.nextInt(count).toDouble() })
-    // Of every third recording the clock was set back.
+    // In every third recording, the clock was set back.
     val common = if (random.nextInt(3) > 0) times(14) else times(6) + times(6) + times(3)
     val edges = List(4) { random.nextInt(24) * 0.25 }.sorted()
     val isMeasured = edges.distinct().size == 4

@@ -27,7 +27,7 @@ class SetBackSpec : FunSpec({
     fun answer(text: String) = parsed(text, signals.vocabulary).answer(signals)
     fun number(text: String) = answer(text).quantities.single().value
 
-    test("the rule that a clock was set back holds where it was") {
+    test("the rule for a clock that was set back holds where it was set back") {
         answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, at 5 s"
     }
 

@@ -6,7 +6,7 @@ import badlog.expression.syntax.Function
 internal class SlowChanges(private val noise: Noise, private val value: SlowValue) {
     private val rows = value.rows!!
 
-    /** Null for a function that is none of these. */
+    /** Null if the function is not one of these. */
     fun of(function: Function, length: Double): SlowValue? = when (function) {
         Function.WINDOW_MIN -> window(length) { it.min() }
 
@@ -60,7 +60,7 @@ internal class SlowChanges(private val noise: Noise, private val value: SlowValu
         },
     )
 
-    /** Whether a row is not only one more of the value before it. */
+    /** Whether a row is more than a repetition of the value before it. */
     private fun begins(i: Int): Boolean {
         if (i == 0 || value.isMomentary) return true
         val a = known(rows[i].value)

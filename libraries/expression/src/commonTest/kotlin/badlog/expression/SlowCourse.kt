@@ -1,6 +1,6 @@
 package badlog.expression
 
-/** How time went in a recording whose clock was set back: on and on, by a [tick] where the logged time [x] went back. */
+/** The course of time in a recording whose clock was set back: it only advances, by a [tick] where the logged time [x] went back. */
 internal class SlowCourse(val x: List<Double>, tick: Double) {
     /** The rows, stretch by stretch. */
     private val stretches: List<List<Double>> = x.indices.filter { it == 0 || x[it] < x[it - 1] }.let { begins ->
@@ -8,7 +8,7 @@ internal class SlowCourse(val x: List<Double>, tick: Double) {
     }
     private val begins = stretches.runningFold(x[0]) { begin, stretch -> begin + (stretch.last() - stretch.first()) + tick }
 
-    /** Of each row. */
+    /** The time of each row in this course. */
     val times: List<Double> = stretches.flatMapIndexed { index, stretch -> stretch.map { begins[index] + (it - stretch.first()) } }
 
     fun stretchOf(time: Double): Int = stretches.indices.lastOrNull { begins[it] <= time } ?: 0
@@ -16,8 +16,8 @@ internal class SlowCourse(val x: List<Double>, tick: Double) {
     fun logged(time: Double): Double = stretchOf(time).let { time - begins[it] + stretches[it].first() }
 
     /**
-     * The samples of [value], whose clock was never set back, each time that their times come. What [holds][SlowValue.isMomentary] does
-     * so at the begin of each stretch, too.
+     * The samples of [value], whose clock was never set back, repeated each time that their times come. Unless they are
+     * [momentary][SlowValue.isMomentary], a value also holds from the start of each stretch.
      */
     fun spread(value: SlowValue): SlowValue = SlowValue(
         stretches.flatMapIndexed { index, stretch ->

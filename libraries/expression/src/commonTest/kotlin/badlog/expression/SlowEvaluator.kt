@@ -15,7 +15,7 @@ import kotlin.math.round
 import kotlin.math.sign
 import kotlin.math.sqrt
 
-/** Evaluates row by row with objects, as the documentation says it, with no thought of speed; rounding with [noise]. */
+/** Evaluates row by row with objects, just as documented, without regard to speed; rounds with [noise]. */
 internal class SlowEvaluator(private val signals: Signals, private val noise: Noise = Noise.NONE) {
     private val time = SlowTime(signals, noise)
     private val course = time.course

@@ -18,7 +18,7 @@ internal class SlowFigures(private val time: SlowTime, private val noise: Noise,
     private val weight = weighty.sumOf { it.second }
     private val isKnown = value.isMomentary || rows.any { it.value != null }
 
-    /** Null for a function that is none of a whole log. */
+    /** Null if the function is not one of a whole log. */
     fun of(node: Node.Call, others: List<SlowValue>): SlowValue? {
         val percent = others.getOrNull(0)?.single as? Double
         val figure: Any? = when (node.function) {
@@ -49,7 +49,7 @@ internal class SlowFigures(private val time: SlowTime, private val noise: Noise,
 
     private fun rooted(variance: Double) = noise.of(sqrt(variance))
 
-    // Of one value alone it is this value, whatever the order of calculation.
+    // If there is only one value, it is this value, whatever the order of calculation.
     private fun mean() = weighty.first().first.takeIf { one -> weighty.all { it.first == one } }
         ?: noise.of(weighty.sumOf { it.first * it.second } / weight)
 
@@ -91,7 +91,7 @@ internal class SlowFigures(private val time: SlowTime, private val noise: Noise,
     private fun logged(time: Double?) = if (time == null) null else value.course?.logged(time) ?: time
 }
 
-/** How [y] goes with [x], pair by pair, weighed by [weights]. */
+/** How [y] depends on [x], pair by pair, weighted by [weights]. */
 internal class SlowRegression(private val y: List<Double>, private val x: List<Double>, private val weights: List<Double>) {
     private val weight = weights.sum()
     private val centerX = mean(x)

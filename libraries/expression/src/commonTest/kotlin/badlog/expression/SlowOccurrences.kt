@@ -7,7 +7,7 @@ internal class SlowOccurrences(private val time: SlowTime, private val noise: No
     private val rows = value.rows!!
     private val spans = time.spans(value)
 
-    /** Null for a function that asks something else. */
+    /** Null if the function is not one of these. */
     fun of(function: Function, length: Double): SlowValue? = when (function) {
         Function.RISES -> value.moments(spans.map { Row(it.first, true) })
         Function.FALLS -> falls()
@@ -25,7 +25,7 @@ internal class SlowOccurrences(private val time: SlowTime, private val noise: No
             .map { Row(rows[it].time, true) },
     )
 
-    /** True within [parts], from the begin of the log; at its end as just before. */
+    /** True within [parts], from the start of the log; at its end as just before. */
     private fun within(parts: List<Pair<Double, Double>>): SlowValue {
         if (time.range == null) return SlowValue(emptyList())
         if (!value.isMomentary && rows.none { it.value != null }) return SlowValue(listOf(Row(time.begin(value), null)), course = value.course)

@@ -3,13 +3,13 @@ package badlog.expression
 import badlog.expression.signals.Signals
 import kotlin.math.round
 
-/** How long what lasts, in a recording and where its clock was set back. */
+/** How long things last in a recording, also if its clock was set back. */
 internal class SlowTime(private val signals: Signals, private val noise: Noise) {
     val range = signals.range
     val course = signals.vocabulary.signals.map { signals.series(it.name).x.toList() }
         .firstOrNull { x -> x.zipWithNext().any { (a, b) -> b < a } }?.let { SlowCourse(it, noise.tick) }
 
-    /** A sample that is not known, from the begin of the recording on. */
+    /** An unknown sample, from the start of the recording on. */
     fun unknown() = SlowValue(if (range == null) emptyList() else listOf(Row(range.from, null)))
 
     /** Holds in [spans]. */
@@ -41,10 +41,10 @@ internal class SlowTime(private val signals: Signals, private val noise: Noise) 
         }
     }
 
-    /** How long [span] is; no tick of a course counts. */
+    /** The length of [span], without the ticks of a course. */
     fun width(span: Pair<Double, Double>) = round((span.second - span.first) * WITHOUT_TICKS) / WITHOUT_TICKS
 
-    /** What changes while a value holds is asked for every 20 ms, but for that which is logged in rows. */
+    /** What changes while a value holds is sampled every 20 ms, except what is logged in rows. */
     fun refined(value: SlowValue): SlowValue {
         val rows = value.rows!!
         if (rows.isEmpty() || rows.map { it.time } == (value.course?.times ?: signals.rows?.toList())) return value

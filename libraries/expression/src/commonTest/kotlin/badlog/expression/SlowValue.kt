@@ -3,7 +3,7 @@ package badlog.expression
 /** A sample: a number, a condition, a text or, for a gap, null. */
 internal data class Row(val time: Double, val value: Any?)
 
-/** What a part of an expression comes to: [rows] over time, whose clock was set back where they have a [course], or [single]. */
+/** The value of a part of an expression: [rows] over time, with a [course] if their clock was set back, or [single]. */
 internal class SlowValue(
     val rows: List<Row>?,
     val single: Any? = null,
@@ -16,7 +16,7 @@ internal class SlowValue(
         return if (isMomentary && row?.time != time) absent else row?.value
     }
 
-    /** Other samples of the same sort. */
+    /** Other samples of the same kind. */
     fun with(rows: List<Row>) = SlowValue(rows, isMomentary = isMomentary, course = course)
 
     /** Moments of the same clock. */
@@ -48,5 +48,5 @@ internal fun areEqual(one: Any, other: Any): Boolean {
     return left - right == 0.0 || (left.isInfinite() && left == right)
 }
 
-/** A tick of a course more or less is the same time. */
+/** Times that differ by a tick of a course are the same. */
 internal const val A_TICK = 1e-9

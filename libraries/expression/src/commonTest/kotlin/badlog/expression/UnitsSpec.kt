@@ -47,7 +47,7 @@ class UnitsSpec : FunSpec({
         }
     }
 
-    test("a number that was converted is given in the unit that it has become") {
+    test("a converted number is given in the unit that it was converted to") {
         val signals = signals()
         parsed("max(Voltage) > max(Rail)", signals.vocabulary).answer(signals).toString() shouldBe
             "yes, max(Voltage) = 12 V at 0 s, max(Rail) = 11.5 V at 2 s"
@@ -74,7 +74,7 @@ class UnitsSpec : FunSpec({
         }
     }
 
-    test("what is written with a unit is read as the same again") {
+    test("what is written with a unit is read back as the same") {
         for (text in listOf("Voltage < 7 V", "CPU > 90 %", "time > 1:30", "Speed > 3 ft/s", "time > 1:02:03.5")) {
             val read = parsed(text, signals().vocabulary)
             parsed(read.toString(), signals().vocabulary).toString() shouldBe read.toString()

@@ -54,7 +54,7 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         low.samples[1] shouldBe 1.0
     }
 
-    test("definitions use those before them, and what fails costs the others nothing") {
+    test("definitions can use those before them, and one that fails does not affect the others") {
         val with = view.withVirtualTopics(listOf("Double = 2 * Voltage", "Wrong = Voltag * 2", "Double = 1", "Four = 2 * Double"))
         with.topics.map { it.name } shouldBe listOf("Double", "Four")
         with.errors.map { it.text } shouldBe listOf("Wrong = Voltag * 2", "Double = 1")

@@ -21,9 +21,9 @@ private fun printed(expression: String, signals: Signals): String = when (val re
 
 private fun printed(occurrence: Occurrence) = "at ${readable(occurrence.span.from)} s, before: " + occurrence.before.joinToString { (name, text) -> "$name: $text" }
 
-/** With the environment variable `BADLOG_WRITE_GUIDE` the guide is written anew. */
+/** With the environment variable `BADLOG_WRITE_GUIDE` the guide is rewritten. */
 class GuideSpec : FunSpec({
-    test("each example in docs/expressions.md gives what stands below it") {
+    test("each example in docs/expressions.md gives what is written below it") {
         var signals: Signals = readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS).let { recording ->
             val modes = ModeTopics(FlagTopic("System/Enabled", FlagReading.Truth), FlagTopic("System/Autonomous", FlagReading.Truth))
             LogViewSignals(LogView.of(recording).identified(null, modes))

@@ -26,7 +26,7 @@ class LogViewSignalsSpec : FunSpec({
         signals.timeUnit shouldBe "s"
     }
 
-    test("events and states of a WPILOG stand at their own times") {
+    test("events and states of a WPILOG are at their own times") {
         signals.series("messages").x.toList() shouldBe listOf(2.5, 7.0)
         signals.series("messages").y.toList() shouldBe listOf(0.0, 1.0)
         signals.series("mode").x.toList() shouldBe listOf(0.5, 3.0)

@@ -21,7 +21,7 @@ import kotlin.random.Random
 
 private fun Recording.volts() = topics.single { it.name == "Driver Station/Battery Voltage" }
 
-/** Where the voltages of [log] are not those of [whole] at the same time. */
+/** The times at which the voltages of [log] are not those of [whole]. */
 private fun lostIn(log: ByteArray, whole: ByteArray): List<Int> {
     val read = parseStation(log).volts()
     val at = read.times.orEmpty().toList().zip(read.samples.toList()).toMap()
@@ -58,7 +58,7 @@ class DriverStationDamageSpec : FunSpec({
         read.topics.first { it.name.endsWith("Events") }.size shouldBeInRange 84..88
     }
 
-    test("of a record that was cut, the events behind it are read all the same") {
+    test("events after a cut record are still read") {
         val log = TestDslog().records(5) { pdp() }.bytes
         for (cut in 1..38) {
             val read = parseStation(log.copyOf(log.size - cut) + STATION_EVENTS.bytes)
@@ -112,7 +112,7 @@ class DriverStationDamageSpec : FunSpec({
         readable shouldBeGreaterThan 200
     }
 
-    test("lengths that are not there take no memory") {
+    test("lengths beyond the end of the file take no memory") {
         parseStation(TestDslog().bytes + ByteArray(10) { 9 } + big(-1, 4), 1).sampleCount shouldBe 0
         parseStation(TestDsevents().bytes + big(STATION_START, 8) + big(0, 8) + big(0x7FFFFFFF, 4), 1).sampleCount shouldBe 0
     }

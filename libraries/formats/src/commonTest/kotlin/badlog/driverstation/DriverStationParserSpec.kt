@@ -79,7 +79,7 @@ class DriverStationParserSpec : FunSpec({
         read.kinds().shouldBeEmpty()
     }
 
-    test("a block that nobody knows is skipped, whatever its length") {
+    test("a block of an unknown kind is skipped, whatever its length") {
         val read = parseStation(TestDslog().record(power = ByteArray(57) { 7 }).record(volts = 11.5).record(power = ByteArray(1)).record(volts = 11.0).bytes)
         read.topic("Driver Station/Battery Voltage").samples.toList() shouldBe listOf(12.5, 11.5, 12.5, 11.0)
         read.problems.shouldBeEmpty()
@@ -113,7 +113,7 @@ class DriverStationParserSpec : FunSpec({
         read.topic("Driver Station/Events").times?.last() shouldBe (2.2 plusOrMinus 1e-6)
     }
 
-    test("what roboRIO and laptop have left is a series each") {
+    test("disk, memory, CPU and battery of roboRIO and laptop are a topic each") {
         val read = parseStation(STATION_EVENTS.bytes)
         fun only(name: String) = read.topic("Driver Station/$name").run { "${samples.single().toInt()} $unit" }
         only("roboRIO Disk Free") shouldBe "84 MB"
@@ -153,7 +153,7 @@ class DriverStationParserSpec : FunSpec({
         parseStation(TestDslog().bytes).kinds() shouldContainExactly listOf(ProblemKind.NO_ROWS)
     }
 
-    test("records beyond what may be read are left out, with a problem") {
+    test("records beyond the limit are left out, with a problem") {
         val parser = DriverStationParser()
         parser.maxRows = 120
         val bytes = TestDslog().records(30).bytes

@@ -44,7 +44,7 @@ class OwnTimesSpec : FunSpec({
         series.y shouldBeSameInstanceAs view.topic("a").samples
     }
 
-    test("states, truth values and events stand at the topic's own times") {
+    test("states, truth values and events are at the topic's own times") {
         val log = TestLog().start(1, "mode", "string").start(2, "on", "boolean").start(3, "messages", "string")
             .string(1, 1_000_000, "auto").string(1, 2_000_000, "teleop").string(1, 4_000_000, "auto")
             .record(2, 3_000_000, byteArrayOf(1)).string(3, 2_500_000, "hello").string(3, 2_600_000, "hello")
@@ -75,7 +75,7 @@ class OwnTimesSpec : FunSpec({
         view.xAxis.topic shouldBe null
     }
 
-    test("enabled as the driver station said last holds until the recording's end") {
+    test("the last state of enabled holds until the recording's end") {
         val view = TestLog().start(1, "DS:enabled", "boolean").start(2, "DS:autonomous", "boolean").start(3, "x", "double")
             .record(1, 0, byteArrayOf(0)).record(1, 1_000_000, byteArrayOf(1))
             .record(2, 500_000, byteArrayOf(1)).record(2, 3_000_000, byteArrayOf(0)).double(3, 9_000_000, 1.0).view()
@@ -83,7 +83,7 @@ class OwnTimesSpec : FunSpec({
         view.identified(null, modes).enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 3.0), true), EnabledSpan(Span(3.0, 9.0), false))
     }
 
-    test("what cannot be written as rows is refused as the caller's mistake") {
+    test("writing what cannot be rows is refused as the caller's mistake") {
         val recording = parseLog(TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0)).bytes)
         val refused = runCatching { badlog.bag.RecordingWriter(recording).write { _, _ -> } }
         (refused.exceptionOrNull() is IllegalArgumentException) shouldBe true

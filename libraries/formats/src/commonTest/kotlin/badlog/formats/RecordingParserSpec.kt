@@ -17,7 +17,7 @@ private fun read(bytes: ByteArray, piece: Int): RecordingParser {
 }
 
 class RecordingParserSpec : FunSpec({
-    test("bags and WPILOGs are reported by their first bytes, in whatever pieces these come") {
+    test("bags and WPILOGs are recognized by their first bytes, in whatever pieces these come") {
         for (piece in listOf(1, 4, 100_000)) {
             describe(read(VARIED_BAG.encodeToByteArray(), piece).finish()) shouldBe describe(parse(VARIED_BAG))
             describeLog(read(VARIED_LOG.bytes, piece).finish()) shouldBe describeLog(parseLog(VARIED_LOG.bytes))

@@ -39,14 +39,14 @@ class ResamplingSpec : FunSpec({
         (times.last() >= 90.0) shouldBe true
     }
 
-    test("states hold, events stand in one row, and several of one row are joined") {
+    test("states hold, an event is in one row, and several events of one row are joined") {
         val log = TestLog().start(1, "mode", "string").start(2, "messages", "string")
             .string(1, 1_000_000, "auto").string(1, 3_000_000, "teleop")
             .string(2, 1_100_000, "one").string(2, 1_200_000, "two").string(2, 3_500_000, "one")
         csv(log, 1.0, 2.0, 3.0, 4.0) shouldBe "Time,mode,messages\n1,auto,\n2,auto,one; two\n3,teleop,\n4,teleop,one\n"
     }
 
-    test("what comes out is a bag that reads as the same") {
+    test("the result is a bag that reads as the same") {
         val recording = resampled(parseLog(VARIED_LOG.bytes), periodicTimes(parseLog(VARIED_LOG.bytes), 0.02))
         var bytes = ByteArray(0)
         RecordingWriter(recording).write { piece, size -> bytes += piece.copyOf(size) }
@@ -93,7 +93,7 @@ class ResamplingSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { resampled(log, doubleArrayOf(1.0, 1.0)) }
     }
 
-    test("the times of a topic are each there once, in their order") {
+    test("each time of a topic is there once, in order") {
         val log = TestLog().start(1, "a", "double")
         for (time in listOf(5L, 3, 5, 4, 3)) log.double(1, time * 1_000_000, 1.0)
         val recording = parseLog(log.bytes)

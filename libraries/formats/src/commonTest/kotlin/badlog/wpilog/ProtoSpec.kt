@@ -52,7 +52,7 @@ private const val SFIXED64 = 16
 private const val SINT32 = 17
 private const val SINT64 = 18
 
-/** What a log reads as in which entry `p` of message a.M, with [fields], has each of these payloads, 1 ms apart. */
+/** What is read from a log in which entry `p` of message a.M, with [fields], has each of these payloads, 1 ms apart. */
 private fun read(fields: ByteArray, vararg payloads: ByteArray, others: ByteArray = ByteArray(0)): Recording {
     val file = words(1, "a.proto") + words(2, "a") + sized(4, message("M", fields)) + others
     val log = TestLog().start(1, "p", "proto:a.M").start(2, "/.schema/proto:a.proto", "proto:FileDescriptorProto").record(2, 0, file)
@@ -116,14 +116,14 @@ class ProtoSpec : FunSpec({
             (listOf(4.0, null, 4.0) to listOf(0.001, 0.002, 0.004))
     }
 
-    test("of a field that comes twice the last value counts, a message in two pieces is one, and unknown fields do no harm") {
+    test("of a field that occurs twice the last value counts, a message in two pieces is one, and unknown fields do no harm") {
         val point = message("Point", field("x", 1, INT32), field("y", 2, INT32))
         val fields = field("n", 1, INT32) + field("in", 2, MESSAGE, "a.Point")
         val payload = whole(1, 1) + sized(2, whole(1, 7)) + words(99, "later") + sized(2, whole(2, 8)) + whole(1, 2)
         values(read(fields, payload, others = sized(4, point))) shouldBe mapOf("p/n" to 2.0, "p/in/x" to 7.0, "p/in/y" to 8.0)
     }
 
-    test("a message that has itself inside ends there") {
+    test("a field of a message's own type is not taken apart") {
         val fields = field("n", 1, INT32) + field("child", 2, MESSAGE, "a.M")
         values(read(fields, whole(1, 3) + sized(2, whole(1, 4)))) shouldBe mapOf("p/n" to 3.0)
     }
@@ -134,7 +134,7 @@ class ProtoSpec : FunSpec({
         recording.topic("p").unit shouldBe "B"
     }
 
-    test("a payload that is no such message is dropped and counted") {
+    test("a payload that is not such a message is dropped and counted") {
         val recording = read(field("n", 1, INT32), whole(1, 3), words(1, "text"), byteArrayOf(8), byteArrayOf(3), whole(1, 4))
         recording.topic("p/n").samples.toList() shouldBe listOf(3.0, 4.0)
         recording.problems.single { it.kind == ProblemKind.BAD_RECORD }.count shouldBe 3

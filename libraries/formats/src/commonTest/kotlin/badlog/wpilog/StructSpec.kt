@@ -4,7 +4,7 @@ import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What a log reads as in which entry `s` of struct S has this [payload]. */
+/** What is read from a log in which entry `s` of struct S has this [payload]. */
 private fun read(
     schema: String,
     payload: ByteArray,
@@ -82,7 +82,7 @@ class StructSpec : FunSpec({
             listOf(1.0, 2.0, 3.0)
     }
 
-    test("schemas that make no sense, never end, or are huge leave sizes") {
+    test("with a schema that makes no sense, never ends, or is huge, only sizes are read") {
         val senseless = listOf("double", "double x y", "foo x", "S again", "double x[99999999]", "double x:3", "int8 a:9")
         for (schema in senseless + listOf("int8 x[", "enum {a=1 int8 b")) {
             values(read(schema, doubles(1.0))) shouldBe mapOf("s" to 8.0)

@@ -13,10 +13,10 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.random.Random
 
-/** A record as it stands in a file. */
+/** A record as it is in a file. */
 private data class Found(val id: Int, val micros: Double, val payload: List<Byte>)
 
-/** What a parser reads of [bytes], by where it begins, and what it makes of them. */
+/** The records that a parser reads of [bytes], by their places, and the recording that it makes of them. */
 private class Heard(bytes: ByteArray, piece: Int = bytes.size) {
     val records = LinkedHashMap<Long, Found>()
     val ends = HashMap<Long, Long>()
@@ -69,7 +69,7 @@ private val BODY = WHOLE.records.entries.first { it.value.id != 0 }.key.toInt()
 private fun intact(from: Int, until: Int) = WHOLE.records.filter { (at, _) -> WHOLE.ends.getValue(at) <= from || at >= until }
 
 class WpilogDamageSpec : FunSpec({
-    test("after a hole of zeros at any place, the records go on within 75 bytes, and none is made up") {
+    test("after a hole of zeros at any place, the records continue within 75 bytes, and none is invented") {
         for (from in BODY until ROBOT.size - 6000 step 61) {
             val until = from + 4096
             val damaged = ROBOT.copyOf().also { it.fill(0, from, until) }
@@ -93,7 +93,7 @@ class WpilogDamageSpec : FunSpec({
         heard.records shouldBe WHOLE.records.filterKeys { it < from || it >= until }
     }
 
-    test("random bytes, lost bytes and repeated bytes cost what they touch, and little beside it") {
+    test("random bytes, lost bytes and repeated bytes cost what they touch, and little else") {
         val random = Random(3)
         repeat(300) {
             val from = random.nextInt(BODY, ROBOT.size - 3000)
@@ -131,7 +131,7 @@ class WpilogDamageSpec : FunSpec({
             val heard = Heard(ROBOT.copyOf().also { it[sizeAt] = size.toByte() })
             (WHOLE.records.keys - heard.records.keys).filter { it !in at..at + size + 100 }.shouldBeEmpty()
         }
-        // Two bytes more of the size: what follows is taken for the rest of its head.
+        // With two more bytes for the size, what follows is taken for the rest of the record's head.
         val longer = Heard(ROBOT.copyOf().also { it[at.toInt()] = (head or 8).toByte() })
         (WHOLE.records.keys - longer.records.keys).size shouldBeLessThan 12
     }
@@ -145,12 +145,12 @@ class WpilogDamageSpec : FunSpec({
         heard.recording.topics.size shouldBe Heard(ROBOT).recording.topics.size - 2
     }
 
-    test("damage at the end is the end") {
+    test("damage at the end of a file costs only the records there") {
         val heard = Heard(ROBOT.copyOf().also { it.fill(0, ROBOT.size - 500, ROBOT.size) })
         heard.recording.problems.map { it.kind } - ProblemKind.NOT_DECODED shouldContainExactly listOf(ProblemKind.RECORDS_LOST)
     }
 
-    test("damage that goes on for megabytes is passed in little memory") {
+    test("damage that goes on for megabytes is skipped with little memory") {
         val damaged = ROBOT.copyOf(12_000) + Random(5).nextBytes(3_000_000) + ROBOT.copyOfRange(12_000, ROBOT.size)
         val heard = Heard(damaged, 65_536)
         heard.records.size - WHOLE.records.size shouldBeLessThan 5

@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 import kotlin.random.Random
 
-/** What a file of our own never has. */
+/** The kinds of problems that a file written by badlog never has. */
 private val BROKEN = setOf(ProblemKind.RECORD_CUT, ProblemKind.RECORDS_LOST, ProblemKind.BAD_RECORD, ProblemKind.UNKNOWN_ENTRY)
 
 class WpilogFuzzingSpec : FunSpec({
@@ -91,7 +91,7 @@ class WpilogFuzzingSpec : FunSpec({
         }
     }
 
-    test("lengths that are not there take no memory") {
+    test("lengths beyond the end of the file take no memory") {
         // A payload of 16 MB in a file of a few bytes, and a text of 4 GB inside a record.
         val log = TestLog().start(1, "a", "string[]").record(1, 1, number(0x7FFFFFFF, 4) + number(-1, 4)).bytes
         parseLog(log + byteArrayOf(0x0C, 1, 0, 0, 0, 1, 1, 0), 1).topics.single().size shouldBe 0

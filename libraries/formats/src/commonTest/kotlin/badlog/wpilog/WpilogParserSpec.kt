@@ -82,7 +82,7 @@ class WpilogParserSpec : FunSpec({
         recording.count(ProblemKind.TOO_MANY_TOPICS) shouldBe 744
     }
 
-    test("texts that repeat or are few are states, many different ones events") {
+    test("texts that repeat or are few are states, many different ones are events") {
         val log = TestLog().start(1, "mode", "string").start(2, "log", "string").start(3, "messages", "string")
         for (i in 0L..20L) log.string(1, i, if (i % 2 == 0L) "auto" else "teleop").string(2, i, "event $i")
         val recording = log.string(3, 5, "hello").read()
@@ -157,7 +157,7 @@ class WpilogParserSpec : FunSpec({
         recording.problems.map { it.kind }.toSet() shouldBe setOf(ProblemKind.TIMES_SORTED)
     }
 
-    test("what is from before the robot's clock began holds from the recording's begin on, in its own order") {
+    test("what is from before the robot's clock began holds from the recording's start, in its own order") {
         val log = TestLog().start(1, "a", "double").start(2, "camera", "string").start(3, "v", "double[]")
             .double(1, 3_000_000, 3.0).double(1, -1_000, 2.0).double(1, -585_000_000, 1.0).double(1, 2_000_000, 2.5)
             .string(2, -7_000_000, "there").record(3, -1, doubles(1.0)).record(3, 9_000_000, doubles(2.0))
@@ -198,10 +198,10 @@ class WpilogParserSpec : FunSpec({
         }
     }
 
-    test("nonsense ends what can be read, and the lost bytes are counted") {
+    test("after nonsense nothing can be read, and the lost bytes are counted") {
         val good = TestLog().start(1, "a", "double").double(1, 1, 1.0)
         val end = good.bytes.size
-        // Two that look like records of entries that are not there belong to the nonsense.
+        // Two that look like records, of entries that do not exist, belong to the nonsense.
         val log = good.raw(0x00, 0x20, 0x00, 0x05).raw(0x00, 0x21, 0x00, 0x05).raw(0xFF, 0xFF, 0x01).double(1, 2, 2.0)
         val recording = log.read()
         recording.topic("a").samples.toList() shouldBe listOf(1.0)
@@ -273,7 +273,7 @@ class WpilogParserSpec : FunSpec({
         (kept <= 16 * topics.sumOf { it.size }) shouldBe true
     }
 
-    test("records beyond the limit are not read, which is reported, and that it need not be given more") {
+    test("records beyond the limit are not read, which is reported, and the parser shows that it is full") {
         val log = TestLog().start(1, "a", "double")
         repeat(300_000) { log.double(1, it.toLong(), 1.0) }
         val parser = WpilogParser().apply { maxRows = 1000 }
@@ -291,7 +291,7 @@ class WpilogParserSpec : FunSpec({
         }
     }
 
-    test("a number of topics that nobody can want does not fill the memory") {
+    test("an absurd number of topics does not fill the memory") {
         val log = TestLog()
         for (id in 1..300) log.start(id, "$id", "boolean[]").record(id, 1, ByteArray(256))
         val recording = log.read()

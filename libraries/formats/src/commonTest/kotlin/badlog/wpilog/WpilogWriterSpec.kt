@@ -14,7 +14,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** [recording] as a WPILOG, and what that cannot carry. */
+/** [recording] as a WPILOG, and what that cannot hold. */
 internal fun writeLog(recording: Recording, changesOnly: Boolean = false): Pair<ByteArray, List<Omission>> {
     var bytes = ByteArray(0)
     val omissions = WpilogWriter(recording, changesOnly).write { piece, size -> bytes += piece.copyOf(size) }
@@ -77,7 +77,7 @@ class WpilogWriterSpec : FunSpec({
         describeLog(parseLog(writeLog(parseLog(bytes)).first)) shouldBe describeLog(recording)
     }
 
-    test("changes only leaves out what is the same as before") {
+    test("with changes only, what is the same as before is left out") {
         val log = TestLog().start(1, "a", "double").start(2, "s", "string")
         for ((i, value) in listOf(1.0, 1.0, 2.0, 2.0, 1.0, Double.NaN, Double.NaN, -0.0, 0.0).withIndex()) {
             log.double(1, i.toLong(), value).string(2, i.toLong(), if (i < 4) "x" else "y")
@@ -89,7 +89,7 @@ class WpilogWriterSpec : FunSpec({
         read.topic("s").timeList() shouldBe listOf(0.0, 4e-6)
     }
 
-    test("metadata stay as they were where they show unit and attributes, even those that WPILib leaves out") {
+    test("metadata are unchanged if they show unit and attributes, even those that WPILib leaves out") {
         val log = TestLog().start(1, "messages", "string", "no JSON").start(2, "systemTime", "int64", "{ \"source\":\"x\" }")
             .start(3, "NT:/v", "double", "{\"properties\":{\"unit\":\"V\"}}").start(4, "a", "double[]", "{\"a\":[1, 2]}")
             .string(1, 1, "hello").record(2, 2, longs(1_700_000_000_000_000)).double(3, 3, 1.0).record(4, 4, doubles(1.0, 2.0))

@@ -4,8 +4,9 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * Ten seconds of a robot with a swerve drive that logs whatever it has, as such logs are: hundreds of topics of dashboards and autonomous
- * paths that never change, dozens that nobody wrote to, structs, arrays, joysticks, and in between what the robot did. 700 topics and more.
+ * Ten seconds of a robot with a swerve drive that logs everything, as real logs do: hundreds of topics of dashboards and autonomous paths
+ * that never change, dozens that were never written to, structs, arrays, joysticks, and among them what the robot did. More than 700
+ * topics.
  */
 internal fun largeLog(): ByteArray = LargeLog().bytes()
 

@@ -62,7 +62,7 @@ internal fun parseLog(bytes: ByteArray, piece: Int = maxOf(1, bytes.size), keepS
     return parser.finish()
 }
 
-/** All that a recording says, as text. */
+/** All that a recording holds, as text. */
 internal fun describeLog(recording: Recording): String = buildString {
     appendLine("${recording.format} ${recording.sampleCount}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")
@@ -74,7 +74,7 @@ internal fun describeLog(recording: Recording): String = buildString {
     for (problem in recording.problems) appendLine(problem)
 }
 
-/** A log with something of everything. */
+/** A log with a bit of everything. */
 internal val VARIED_LOG: TestLog
     get() = TestLog("{\"from\":\"a test\"}")
         .start(1, "/Arm/Angle", "double", "{\"unit\":\"deg\"}", 10)

@@ -8,7 +8,7 @@ import badlog.recording.RecordingFormat
 import badlog.recording.TextColumn
 import badlog.recording.Topic
 
-/** A bag of [topics], each a name with attributes behind bars; [rows] as they stand in the file. */
+/** A bag of [topics], each a name with attributes after bars; [rows] as they are in the file. */
 internal fun bagView(topics: List<String>, rows: List<String>): LogView {
     val header = topics.joinToString(",", """{"topics":[""", """],"values":[]}""") { topic ->
         val attributes = topic.split('|').drop(1).joinToString(",") { "\"$it\"" }

@@ -35,7 +35,7 @@ private const val FOUND = "Arm/Current while enabled was 21.5 A, 97 % above your
 class ComparedLogsSpec : FunSpec({
     fun compared(result: ReportResult) = result.logs.flatMap { log -> log.findings.filter { it.rule == "Unlike other matches" }.map { log.title to it.text } }
 
-    test("what is unlike in one of eight matches is found, by the cache as by reading, also after one more was added") {
+    test("what differs in one of eight matches is found, from the cache and by reading, also after a match was added") {
         inFolder { folder ->
             val logs = folder.season()
             fun run() = Report(cache = folder.resolve("cache")).over(logsIn(logs))
@@ -51,7 +51,7 @@ class ComparedLogsSpec : FunSpec({
         inFolder { folder -> compared(Report().over(logsIn(folder.season("Practice")))).shouldBeEmpty() }
     }
 
-    test("the resistance of the battery stands beside the match, in text and JSON") {
+    test("the resistance of the battery is listed with the match, in text and JSON") {
         inFolder { folder ->
             val result = Report().over(logsIn(folder.season()))
             reportText(result) shouldContain "Mill Creek Qualification 8 (Q8.bag), battery 15 ± 0."
@@ -59,7 +59,7 @@ class ComparedLogsSpec : FunSpec({
         }
     }
 
-    test("the page of a log carries what only the report can find, and the index shows it over the matches") {
+    test("the page of a log has what only the report can find, and the index shows it over the matches") {
         inFolder { folder ->
             val logs = logsIn(folder.season())
             val pages = ReportFolder(folder.resolve("out"), logs, RuleSet.BUILT_IN, exporter = HtmlExporter(parts = PageParts("", "")))

@@ -94,7 +94,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("files of one name are distinguished by their folders, and the lines are straight whatever the writing") {
+    test("files of one name are distinguished by their folders, and the columns are aligned in any script") {
         inFolder { folder ->
             for (name in listOf("a/m.bag", "b/m.bag", "機械.bag")) folder.put("logs/$name", bag(mapOf("Time" to "s", "V" to "V"), listOf("0,1")))
             val lines = findText(Find("V > 0").over(logsIn(folder))).lines()
@@ -118,7 +118,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a question may use virtual topics, and another definition is another question to the cache") {
+    test("a question may use virtual topics, and with another definition it is another question to the cache") {
         inFolder { folder ->
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0, 12.0))
@@ -128,7 +128,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a virtual topic that only some logs can be given is reported once, with the reason") {
+    test("a virtual topic that only some logs can have is reported once, with the reason") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", bag(mapOf("Time" to "s", "a" to "V"), listOf("0,1")))
@@ -138,7 +138,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a virtual topic that no log can be given is reported with the place of the mistake") {
+    test("a virtual topic that no log can have is reported with the place of the mistake") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val text = findText(Find("max(Battery Voltage)", listOf("Double = Batery Voltage * 2")).over(logsIn(folder)))
@@ -146,7 +146,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is reported, also by the cache") {
+    test("a log that lost something is reported, also from the cache") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -157,7 +157,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("what was found is kept when the listener throws, however it does") {
+    test("what was found is kept when the listener throws, whatever it throws") {
         for (failure in listOf(IllegalStateException(), InterruptedException())) {
             inFolder { folder ->
                 for (i in 1..3) folder.put("logs/$i.bag", batteryBag(6.0))
@@ -176,7 +176,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a damaged cache is as none") {
+    test("a damaged cache is ignored") {
         inFolder { folder ->
             val cache = folder.resolve("cache")
             folder.put("logs/1.bag", batteryBag(6.0))
@@ -195,7 +195,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a cache that cannot be written is not a fault") {
+    test("a cache that cannot be written is not an error") {
         inFolder { folder ->
             val cache = folder.put("a file", "x").resolve("cache")
             folder.put("1.bag", batteryBag(6.0))
@@ -203,7 +203,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("what the listener throws stops the work") {
+    test("an exception of the listener stops the work") {
         inFolder { folder ->
             for (i in 1..20) folder.put("Q$i.bag", batteryBag(12.0))
             shouldThrow<IllegalStateException> { Find("true").over(logsIn(folder), { done, _ -> check(done < 3) }) }

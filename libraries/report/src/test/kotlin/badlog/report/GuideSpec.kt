@@ -10,7 +10,7 @@ import java.io.File
 private val BLOCK = Regex("```([a-z-]+) ?(.*)\n((?:.*\n)*?)```")
 
 class GuideSpec : FunSpec({
-    test("each example in docs/rules.md is as the program has it; BADLOG_WRITE_GUIDE writes them anew") {
+    test("each example in docs/rules.md is what the program prints; BADLOG_WRITE_GUIDE rewrites them") {
         val file = File(ROOT, "docs/rules.md")
         val guide = file.readText()
         val written = BLOCK.findAll(guide).associate { it.groupValues[1] to it.groupValues[3] }

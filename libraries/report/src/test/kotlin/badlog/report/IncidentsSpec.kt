@@ -21,7 +21,7 @@ class IncidentsSpec : FunSpec({
         incident.effects.map { it.rule } shouldContain "Browned out"
     }
 
-    test("an incident stands above the findings of its match, in text and on the index page") {
+    test("an incident is above the findings of its match, in text and on the index page") {
         val lines = reportText(result).lines()
         lines[1] shouldContain "Likely cause: the robot drew more than its battery gives."
         val page = reportPage(result) { "q42.html" }
@@ -32,7 +32,7 @@ class IncidentsSpec : FunSpec({
         page.indexOf("class=\"incidents\"") shouldBeLessThan page.indexOf("class=\"findings\"")
     }
 
-    test("a spreadsheet gets a line for each incident, and of each finding which incident it is part of") {
+    test("a spreadsheet gets a line for each incident, and for each finding the incident that it is part of") {
         val lines = reportCsv(result).lines()
         val incident = lines.first { ",incident,error," in it }
         incident shouldContain "Likely cause: the robot drew more than its battery gives."

@@ -13,7 +13,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** Does [work] with an empty folder that goes afterwards. */
+/** Does [work] with an empty folder, which is deleted afterwards. */
 internal fun <T> inFolder(work: (Path) -> T): T {
     val folder = createTempDirectory("badlog-report-test")
     try {
@@ -48,7 +48,7 @@ internal fun Path.put(name: String, text: String): Path = resolve(name).also {
 
 internal fun logsIn(folder: Path): List<LogFile> = FolderScan.of(folder).files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
 
-/** Makes [file] the same to a look at its folder, though it no longer can be read. */
+/** Makes [file] unreadable, without changing what its folder shows of it. */
 internal fun spoil(file: Path) {
     val time = Files.getLastModifiedTime(file)
     Files.write(file, ByteArray(Files.size(file).toInt()) { 1 })

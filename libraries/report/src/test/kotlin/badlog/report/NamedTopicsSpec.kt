@@ -61,7 +61,7 @@ class NamedTopicsSpec : FunSpec({
         }
     }
 
-    test("only what a question may name is read") {
+    test("only topics that a question may name are read") {
         val partial = readRecording(files[0], LOG_FORMATS, sinks = NamedTopics(listOf("min(Battery Voltage) < 7")))
         partial.topics.count { it.samples.isNotEmpty() } shouldBeLessThan 4
         partial.topics.map { it.counts } shouldBe readRecording(files[0], LOG_FORMATS).topics.map { it.counts }

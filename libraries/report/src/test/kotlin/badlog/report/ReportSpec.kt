@@ -36,7 +36,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what is said of the whole recording holds once, from its start to its end") {
+    test("what holds for the whole recording holds once, from its start to its end") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
             val text = "{value}|{time}|{count}|{duration}"
@@ -89,7 +89,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a rule that asks for a time is not for a log that counts rows, and is not a mistake") {
+    test("a rule that needs time does not apply to a log that counts rows, and is not a mistake") {
         inFolder { folder ->
             folder.put("1.csv", "Current,b\n" + "80,1\n".repeat(20))
             val result = Report(rules("topic > 60 for 2 s", more = "each = [\"*current*\"]\nunit = \"A\"")).over(logsIn(folder))
@@ -127,7 +127,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a topic that may be misspelt is reported in a sentence that ends once") {
+    test("a topic that may be misspelled is reported in a sentence with one period") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
@@ -135,7 +135,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is reported, also by the cache, and what is not a log as such") {
+    test("a log that lost something is reported, also from the cache, and what is not a log is reported as such") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -160,7 +160,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the default rules are all right, whatever is asked") {
+    test("the built-in rules have no mistakes, whatever topics the samples have") {
         Report().over(SAMPLES).run {
             skipped.none { it.isMistake } shouldBe true
             count(Severity.ERROR) shouldBe 5
@@ -187,7 +187,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what hooks find stands beside what rules find, and what they return comes with each log").config(enabled = HAS_PYTHON) {
+    test("what hooks find is listed with what rules find, and what they return is part of each log's result").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0, 12.0))
             val answer = """{"values":{"a":1},"findings":[{"text":"odd","severity":"error","time":0.1,"until":0.2},{"text":"whole"}]}"""
@@ -205,7 +205,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails is reported, and the rules count all the same").config(enabled = HAS_PYTHON) {
+    test("a hook that fails is reported, and the findings of rules still count").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val hook = HookRunner(listOf("python3", "-c", "import sys; sys.exit('no numpy')"), name = "h")
@@ -216,7 +216,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the hooks that a file of rules names run only for who asks for them").config(enabled = HAS_PYTHON) {
+    test("the hooks that a file of rules names only run when they are asked for").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val file = RulesFile.parse("[[hook]]\ncommand = \"python3 -c 'open(\\\"ran\\\", \\\"w\\\")'\"\n")
@@ -227,7 +227,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails alike in many logs is reported once") {
+    test("a hook that fails in the same way in many logs is reported once") {
         inFolder { folder ->
             for (i in 1..5) folder.put("$i.bag", batteryBag(6.0))
             val text = reportText(Report(RuleSet.NONE, listOf(HookRunner(listOf("no-such-program"), name = "h"))).over(logsIn(folder)))
@@ -236,7 +236,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails in many ways is reported by the first").config(enabled = HAS_PYTHON) {
+    test("a hook that fails in many ways is reported with the first").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
             val hook = HookRunner(listOf("python3", "-c", "import os, sys; sys.exit(str(os.getpid()))"), name = "h")
@@ -255,7 +255,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("CSV is quoted as RFC 4180 asks, and calculates nothing in a spreadsheet") {
+    test("CSV is quoted by RFC 4180, and contains no formulas for a spreadsheet") {
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Time" to "s", "=A,\"1\"" to "V"), listOf("0,1", "2.5,8")))
             folder.put("2.csv", "only words here\nand there\n")
@@ -271,7 +271,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the JSON of a log has what was found, and what was not asked") {
+    test("the JSON of a log has what was found, and which rules were skipped") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(12.0))

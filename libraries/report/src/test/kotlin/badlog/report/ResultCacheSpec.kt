@@ -58,7 +58,7 @@ class ResultCacheSpec : FunSpec({
         }
     }
 
-    test("what is kept comes back, and what is the same for many takes the room of one") {
+    test("stored results come back, and equal ones are stored once") {
         val serializer = ListSerializer(Kept.serializer())
         val names = Names("x".repeat(5000), List(500) { if (it == 7) null else "name $it" }, -5 to Long.MIN_VALUE)
         fun kept(i: Int) = Kept("ä $i".takeIf { i > 0 }, i / 3.0, Color.BLUE, i % 2 == 0, listOf(Shape.Round(Double.NaN), Shape.None), names.copy())
@@ -79,7 +79,7 @@ class ResultCacheSpec : FunSpec({
         }
     }
 
-    test("a damaged cache, and one of another question, are as none") {
+    test("a damaged cache, and one of another question, are ignored") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val file = logsIn(folder).single()

@@ -14,7 +14,7 @@ import io.kotest.matchers.string.shouldNotBeEmpty
 
 private const val LINKS = "[[linked]]\nmotors = [\"Drive/Left\", \"Drive/Right\"]\n"
 
-/** Each rule, and what to do to a match in which it is to be found. */
+/** Each rule, and what to plant in a match so that the rule finds it. */
 private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Browned out" to { flag("/SystemStats/BrownedOut") { it in 20.0..20.3 } },
     "Low battery" to { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } },
@@ -118,7 +118,7 @@ private const val BATTERY = "/SystemStats/BatteryVoltage"
 private const val CHANNEL = "/PowerDistribution/ChannelCurrent[2]"
 private const val LOOP = "/RealOutputs/LoggedRobot/FullCycleMS"
 
-/** Those that need another clock than a list of faults can make. */
+/** Rules about the clock, which faults in cells cannot change. */
 private val OF_CLOCK = listOf("Gap in time", "Clock set back")
 
 private val OF_WHOLE_LOGS = listOf("Restarted in the match", "Ended in the match")
@@ -130,7 +130,7 @@ class BuiltInRulesSpec : FunSpec({
         TestMatch().findings(rules).map { "${it.rule}: ${it.text}" }.shouldBeEmpty()
     }
 
-    test("each rule has a fault here, a group, a reason and a sentence on what to look at next") {
+    test("each rule has a fault here, a group, a reason and a sentence about what to look at next") {
         (FAULTS.keys + OF_CLOCK) shouldContainExactlyInAnyOrder rules.rules.map { it.name }
         for (rule in RulesReader(resource(RulesFile.NAME), rules.signals, isBuiltIn = true).read().rules.rules) {
             withClue(rule.name) {
@@ -155,16 +155,16 @@ class BuiltInRulesSpec : FunSpec({
         }
     }
 
-    test("what a path says of leaving the plan has the limits of the rule") {
+    test("leaving the plan has the same limits on a path as in the rule") {
         rules.rules.first { it.name == "Left the plan" }.condition shouldBe "plan distance > $PLAN_LIMIT for $PLAN_PATIENCE s"
     }
 
-    test("the finding of leaving the plan names the topics of both poses, and how far") {
+    test("the finding for leaving the plan names the topics of both poses, and the distance") {
         val match = TestMatch().apply(FAULTS.getValue("Left the plan"))
         val finding = match.findings(rules).single { it.rule == "Left the plan" }
         finding.text shouldBe "The robot left its plan at 11 s, by up to 2.5 m."
         finding.evidence shouldBe listOf("Robot", "TrajectorySetpoint").flatMap { name -> listOf("x", "y").map { "Odometry/$name/translation/$it" } }
-        // Who drives by hand follows no plan.
+        // In teleop, the robot follows no plan.
         val byHand = TestMatch().apply { from(15.1, "Odometry/TrajectorySetpoint/translation/x") { ((it - 15) / 2).toString() } }
         byHand.findings(rules).map { it.rule }.shouldBeEmpty()
         rules.over(TestMatch().apply { without("Odometry/TrajectorySetpoint/translation/x") }.view(), "test.bag").skipped
@@ -194,7 +194,7 @@ class BuiltInRulesSpec : FunSpec({
         rules.over(view, "test.bag").findings.map { it.rule } shouldContain "Clock set back"
     }
 
-    test("each text of an error is reported, however often others come") {
+    test("each text of an error is reported, however often others occur") {
         val match = TestMatch()
         val errors = (0..4).map { 20.0 + it to "ERROR: brownout" }
         match.event("messages", 10.0 to "WARN: CAN timeout; Elevator (ID 5)", *errors.toTypedArray())

@@ -25,7 +25,7 @@ private val KEYS = listOf(
 
 private val USUAL = doubleArrayOf(16.7, 12.0, 4.0, 9.2, 15.0)
 
-/** A log whose figures are as usual, each within a twentieth, but those of [others]. */
+/** A log whose figures are usual, each within a twentieth, except those in [others]. */
 private fun log(random: Random, vararg others: Pair<Int, Double>, kind: MatchKind = MatchKind.MATCH): LogFigures {
     val values = DoubleArray(USUAL.size) { USUAL[it] * (0.95 + 0.1 * random.nextDouble()) }
     for ((figure, value) in others) values[figure] = value
@@ -45,7 +45,7 @@ class ComparisonSpec : FunSpec({
         found.dropLast(1).flatten().shouldBeEmpty()
     }
 
-    test("a finding has its topic as evidence, and nothing of time") {
+    test("a finding has its topic as evidence, and no time") {
         val finding = RuleSet.BUILT_IN.compared(logs(12) + odd).last().findings.single()
         finding.topic shouldBe LEFT
         finding.evidence shouldBe listOf(LEFT)
@@ -58,14 +58,14 @@ class ComparisonSpec : FunSpec({
         texts(logs(5) + log(Random(1), 0 to 80.0)).flatten().size shouldBe 1
     }
 
-    test("a crazy log among the others hides nothing, and is no reason to find anything in them") {
+    test("an outlier among the others hides nothing, and is not a reason to find anything in them") {
         val crazy = LogFigures(MatchKind.MATCH, KEYS, DoubleArray(KEYS.size) { 1e6 }, 0.8)
         val found = texts(logs(6) + crazy + logs(6) + odd)
         found.last().size shouldBe 1
         found.filterIndexed { i, _ -> i != 6 && i != 13 }.flatten().shouldBeEmpty()
     }
 
-    test("a topic has one finding, whatever differs of it, and a log at most three") {
+    test("a topic has one finding, however many of its figures differ, and a log at most three") {
         texts(logs(12) + log(Random(1), 0 to 40.0, 1 to 30.0)).last().size shouldBe 1
         val all = log(Random(1), 0 to 60.0, 1 to 60.0, 2 to 40.0, 3 to 3.0, 4 to 40.0)
         val found = RuleSet.BUILT_IN.compared(logs(12) + all).last().findings
@@ -73,14 +73,14 @@ class ComparisonSpec : FunSpec({
         found.count { it.rule == "Unlike other matches" } shouldBeLessThanOrEqual 3
     }
 
-    test("less than usual counts of a motor while the robot drives, and of a battery, and more of the others") {
+    test("less than usual counts for a motor while the robot drives and for a battery, more than usual for the others") {
         texts(logs(20) + log(Random(1), 0 to 5.0)).last().single() shouldContain "below"
         texts(logs(20) + log(Random(1), 3 to 5.0)).last().single() shouldContain " V below your 20 other matches"
         texts(logs(20) + log(Random(1), 1 to 1.0, 2 to 0.0)).last().shouldBeEmpty()
         texts(logs(20) + log(Random(1), 3 to 12.0)).last().shouldBeEmpty()
     }
 
-    test("the resistance of the battery is given with its uncertainty, and has to be beyond it") {
+    test("the resistance of the battery is given with its uncertainty, and has to differ by more than that") {
         val found = RuleSet.BUILT_IN.compared(logs(12) + log(Random(1), 4 to 26.0)).last().findings.single()
         found.text shouldContain "Battery and wiring had 26 ± 0.8 mΩ, "
         val unsure = LogFigures(MatchKind.MATCH, KEYS, USUAL.copyOf().also { it[4] = 26.0 }, 9.0)
@@ -95,7 +95,7 @@ class ComparisonSpec : FunSpec({
             "deviations, percent, findings, others"
     }
 
-    test("a comparison of what has no figures is a mistake") {
+    test("comparing something without figures is a mistake") {
         val limits = "limits = { deviations = 5, percent = 25, findings = 3, others = 5 }"
         val rule = "[[comparison]]\nname = \"A\"\nseverity = \"note\"\nof = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
         shouldThrow<RulesException> { RulesFile.parse(rule) }.message shouldContain

@@ -15,7 +15,7 @@ private fun writeRule(folder: Path, name: String, severity: String = "note"): Pa
 )
 
 class FolderRulesSpec : FunSpec({
-    test("the rules are those of the log's folder, else of the folders above it up to the top, else the built-in ones") {
+    test("the rules are those of the log's folder, otherwise of a folder above it up to the top, otherwise the built-in ones") {
         val above = tempdir().toPath()
         val top = Files.createDirectories(above.resolve("logs"))
         val day = Files.createDirectories(top.resolve("day 1/morning"))
@@ -31,7 +31,7 @@ class FolderRulesSpec : FunSpec({
         FolderRules.of(log, above.resolve("elsewhere")).rules.rules.map { it.name } shouldContainExactly listOf("Own")
     }
 
-    test("of a file with a mistake the place is reported, and the built-in rules are used") {
+    test("for a file with a mistake, the place is reported, and the built-in rules are used") {
         val folder = tempdir().toPath()
         writeRule(folder, "A", severity = "bad")
         val rules = FolderRules.of(folder.resolve("a.bag"), folder)
@@ -44,7 +44,7 @@ class FolderRulesSpec : FunSpec({
         FolderRules.of(folder.resolve("a.bag"), folder).problem.shouldNotBeNull() shouldContain "not UTF-8 text"
     }
 
-    test("a file nested however deeply is a problem like any other, and no crash") {
+    test("a file that is nested too deeply is a problem like any other, not a crash") {
         val folder = tempdir().toPath()
         val depth = 100_000
         for (text in listOf("aliases = " + "[".repeat(depth) + "]".repeat(depth), "a" + ".a".repeat(depth) + " = 1", "a=" + "{a=".repeat(depth))) {

@@ -27,7 +27,7 @@ class IncidentSpec : FunSpec({
     val left = found("Motor stalled", 20.0, 22.0, "Drive/Left/Output")
     val right = found("Motor stalled", 20.1, 22.0, "Drive/Right/Output")
 
-    test("what follows from a cause by way of others is one incident with it, the cause first") {
+    test("what follows from a cause, even indirectly, is one incident with it, the cause first") {
         val browned = found("Browned out", 21.5, severity = Severity.ERROR)
         val incident = incidents(found("Low battery", 21.0), browned, left, found("Main breaker", 21.0), right).single()
         incident.name shouldBe PUSHED
@@ -44,7 +44,7 @@ class IncidentSpec : FunSpec({
         incident.others.map { it.rule } shouldBe listOf("Main breaker")
     }
 
-    test("what a cause was found by is not said again as what followed") {
+    test("what a cause was found by is not repeated among the incident's sentences") {
         val loop = Finding("Loop blocked", Severity.ERROR, "Loop Time", "The loop took 396 ms.", 20.0, listOf(Span(20.0, 20.2)), 1, "s")
         val vision = Finding(
             "Vision blocked the loop", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
@@ -60,11 +60,11 @@ class IncidentSpec : FunSpec({
         incidents(left, right, found("Browned out", 26.0), found("Low battery", 10.0)).single().effects.shouldBeEmpty()
     }
 
-    test("effects without a cause in the log are no incident") {
+    test("effects without a cause in the log are not an incident") {
         names(found("Browned out", 20.0), found("Low battery", 20.0), found("Weak battery", 20.0)).shouldBeEmpty()
     }
 
-    test("one side of a drivetrain that stands is neither a push nor a blocked motor; two at different times are no push") {
+    test("one side of a drivetrain that stands still is neither a push nor a blocked motor; two at different times are not a push") {
         names(left).shouldBeEmpty()
         names(left, found("Motor stalled", 40.0, 41.0, "Drive/Right/Output")).shouldBeEmpty()
         names(found("Motor stalled", 20.0, topic = "Arm/Output")) shouldBe listOf(BLOCKED)
@@ -76,14 +76,14 @@ class IncidentSpec : FunSpec({
             listOf("An encoder no longer said how far its motor turned")
     }
 
-    test("what is of the whole log explains what happens at any time, and needs no time itself") {
+    test("a finding about the whole log explains what happens at any time, and needs no time itself") {
         val incident = incidents(ofWhole("Raised battery resistance"), found("Weak battery", 30.0)).single()
         incident.name shouldBe "The battery was tired"
         incident.time shouldBe 30.0
         incidents(ofWhole("Tired battery")).single().time.isNaN() shouldBe true
     }
 
-    test("a cause that is nothing without an effect is none without it") {
+    test("a cause that requires an effect is not one without it") {
         names(found("CAN errors", 20.0)).shouldBeEmpty()
         names(found("CAN errors", 20.0), found("Values frozen", 20.2)) shouldBe listOf("The CAN bus was interrupted")
     }
@@ -98,7 +98,7 @@ class IncidentSpec : FunSpec({
         names(ofHook).shouldBeEmpty()
     }
 
-    test("all rules that causes and effects name are there") {
+    test("all rules that causes and effects name exist") {
         val rules = RuleSet.BUILT_IN.rules.mapTo(HashSet()) { it.name }
         val graph = RuleSet.BUILT_IN.causes
         val named = graph.causes.flatMap { it.shownBy + it.onlyWith } + graph.effects.flatMap { (rule, followers) -> followers + rule }
@@ -116,7 +116,7 @@ class IncidentSpec : FunSpec({
         checkNotNull(RuleSet.fromJson(rules.toJson())).toJson() shouldBe rules.toJson()
     }
 
-    test("a finding shows what its incident does, and alone what it does itself") {
+    test("a finding of an incident shows the incident's evidence, one alone its own") {
         val own = "[[cause]]\nname = \"$BLOCKED\"\nshown_by = [\"Jam\"]\nnext = \"Look.\"\n\n[leads_to]\nJam = [\"Browned out\"]\n"
         val jam = found("Jam", 5.0)
         val brownout = found("Browned out", 6.0)

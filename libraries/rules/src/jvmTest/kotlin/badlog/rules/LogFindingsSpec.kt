@@ -17,21 +17,21 @@ class LogFindingsSpec : FunSpec({
     val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2,6\n3,12\n"
     val view = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
 
-    test("a view that is read already is asked the rules, and those that do not fit it are reported") {
+    test("the rules run over a view that is already read, and those that do not fit it are reported") {
         val result = RuleSet.BUILT_IN.over(view, "test.bag")
         result.findings.map { it.rule } shouldContain "Low battery"
         result.skipped.map { it.rule } shouldContain "Loop overrun"
         result.skipped.none { it.isMistake } shouldBe true
     }
 
-    test("how long something was has three digits, however exact the times are") {
+    test("a duration has three digits, however exact the times are") {
         val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2.123456,6\n3.997734,12\n5,12\n"
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{duration}\"\n").rules
         val exact = LogView.of(BagParser().apply { accept(bag.encodeToByteArray()) }.finish())
         rules.over(exact, "a.bag").findings.single().text shouldBe "3 s"
     }
 
-    test("of somebody who goes from one to the next, every place is kept, and each has its own figures") {
+    test("every place is kept, for going from one to the next, and each has its own figures") {
         val rows = (0 until 800).joinToString("") { "$it,${if (it % 2 == 0) "12" else "${it % 7}.5"}\n" }
         val many = LogView.of(BagParser().apply { accept("$header\nTime,Battery Voltage\n$rows".encodeToByteArray()) }.finish())
         val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{value} at {time} for {duration} ({count}×)\"\n"
@@ -120,7 +120,7 @@ class LogFindingsSpec : FunSpec({
         RuleSet.BUILT_IN.over(csv, "a.csv").skipped.single { it.rule == "Gap in time" }.message shouldBe "the log has no x axis"
     }
 
-    test("whoever looks in between two rules can stop the run") {
+    test("the run can be stopped between two rules") {
         var rules = 0
         shouldThrow<InterruptedException> {
             RuleSet.BUILT_IN.over(view, "test.bag") { if (++rules == 3) throw InterruptedException() }

@@ -6,7 +6,7 @@ import org.tomlj.Toml
 import org.tomlj.TomlTable
 import java.io.File
 
-/** What stands in the guide [file] between the marks of [part] is [text]; BADLOG_WRITE_GUIDE writes it there. */
+/** Checks that the guide [file] has [text] between the marks of [part]; BADLOG_WRITE_GUIDE writes it there. */
 private fun checkGuide(file: String, part: String, text: String) {
     val guide = File("../../docs/$file")
     val (begin, end) = listOf("begin", "end").map { "<!-- $part $it -->" }
@@ -40,7 +40,7 @@ class RulesGuideSpec : FunSpec({
         checkGuide("signals.md", "signals", "| signal | means | unit | |\n|---|---|---|---|\n$rows")
     }
 
-    test("the examples of the guides are right") {
+    test("the examples in the guides are correct") {
         val block = Regex("```([a-z-]+)\n((?:.*\n)*?)```")
         val examples = listOf("rules.md", "signals.md").flatMap { block.findAll(File("../../docs/$it").readText()) }
             .associate { it.groupValues[1] to it.groupValues[2] }

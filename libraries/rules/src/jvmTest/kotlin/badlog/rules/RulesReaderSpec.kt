@@ -22,11 +22,11 @@ private fun builtInFromToml(): RuleSet {
 private fun messageOf(rules: String): String = shouldThrow<RulesException> { RulesFile.parse(rules) }.message
 
 class RulesReaderSpec : FunSpec({
-    test("the rules that are built in can be read") {
+    test("the built-in rules can be read") {
         RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
     }
 
-    test("the built-in rules as JSON are those of their file; BADLOG_WRITE_GUIDE writes them anew") {
+    test("the built-in rules as JSON are those of their file; BADLOG_WRITE_GUIDE rewrites them") {
         val folder = File("src/jvmMain/resources/badlog/rules")
         val made = builtInFromToml()
         if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
@@ -37,11 +37,11 @@ class RulesReaderSpec : FunSpec({
         comparisonsJson(RuleSet.BUILT_IN.comparisons) shouldBe comparisonsJson(made.comparisons)
     }
 
-    test("no rules are fine") {
+    test("a file without rules is fine") {
         RulesFile.parse("").rules.rules shouldBe emptyList()
     }
 
-    test("a mark of an editor before the text does not count") {
+    test("a byte order mark before the text is ignored") {
         RulesFile.parse("\uFEFF$RULE").rules.rules.single().name shouldBe "A"
     }
 
@@ -89,7 +89,7 @@ class RulesReaderSpec : FunSpec({
         test("refuses ${rules.replace('\n', ' ').takeLast(50)}: ${message.take(30)}") { messageOf(rules) shouldContain message }
     }
 
-    test("whatever the text, there are rules or a sentence") {
+    test("any text gives rules or a sentence") {
         val whole = RulesFile.BUILT_IN.source.lines().take(20).joinToString("\n") + "\n" + RULE
         checkAll(300, Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
             try {

@@ -29,7 +29,7 @@ class SignalsFileSpec : FunSpec({
 
     fun topics(vararg signals: Signal) = SignalTopics(builtIn, Vocabulary(signals.toList()), null)
 
-    test("each name that libraries use is the signal that it should be, and the traps are none") {
+    test("each name that libraries use is the right signal, and misleading names are none") {
         val wrong = names.associate { named ->
             named.topic.name to (topics(named.topic).all.map { it.signal } to named.signal)
         }.filterValues { (found, wanted) -> if (wanted == null) found.isNotEmpty() else wanted !in found }
@@ -46,7 +46,7 @@ class SignalsFileSpec : FunSpec({
         topics(Signal("System/Battery Voltage", SignalKind.NUMBER, "%")).all.filter { it.signal == "battery" } shouldBe emptyList()
     }
 
-    test("where no total is logged it is the sum of the channels") {
+    test("if no total is logged, it is the sum of the channels") {
         val match = TestMatch()
         val view = match.view()
         val signals = SignalTopics(builtIn, LogShape.of(view).vocabulary, "Time")
@@ -54,7 +54,7 @@ class SignalsFileSpec : FunSpec({
         signals.summandsOf("total current").size shouldBe 4
     }
 
-    test("what a team adds goes first, and can be a signal of its own") {
+    test("what a team adds takes precedence, and can be a signal of its own") {
         val own = SignalsFile.parse(
             """
             [units]

@@ -6,7 +6,7 @@ import badlog.json.quotedJson
 
 /**
  * A match of [seconds] at 50 rows a second, made of functions of time: a healthy one, in which [number], [flag] and [event] plant
- * what is to be found. Names are those of different libraries; none has a unit but in its name.
+ * what is to be found. Names are those of different libraries; units are only in names.
  */
 internal class TestMatch(private val seconds: Int = 40) {
     private val cells = LinkedHashMap<String, (time: Double, row: Int) -> String>()
@@ -69,7 +69,7 @@ internal class TestMatch(private val seconds: Int = 40) {
         events.filter { (it.first * ROWS).toInt() == row }.joinToString("; ") { it.second }
     }
 
-    /** [name] is as it was, but from [from] on what [at] says. */
+    /** [name] is unchanged until [from], and from then on what [at] returns. */
     fun from(from: Double, name: String, at: (Double) -> String) {
         val before = cells.getValue(name)
         cell(name, units.getValue(name)) { time, row -> if (time < from) before(time, row) else at(time) }
@@ -82,7 +82,7 @@ internal class TestMatch(private val seconds: Int = 40) {
         units[name] = unit
     }
 
-    /** What a program sees of it. [clock] gives the time of each row. */
+    /** The match as a log. [clock] returns the time of each row. */
     fun view(clock: (Double) -> Double? = { it }): LogView {
         val names = listOf("Time") + cells.keys
         val header = names.joinToString(",", "{\"topics\":[", "],\"values\":[]}") { name ->
@@ -123,7 +123,7 @@ internal class TestMatch(private val seconds: Int = 40) {
 
         fun setpoint(time: Double): Double = (time / 8).toInt() % 3 * 0.5
 
-        /** Half a second behind. */
+        /** Half a second behind the setpoint. */
         fun height(time: Double): Double = setpoint(time - 0.5) + 0.002 * wave(time)
     }
 }

@@ -54,14 +54,14 @@ class ViewWithSignalsSpec : FunSpec({
         }
     }
 
-    test("that a mechanism was enabled is not that the robot was, and an empty topic says nothing") {
+    test("a mechanism that was enabled does not mean that the robot was, and an empty topic says nothing") {
         val view = logOf("NT:/Robot/shooter/enabled" to OFF_ON, "DS:enabled" to List(5) { "" }).withSignals(vocabulary)
         view.knowsEnabled shouldBe false
         val other = logOf("DS:enabled" to List(5) { "" }, "/DriverStation/Enabled" to OFF_ON).withSignals(vocabulary)
         other.enabledSpans().map { it.span } shouldBe listOf(Span(1.0, 4.0))
     }
 
-    test("the match is what topics tell where no value does; before the field says it, nothing is known") {
+    test("the match comes from topics if no value has it; before the field sends it, nothing is known") {
         val number = "NT:/FMSInfo/MatchNumber" to listOf("0", "0", "42", "42", "42")
         val type = "NT:/FMSInfo/MatchType" to listOf("0", "0", "2", "2", "2")
         val event = "NT:/FMSInfo/EventName" to listOf("", "", "MILLC", "MILLC", "MILLC")
@@ -70,13 +70,13 @@ class ViewWithSignalsSpec : FunSpec({
         logOf("/DriverStation/MatchNumber" to List(5) { "0" }, "a" to List(5) { "1" }).withSignals(vocabulary).title shouldBe null
     }
 
-    test("rules are asked of what a topic means, however it says so") {
+    test("rules use what a topic means, however the topic expresses it") {
         val rules = RulesFile.parse("[[rule]]\nname = \"Off\"\nseverity = \"note\"\ntext = \"Off.\"\nwhen = \"not robot enabled for 1 s\"\n").rules
         val view = logOf("/DSLog/Status/DSDisabled" to listOf("false", "true", "true", "true", "false"))
         rules.over(view, "a").findings.single().spans shouldBe listOf(Span(1.0, 4.0))
     }
 
-    test("formulas name signals, and a topic that is called as a signal goes first") {
+    test("formulas can name signals, and a topic with the name of a signal takes precedence") {
         val volts = logOf("/SystemStats/BatteryVoltage" to listOf("12", "11", "10", "11", "12"), "PDP/Chan0" to List(5) { "3" }, "PDP/Chan1" to List(5) { "4" })
         val power = volts.withVirtualTopics(listOf("Power [W] = battery * total current", "battery = battery + 1", "Twice = battery * 2"), vocabulary)
         power.errors shouldBe emptyList()
@@ -86,7 +86,7 @@ class ViewWithSignalsSpec : FunSpec({
         (Expression.parse("battery < 7", topic.namesWith(vocabulary).vocabulary) as Expression).topics shouldBe listOf("Drive/Battery")
     }
 
-    test("a signal that the log lacks is named as such, with what to do") {
+    test("a signal that the log lacks is reported as such, with what to do") {
         val names = logOf("Arm/Angle" to List(5) { "1" }).namesWith(vocabulary).vocabulary
         val error = Expression.parse("min(Battery) < 7", names).shouldBeInstanceOf<ExpressionError>()
         error.message shouldContain "The log has no topic for the signal “battery”; name yours in badlog-signals.toml."

@@ -1,6 +1,6 @@
 package edu.wpi.first.wpilibj;
 
-/** Stands for WPILib's class of that name, to season 2026. */
+/** Stands in for WPILib's class of that name, up to season 2026. */
 public final class DriverStation {
     public static boolean enabled;
     public static boolean attached;

@@ -25,7 +25,7 @@ internal fun written(write: (sink: (ByteArray, Int) -> Unit) -> Unit): ByteArray
 
 private fun copyOf(bytes: ByteArray, copy: RecordCopy.() -> Unit): ByteArray = written { RecordCopy(recordsOf(bytes), sink = it).copy() }
 
-/** A log of what is more than numbers. */
+/** A log of more than numbers. */
 private fun typed() = TestLog("{\"from\":\"a robot\"}")
     .start(1, "/.schema/struct:Pose2d", "structschema")
     .start(2, "/Pose", "struct:Pose2d", "{\"a\":1}", 900_000)
@@ -36,7 +36,7 @@ private fun typed() = TestLog("{\"from\":\"a robot\"}")
 private const val BIG = 9_007_199_254_740_993
 
 class RecordCopySpec : FunSpec({
-    test("all records come again byte by byte, but for those that nobody reads") {
+    test("all records are copied byte by byte, except those that no reader uses") {
         fun log(isDamaged: Boolean) = typed()
             .string(1, 1_000_000, "double x;double y").record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 1_500_000, longs(BIG))
             .apply { if (isDamaged) record(77, 1_500_000, byteArrayOf(1)).record(3, 1_600_000, byteArrayOf(1)).record(2, 1_600_000, doubles(1.0)) }
@@ -51,7 +51,7 @@ class RecordCopySpec : FunSpec({
         }
     }
 
-    test("a part has the records of its span as they stand, and what held where it begins") {
+    test("a part has the records of its span unchanged, and what held at its start") {
         val log = typed().string(1, 1_000_000, "double x;double y").record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 1_500_000, longs(BIG))
             .string(5, 1_700_000, "ready").record(4, 1_800_000, byteArrayOf(9, 8)).record(2, 3_000_000, doubles(3.0, 4.0))
             .string(5, 3_100_000, "go").record(3, 3_200_000, longs(BIG + 2)).record(2, 5_000_000, doubles(5.0, 6.0)).finish(2, 5_100_000)
@@ -63,14 +63,14 @@ class RecordCopySpec : FunSpec({
         parseLog(part).topics.first { it.name == "/Pose/x" }.samples.toList() shouldContainExactly listOf(1.0, 3.0)
     }
 
-    test("what held belongs to its own entry, also where its number is another one's by then") {
+    test("what held belongs to its own entry, even if another one has its number by then") {
         val log = TestLog().start(1, "A", "double").double(1, 1_000_000, 1.0).finish(1, 1_100_000).start(1, "B", "double").double(1, 3_000_000, 2.0)
         val part = parseLog(copyOf(log.bytes) { spans(listOf(Span(2.0, 4.0)), { false }) })
         part.topics.map { topic -> topic.times?.toList().orEmpty().zip(topic.samples.toList()) } shouldContainExactly
             listOf(listOf(2.0 to 1.0), listOf(3.0 to 2.0))
     }
 
-    test("a part says of its run what the whole says, and when it began itself") {
+    test("a part has the match of the whole log, and the time at which the part itself begins") {
         val log = TestLog().start(1, "systemTime", "int64").start(2, "NT:/FMSInfo/MatchNumber", "int64").start(3, "A", "double")
             .record(1, 1_000_000, longs(1_700_000_000_000_000)).record(2, 1_000_000, longs(42)).double(3, 1_000_000, 1.0).double(3, 61_000_000, 2.0)
         val part = parseLog(copyOf(log.bytes) { spans(listOf(Span(61.0, 62.0)), { false }) })
@@ -118,7 +118,7 @@ class RecordCopySpec : FunSpec({
         repeats shouldBe 1
     }
 
-    test("a merge has the payloads of all, in the order of time and what several have once") {
+    test("a merge has the payloads of all, in the order of time, and only once what several have") {
         val one = recordsOf(typed().record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 2_000_000, longs(BIG)).record(4, 3_000_000, byteArrayOf(1)).bytes)
         val two = recordsOf(typed().record(3, 1_000_000, longs(BIG)).record(2, 1_500_000, doubles(3.0, 4.0)).record(3, 9_000_000, longs(7)).bytes)
         val lanes = one.entries.zip(two.entries).map { (a, b) -> RecordLane(a.name, listOf(RecordPiece(a), RecordPiece(b, 1_000_000.0))) }

@@ -24,7 +24,7 @@ import kotlin.math.roundToLong
 
 private val PYTHON = TestPython("wpiutil.log", "robotpy-wpiutil")
 
-/** What WPILib's reader, the one that robotpy carries, says of a log: its lines. */
+/** The lines that WPILib's reader, the one in robotpy, prints about a log. */
 private fun linesOf(bytes: ByteArray): List<List<String>> {
     val file = Files.createTempFile("badlog", ".wpilog")
     try {

@@ -36,7 +36,7 @@ class PageAddressSpec : FunSpec({
         )
     }
 
-    test("an address is read as it was written, though a program wrote its characters in its own way") {
+    test("an address is read as it was written, even if a program escaped its characters in its own way") {
         checkAll(address) { written ->
             val text = written.toText()
             text shouldMatch Regex("(#[-A-Za-z0-9_./:;,=+~&]+)?")
@@ -53,7 +53,7 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("a link to a moment alone, as older reports have it, goes on to work") {
+    test("a link to only a moment, as in older reports, still works") {
         pageAddressOf("#t=93.7").run {
             moment shouldBe 93.7
             (visible == null && this.board == null && formulas.isEmpty() && problems.isEmpty()) shouldBe true
@@ -70,7 +70,7 @@ class PageAddressSpec : FunSpec({
         PageAddress().toText() shouldBe ""
     }
 
-    test("what is damaged is said in a sentence each, and the rest is used") {
+    test("each damaged part is reported in a sentence, and the rest is used") {
         pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c&v=1e999").problems shouldContainExactly
             listOf("time", "range", "board", "formula", "finding", "video’s place").map { "This link’s $it is damaged; copy the link again." }
         pageAddressOf("#t=5&x=").run {
@@ -79,13 +79,13 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("places of the page and what a newer badlog wrote are passed over in silence") {
+    test("anchors of the page and what a newer badlog wrote are ignored silently") {
         for (text in listOf("", "#", "#info", "#:~:text=Voltage", "#sound=loud")) {
             pageAddressOf(text).run { (isEmpty && problems.isEmpty()) shouldBe true }
         }
     }
 
-    test("whatever an address ends with, it is read, and what is said of it are sentences") {
+    test("whatever an address ends with, it is read, and what is reported are sentences") {
         val pieces = Arb.element("#", "t=", "x=", "board=", "f=", "finding=", "v=", "&", ":", ";", "~", "%", "1e999", "NaN", "-5", "%7E", "y=1", ",")
         val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
         checkAll(text, address, Arb.int(0..80)) { some, written, at ->

@@ -16,13 +16,13 @@ class AxisTextSpec : FunSpec({
         texts(0.0, 25.0, 8).shouldContainExactly("0", "25", "50", "75", "100")
     }
 
-    test("large numbers are plain where they fit, else as exact as their step") {
+    test("large numbers are plain if they fit, otherwise as exact as their step") {
         texts(150_000_000.0, 2_000_000.0, 10, 2).shouldContainExactly("150000000", "152000000")
         texts(150_000_000.0, 2_000_000.0, 8, 2).shouldContainExactly("1.50e8", "1.52e8")
         texts(1_710_585_600.0, 100.0, 10, 2).shouldContainExactly("1710585600", "1710585700")
     }
 
-    test("of what does not fit either way, the beginning is left out") {
+    test("of numbers that do not fit either way, the beginning is left out") {
         texts(1_710_585_600.0, 100.0, 8, 2).shouldContainExactly("…0585600", "…0585700")
     }
 

@@ -23,7 +23,7 @@ class TicksSpec : FunSpec({
         of(11.7, 12.4, 4).step shouldBe 0.2
     }
 
-    test("any range has no more than are asked for and one, ascending and within it") {
+    test("any range has at most one tick more than asked for, ascending and within the range") {
         checkAll(Arb.double(-1e300, 1e300), Arb.double(0.0, 1e300), Arb.int(1..20)) { from, width, most ->
             val ticks = of(from, from + width, most).values
             ticks.size shouldBeLessThanOrEqual most + 1
@@ -33,7 +33,7 @@ class TicksSpec : FunSpec({
         }
     }
 
-    test("what is not a range has none") {
+    test("what is not a range has no ticks") {
         of(1.0, 1.0, 5).values.size shouldBe 0
         of(Double.NaN, 1.0, 5).values.size shouldBe 0
         of(0.0, Double.POSITIVE_INFINITY, 5).values.size shouldBe 0
@@ -41,7 +41,7 @@ class TicksSpec : FunSpec({
 
     test("whatever is shown, no two ticks read the same, none is too long, and each reads as its place") {
         checkAll(Arb.double(-1e9, 1e9), Arb.double(-12.0, 12.0), Arb.double(10.0, 2_000.0)) { from, decades, room ->
-            // As narrow as a view can become.
+            // As narrow as a visible range can become.
             val width = maxOf(10.0.pow(decades), abs(from) * 1e-11)
             for ((ticks, letters) in listOf(Ticks.ofX(Span(from, from + width), room) to 12, Ticks.ofY(Span(from, from + width), room) to 8)) {
                 ticks.texts.shouldBeUnique()

@@ -5,7 +5,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 
 class YLimitsSpec : FunSpec({
-    test("what never goes below 0 gets no room there") {
+    test("values that never go below 0 get no room there") {
         limitsFor(0.1, 10.0, includesZero = false).from shouldBe 0.0
     }
 
@@ -15,14 +15,14 @@ class YLimitsSpec : FunSpec({
         0.0 shouldBeLessThan limits.to
     }
 
-    test("0 is included when it must be") {
+    test("0 is included if it must be") {
         val above = limitsFor(11.0, 12.0, includesZero = true)
         above.from shouldBe 0.0
         12.0 shouldBeLessThan above.to
         limitsFor(-12.0, -11.0, includesZero = true).to shouldBe 0.0
     }
 
-    test("a constant, nothing, and the largest numbers have limits that can be drawn") {
+    test("a constant, no values, and the largest numbers have limits that can be drawn") {
         val nothing = Double.NaN to Double.NaN
         for ((least, most) in listOf(5.0 to 5.0, 0.0 to 0.0, -3.0 to -3.0, nothing, -1.7e308 to 1.7e308)) {
             val limits = limitsFor(least, most, includesZero = false)

@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
 class BoardHistorySpec : FunSpec({
-    test("whatever was done is undone step by step, and done again") {
+    test("whatever was done is undone step by step, and redone") {
         checkAll(Arb.list(Arb.int(0..5), 0..40)) { deeds ->
             var history = BoardHistory()
             val boards = ArrayList<Board>().apply { add(history.now) }
@@ -30,14 +30,14 @@ class BoardHistorySpec : FunSpec({
         }
     }
 
-    test("what shows the same is no step, and a new step leaves nothing to do again") {
+    test("a change that shows the same is not a step, and after a new step nothing can be redone") {
         val one = Board().withGraph(listOf("A"))
         val history = BoardHistory().changed(one)
         history.changed(one.copy(graphs = one.graphs.map { it.copy(id = 7) })) shouldBe history
         history.undone().changed(Board().withGraph(listOf("B"))).canRedo shouldBe false
     }
 
-    test("it forgets the first of very many steps") {
+    test("the first of very many steps are forgotten") {
         var history = BoardHistory()
         for (i in 1..500) history = history.changed(Board().withGraph(listOf("Topic $i")))
         var steps = 0

@@ -25,7 +25,7 @@ class BoardLayoutSpec : FunSpec({
         boardLayoutOf("a", BoardLayout(Board()).toJson()).board shouldBe Board()
     }
 
-    test("a layout that the window has saved is read, but for what is the window's alone") {
+    test("a layout that the window has saved is read, except for what only the window has") {
         val file = """{
             "badlog-layout": 1,
             "graphs": [{"title": "Arm/Angle", "lines": ["Arm/Angle", "Arm/Goal"], "y": {"from": -1.5, "to": 90.0}}],

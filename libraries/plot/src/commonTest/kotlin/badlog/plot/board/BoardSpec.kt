@@ -54,7 +54,7 @@ class BoardSpec : FunSpec({
 
     fun Board.lines() = graphs.map { it.lines }
 
-    test("what is written is read back the same, as JSON and as the text of an address") {
+    test("a board that was written is read back the same, as JSON and as the text of an address") {
         checkAll(board) {
             boardOfJson(it.toJson()) shouldBe it
             boardOfText(it.toText()) shouldBe it
@@ -101,7 +101,7 @@ class BoardSpec : FunSpec({
         )
     }
 
-    test("what is wrong is said, and what to do") {
+    test("a mistake is reported, with what to do") {
         val wrong = mapOf(
             """[]""" to "This is not an object of JSON; select a file that badlog has saved.",
             """{"graphs":"all"}""" to "The graphs are damaged: “graphs” is not a list; select a file that badlog has saved.",
@@ -112,7 +112,7 @@ class BoardSpec : FunSpec({
             "Graph 1 has “q”, which is unknown here; update badlog to open this."
     }
 
-    test("an origin that is not known is said") {
+    test("an unknown origin is reported") {
         shouldThrow<BoardException> { boardOfText("A,B,p=,o=green") }.message shouldBe
             "“green” is not an origin of poses; copy the whole address again."
     }
@@ -182,7 +182,7 @@ class BoardSpec : FunSpec({
         for (height in GraphHeight.entries) (height.pixels in BoardGraph.HEIGHTS) shouldBe true
     }
 
-    test("a board written by a newer badlog is read but for what is not known") {
+    test("a board written by a newer badlog is read, except for what is unknown") {
         boardOfJson("""{"graphs":[{"title":"A","lines":["A","B"],"hidden":["B","C",3],"glow":{"color":1}}]}""").graphs shouldBe
             listOf(BoardGraph(1, "A", listOf("A", "B"), hidden = setOf("B")))
     }

@@ -9,12 +9,12 @@ import io.kotest.matchers.shouldBe
 class DefaultBoardSpec : FunSpec({
     val setting = timedTopic("Gain", 0.0 to 1.0, 4.0 to 1.0)
 
-    test("of a WPILOG, what never changes or was never logged is not drawn at first") {
+    test("topics of a WPILOG that never change or were never logged are not drawn at first") {
         val view = timedView(setting, timedTopic("Nothing"), timedTopic("Voltage", 0.0 to 12.0, 4.0 to 11.0))
         defaultBoard(view).graphs.map { it.lines } shouldBe listOf(listOf("Voltage"))
     }
 
-    test("where nothing changes at all, all is drawn") {
+    test("if nothing changes at all, everything is drawn") {
         defaultBoard(timedView(setting)).graphs.size shouldBe 1
     }
 

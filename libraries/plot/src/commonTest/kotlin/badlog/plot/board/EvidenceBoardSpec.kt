@@ -24,12 +24,12 @@ class EvidenceBoardSpec : FunSpec({
         linesOf(view, "Mode", "A/Voltage", "On", "B/Voltage") shouldBe listOf(listOf("A/Voltage", "B/Voltage"), listOf("Mode", "On"))
     }
 
-    test("texts, what has no sample, what is named twice and what is not in the log are left out") {
+    test("texts, topics without samples, repeated names and topics that are not in the log are left out") {
         linesOf(view, "Said", "Empty", "A/Voltage", "Nothing", "A/Voltage") shouldBe listOf(listOf("A/Voltage"))
         boardOf(view, listOf("Said")).graphs shouldBe emptyList()
     }
 
-    test("however much shows it, it fits a screen") {
+    test("however much evidence there is, its graphs fit a screen") {
         val names = (1..40).map { "Motors/Left $it" }
         val many = bagView(names, listOf(names.joinToString(",") { "1" }))
         boardOf(many, names).graphs.single().run {

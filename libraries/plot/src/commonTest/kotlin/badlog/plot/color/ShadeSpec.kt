@@ -31,7 +31,7 @@ private fun mixed(color: Int, ground: Int, share: Double): Int {
 }
 
 class ShadeSpec : FunSpec({
-    test("style sheets get all digits of a colour, and of an opacity however small") {
+    test("style sheets get all digits of a color, and of an opacity however small") {
         cssColor(0x0B62C4) shouldBe "#0b62c4"
         cssColor(0xFF, 0.5) shouldBe "#0000ff7f"
         cssColor(0xFFFFFF, 0.05) shouldBe "#ffffff0c"
@@ -57,14 +57,14 @@ class ShadeSpec : FunSpec({
             }
         }
 
-        test("the shading of the modes can be told apart, and leaves text and lines readable, in the $theme theme") {
+        test("the shadings of the modes can be distinguished, and leave text and lines readable, in the $theme theme") {
             val grounds = RobotMode.entries.map { mixed(modeShade(it).of(isDark), Shade.SURFACE.of(isDark), modeOpacity(isDark)) }
             grounds.shouldBeUnique()
             for (ground in grounds) {
                 contrast(Shade.TEXT.of(isDark), ground) shouldBeGreaterThan 7.0
                 for (index in 0 until LINE_COLORS) contrast(lineColor(index, isDark), ground) shouldBeGreaterThan 2.0
             }
-            // Blue against yellow, which those tell apart who do not tell green from red.
+            // Blue against yellow, which people distinguish who cannot distinguish green from red.
             (grounds[0] and 0xFF) shouldBeLessThan (grounds[1] and 0xFF) - 15
         }
 

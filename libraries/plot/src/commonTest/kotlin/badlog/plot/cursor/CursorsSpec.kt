@@ -20,13 +20,13 @@ class CursorsSpec : FunSpec({
         free.left().x shouldBe 3.0
     }
 
-    test("a click on the pinned cursor lets it go, one beside it moves it and leaves the second") {
+    test("a click on the pinned cursor unpins it, one beside it moves it and leaves the second") {
         val both = Cursors().clicked(3.0, 0.5).shiftClicked(5.0, 0.5)
         both.clicked(4.0, 0.5) shouldBe Cursors(pinned = 4.0, second = 5.0)
         both.clicked(3.4, 0.5) shouldBe Cursors(hover = 3.4)
     }
 
-    test("a click with Shift sets the second cursor, on it takes it away, and without a first one sets that") {
+    test("a click with Shift sets the second cursor, on that one removes it, and without a first cursor sets the first") {
         Cursors().shiftClicked(3.0, 0.5) shouldBe Cursors(pinned = 3.0)
         val both = Cursors(pinned = 3.0).shiftClicked(1.0, 0.5)
         both.between shouldBe Span(1.0, 3.0)
@@ -34,7 +34,7 @@ class CursorsSpec : FunSpec({
         Cursors(pinned = 3.0, second = 3.0).between shouldBe null
     }
 
-    test("keys move the cursor, or the second one where there is one, which begins at the first") {
+    test("keys move the cursor, or the second one if there is one, which begins at the first") {
         Cursors().moved(7.0) { it + 1 } shouldBe Cursors(pinned = 7.0)
         val moved = Cursors(hover = 2.0).moved(7.0) { it + 1 }
         moved.pinned shouldBe 3.0
@@ -44,7 +44,7 @@ class CursorsSpec : FunSpec({
         Cursors().withSecond() shouldBe Cursors()
     }
 
-    test("Escape takes away the second cursor, then the pin, then the cursor") {
+    test("Escape removes the second cursor, then the pin, then the cursor") {
         val all = Cursors(pinned = 1.0, second = 2.0, hover = 3.0)
         generateSequence(all) { it.cancelled() }.take(4).map { it.x to it.second }.toList() shouldBe
             listOf(1.0 to 2.0, 1.0 to null, 3.0 to null, null to null)

@@ -21,14 +21,14 @@ class FigureNotesSpec : FunSpec({
 
     fun notes(visible: Span, cursors: Cursors, vararg found: Finding) = FigureNotes.of("a.bag", view.xAxis, visible, cursors, clocks, FindingTimeline(found.toList(), { it.severity }, { it.places }))
 
-    test("they say which file it is, what of it is seen, and where the cursors are") {
+    test("the notes name the file, its visible range, and the places of the cursors") {
         notes(Span(2.0, 12.0), Cursors()).place shouldBe "a.bag · 2.000 – 12.000 s"
         notes(Span(2.0, 12.0), Cursors(pinned = 3.0)).place shouldBe "a.bag · 2.000 – 12.000 s · cursor at 3.000 s"
         notes(Span(2.0, 12.0), Cursors(pinned = 3.0, second = 5.5)).place shouldStartWith
             "a.bag · 2.000 – 12.000 s · cursor at 3.000 s · B at 5.500 s, Δ 2.5"
     }
 
-    test("they name what was found in the visible range, the worst first, each as it was there") {
+    test("the notes name what was found in the visible range, the worst first, with its values there") {
         val found = notes(
             Span(2.0, 12.0),
             Cursors(),

@@ -16,7 +16,7 @@ class FormulaSpec : FunSpec({
     val view = bagView(listOf("Time|xaxis", "System/Battery Voltage", "PDP/Total Current"), listOf("0,12,1", "1,11,2", "2,10,3"))
     val vocabulary = LogViewSignals(view).vocabulary
 
-    test("one that makes no sense costs the others nothing, and an equal one is there once") {
+    test("an invalid formula does not affect the others, and of equal ones there is one") {
         val definitions = listOf("A = Arm/Angle + 1", power, "Nothing", power, "B = Power / 2")
         val formulas = formulasOf(definitions, view.withVirtualTopics(definitions))
         formulas.map { it.definition } shouldContainExactly definitions
@@ -25,7 +25,7 @@ class FormulaSpec : FunSpec({
         formulas.map { it.name } shouldContainExactly listOf("A", "Power", null, "Power", "B")
     }
 
-    test("the name is known even where the expression means nothing") {
+    test("the name is known even if the expression is invalid") {
         nameIn(power) shouldBe "Power"
         nameIn("\"Odd = [name]\" [V] = nonsense == 3") shouldBe "Odd = [name]"
         nameIn("no definition") shouldBe null
@@ -37,7 +37,7 @@ class FormulaSpec : FunSpec({
         joined(listOf("A = 1"), emptyList()) shouldContainExactly listOf("A = 1")
     }
 
-    test("names are suggested from what was typed of them") {
+    test("names are suggested for what was typed of them") {
         fun names(text: String) = Suggestions.of(text, text.length, vocabulary).names
         names("Volt") shouldBe emptyList()
         names("P = volt") shouldBe listOf("System/Battery Voltage")
@@ -61,7 +61,7 @@ class FormulaSpec : FunSpec({
         }
     }
 
-    test("a name stands in quotes where the language would not take it for one") {
+    test("a name is in quotes if the language would not read it as one") {
         nameInExpression("System/Battery Voltage", vocabulary) shouldBe "System/Battery Voltage"
         val odd = LogViewSignals(bagView(listOf("Time|xaxis", "-odd", "a|b"), listOf("0,1,2"))).vocabulary
         nameInExpression("-odd", odd) shouldBe "\"-odd\""

@@ -17,7 +17,7 @@ class GestureSpec : FunSpec({
     val whole = Viewport(Span(0.0, 100.0))
     val zoomed = whole.showing(40.0, 60.0)
 
-    test("each key does one thing, whether or not a keyboard needs Shift for a sign") {
+    test("each key does one thing, whether or not a keyboard needs Shift for a character") {
         Action.entries.flatMap { it.keys.toList() }.shouldBeUnique()
         Action.of("N", shift = false) shouldBe Action.NEXT_FINDING
         Action.of("N", shift = true) shouldBe Action.PREVIOUS_FINDING
@@ -33,20 +33,20 @@ class GestureSpec : FunSpec({
         Action.entries.map { it.meaning }.shouldBeUnique()
     }
 
-    test("a drag zooms, with Shift moves along, with Alt zooms y") {
+    test("a drag zooms, with Shift pans, with Alt zooms y") {
         DragKind.of(shift = false, alt = false) shouldBe DragKind.ZOOM
         DragKind.of(shift = true, alt = false) shouldBe DragKind.PAN
         DragKind.of(shift = false, alt = true) shouldBe DragKind.ZOOM_Y
     }
 
-    test("the wheel alone scrolls, and sideways only where there is something beside") {
+    test("the wheel alone scrolls, sideways only if there is more to the side") {
         Wheel().turned(zoomed, 0.0, 40.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
         Wheel().turned(whole, 40.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
         Wheel().turned(zoomed, 80.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
         Wheel().turned(zoomed, 0.0, 80.0, ctrl = false, shift = true, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
     }
 
-    test("with Ctrl it zooms, and leaves what is below the pointer where it stands") {
+    test("the wheel with Ctrl zooms, and leaves what is below the pointer where it is") {
         checkAll(Arb.double(-200.0, 200.0).filter { it.isFinite() }, Arb.double(41.0, 59.0).filter { it.isFinite() }) { turn, x ->
             val after = Wheel().turned(zoomed, 0.0, turn, ctrl = true, shift = false, x, 800.0, 0.0).shouldNotBeNull().visible
             if (turn < 0) (after.width <= 20.0) shouldBe true
@@ -54,7 +54,7 @@ class GestureSpec : FunSpec({
         }
     }
 
-    test("turns that follow one another closely are one step back") {
+    test("turns of the wheel that follow one another closely are one step back") {
         val wheel = Wheel()
         var seen = whole
         for (turn in 0..3) seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, turn * 100.0).shouldNotBeNull()
@@ -63,7 +63,7 @@ class GestureSpec : FunSpec({
         seen.back().isZoomed shouldBe true
     }
 
-    test("a key means something else with Ctrl or Alt") {
+    test("with Ctrl or Alt, a key means something else") {
         Action.of("Z", shift = false, ctrl = true) shouldBe Action.UNDO
         Action.of("Z", shift = true, ctrl = true) shouldBe Action.REDO
         Action.of("Z", shift = false) shouldBe null
@@ -72,7 +72,7 @@ class GestureSpec : FunSpec({
         Action.REDO.help.how shouldBe "Ctrl+Shift+Z  Ctrl+Y"
     }
 
-    test("two quick clicks at one place are a double click, and the third is a new one") {
+    test("two quick clicks at one place are a double click, and a third begins a new one") {
         val clicks = DoubleClick()
         clicks.isSecond(10.0, 0.0) shouldBe false
         clicks.isSecond(12.0, 200.0) shouldBe true
@@ -81,7 +81,7 @@ class GestureSpec : FunSpec({
         clicks.isSecond(100.0, 4000.0) shouldBe false
     }
 
-    test("of the overview the edges of what is visible can be taken, its middle, and what is beside it") {
+    test("in the overview, a drag can begin at the edges of the visible range, inside it, and beside it") {
         OverviewGrip.at(40.5, zoomed, 0.2) shouldBe OverviewGrip.LEFT
         OverviewGrip.at(60.5, zoomed, 0.2) shouldBe OverviewGrip.RIGHT
         OverviewGrip.at(50.0, zoomed, 0.2) shouldBe OverviewGrip.WINDOW
@@ -95,7 +95,7 @@ class GestureSpec : FunSpec({
         OverviewDrag(zoomed, 60.0, 0.1).movedTo(10.0).visible.from shouldBe (40.0 plusOrMinus 1e-3)
     }
 
-    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes either") {
+    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes each") {
         val drag = OverviewDrag(zoomed, 50.0, 0.1)
         drag.movedTo(50.1) shouldBe zoomed
         drag.hasMoved shouldBe false
@@ -105,7 +105,7 @@ class GestureSpec : FunSpec({
         OverviewDrag(whole, 20.0, 0.1).movedTo(50.0).visible shouldBe Span(20.0, 50.0)
     }
 
-    test("a click beside what is visible brings it there, one on it does nothing") {
+    test("a click beside the visible range moves it there, one inside it does nothing") {
         OverviewDrag(zoomed, 80.0, 0.1).clicked(80.0).visible shouldBe Span(70.0, 90.0)
         OverviewDrag(zoomed, 50.0, 0.1).clicked(50.0) shouldBe zoomed
     }

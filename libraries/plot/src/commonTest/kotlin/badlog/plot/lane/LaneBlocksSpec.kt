@@ -20,7 +20,7 @@ class LaneBlocksSpec : FunSpec({
         return List(reused.size) { Triple(reused.left[it], reused.right[it], reused.states[it]) }
     }
 
-    test("long states are as long as they are") {
+    test("long states are drawn in their true length") {
         blocks(101, 200.0) { if (it < 50) 0 else 1 } shouldBe listOf(Triple(0.0, 100.0, 0), Triple(100.0, 200.0, 1))
     }
 
@@ -30,7 +30,7 @@ class LaneBlocksSpec : FunSpec({
         blocks.count { it.third == 0 } shouldBe 2
     }
 
-    test("a dropout of one row is seen too") {
+    test("a dropout of one row is visible, too") {
         blocks(10_001, 1000.0) { if (it == 6000) 0 else 1 }.last() shouldBe Triple(600.0, 602.0, 0)
     }
 
@@ -38,20 +38,20 @@ class LaneBlocksSpec : FunSpec({
         blocks(10_001, 1000.0) { if (it == 10_000) 1 else 0 }.last() shouldBe Triple(998.0, 1000.0, 1)
     }
 
-    test("of several states in one pixel, the rarer one is seen, whichever comes first") {
+    test("of several states in one pixel, the rarest is visible, whichever comes first") {
         val rareLast = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_005) 2 else 1) else 0 }
         rareLast.last() shouldBe Triple(500.0, 502.0, 2)
         val rareFirst = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_000) 2 else 1) else 0 }
         rareFirst.last() shouldBe Triple(500.0, 502.0, 2)
     }
 
-    test("millions of changes are no more blocks than there are pixels") {
+    test("millions of changes become at most as many blocks as there are pixels") {
         val blocks = blocks(100_000, 500.0) { it % 3 }
         (blocks.size <= 500) shouldBe true
         blocks.sumOf { it.second - it.first } shouldBe 500.0
     }
 
-    test("no state is lost where each has room, and no block leaves the lane") {
+    test("no state is lost if each has room, and no block is outside the lane") {
         checkAll(Arb.list(Arb.int(0..3), 2..200), Arb.int(10..300)) { states, width ->
             val blocks = blocks(states.size, width.toDouble()) { states[it] }
             for (block in blocks) (block.first >= 0 && block.second <= width && block.first < block.second) shouldBe true
@@ -59,7 +59,7 @@ class LaneBlocksSpec : FunSpec({
         }
     }
 
-    test("off is quiet, a narrow block strong, and a wide one leaves its name to be read") {
+    test("off is pale, a narrow block strong, and a wide one leaves its name readable") {
         LaneTone.of(listOf("false", "true"), 0, 1.0) shouldBe LaneTone.OFF
         LaneTone.of(listOf("false", "true"), 1, 1.0) shouldBe LaneTone.STRONG
         LaneTone.of(listOf("LOW", "HIGH"), 0, 30.0) shouldBe LaneTone.QUIET

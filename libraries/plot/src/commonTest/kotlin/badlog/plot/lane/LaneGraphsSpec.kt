@@ -8,7 +8,7 @@ class LaneGraphsSpec : FunSpec({
     val topics = listOf("Time|xaxis|hide", "A/Mode", "A/On", "A/Angle", "A/Off")
     val graphs = bagView(topics, listOf("0,auto,true,1,false", "1,teleop,false,2,true")).folders.single().graphs
 
-    test("states that follow one another share a graph with a lane each, all else stays by itself") {
+    test("states that follow one another share a graph with a lane each, everything else has its own graph") {
         framesOf(graphs).map(::laneGraphOf).map { it.name to it.series.map { line -> line.topic.name } } shouldBe listOf(
             "A/States" to listOf("A/Mode", "A/On"),
             "A/Angle" to listOf("A/Angle"),
@@ -16,7 +16,7 @@ class LaneGraphsSpec : FunSpec({
         )
     }
 
-    test("a graph that is to stay by itself does") {
+    test("a graph that is to have a frame of its own has one") {
         framesOf(graphs) { it.name == "A/On" }.map { it.size } shouldBe listOf(1, 1, 1, 1)
         framesOf(graphs) { it.name == "A/Mode" }.map { it.size } shouldBe listOf(1, 1, 1, 1)
     }

@@ -10,7 +10,7 @@ class ThingSpec : FunSpec({
         return one != null && other != null && one.isTarget && !other.isTarget && one.words == other.words
     }
 
-    test("target and actual of one thing are told by one word, wherever it stands and however it is written") {
+    test("target and actual of one thing differ in one word, wherever it is and however it is written") {
         arePair("/Chassis/TargetFrontLeftModuleState/speed", "/Chassis/ActualFrontLeftModuleState/speed") shouldBe true
         arePair("/RealOutputs/SwerveStates/Setpoints[2]/speed", "/RealOutputs/SwerveStates/Measured[2]/speed") shouldBe true
         arePair("Arm/Angle Setpoint", "Arm/Angle") shouldBe true
@@ -27,7 +27,7 @@ class ThingSpec : FunSpec({
         arePair("Arm/Target Goal", "Arm") shouldBe false
     }
 
-    test("a current in amperes is not a word for what came of a target") {
+    test("a current in amperes is not the actual value of a target") {
         arePair("Elevator/Target", "Elevator/Current") shouldBe false
         arePair("Elevator/Target Height", "Elevator/Current Height") shouldBe true
     }

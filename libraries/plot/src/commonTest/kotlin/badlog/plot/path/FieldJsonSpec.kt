@@ -21,7 +21,7 @@ class FieldJsonSpec : FunSpec({
         Plane(Span(0.0, 10.0), Span(0.0, 5.0)).boxOf(Plane(Span(-1.0, 9.0), Span(1.0, 6.0)), 100.0, 50.0).toList() shouldBe listOf(-10.0, -10.0, 100.0, 50.0)
     }
 
-    test("a field with its picture in it is read again as it was") {
+    test("a field with its picture in it is read back as it was") {
         val field = fieldOfJson(text)
         val again = fieldOfJson(fieldJson(field.withPicture("data:image/png;base64,AAAA")))
         again.length shouldBe (field.length plusOrMinus 1e-9)
@@ -29,7 +29,7 @@ class FieldJsonSpec : FunSpec({
         again.image.source shouldBe "data:image/png;base64,AAAA"
     }
 
-    test("what is wrong is said, and what to do") {
+    test("a mistake is reported, with what to do") {
         fun sentence(old: String, new: String) = shouldThrow<FieldException> { fieldOfJson(text.replace(old, new)) }.message
         sentence(text, "[1]") shouldBe "It is not a JSON object; select the field’s .json file."
         sentence("[100,50]", "[100]") shouldBe "“top-left” is not a pair of numbers; write it as [x, y]."

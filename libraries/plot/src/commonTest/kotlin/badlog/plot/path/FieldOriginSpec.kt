@@ -20,7 +20,7 @@ class FieldOriginSpec : FunSpec({
 
     fun FieldFlip.of(x: Double, y: Double) = trail(Trail(doubleArrayOf(0.0), doubleArrayOf(x), doubleArrayOf(y))).run { this.x[0] to this.y[0] }
 
-    test("poses are as they were logged, from the red wall, or as the robot's alliance has it") {
+    test("poses are shown as logged, from the red wall, or from the wall of the robot's alliance") {
         val red = view("Alliance" to "Red")
         FieldOrigin.BLUE.flipIn(red).shouldBeNull()
         FieldOrigin.AUTO.flipIn(red).shouldNotBeNull()
@@ -37,7 +37,7 @@ class FieldOriginSpec : FunSpec({
         FieldOrigin.RED.flipIn(view())!!.of(1.0, 2.0) shouldBe (Field.LENGTH - 1 to Field.WIDTH - 2)
     }
 
-    test("the path, the heading and the robot at the cursor are where the alliance has them") {
+    test("the path, the heading and the robot at the cursor are seen from the alliance's wall") {
         for ((mirrored, heading) in listOf(true to PI / 2, false to -PI / 2)) {
             val flip = FieldFlip(mirrored)
             flip.heading(PI / 2) shouldBe (heading plusOrMinus 1e-12)

@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 class PlaneSpec : FunSpec({
     val plane = Plane(Span(0.0, 16.0), Span(0.0, 8.0))
 
-    test("a meter is as long along x as along y, and all that was asked for is seen") {
+    test("a meter is as long along x as along y, and everything requested is visible") {
         for ((width, height) in listOf(400.0 to 400.0, 1000.0 to 100.0, 160.0 to 80.0)) {
             val fitted = plane.fitted(width, height)
             fitted.x.width / width shouldBe (fitted.y.width / height plusOrMinus 1e-9)
@@ -23,13 +23,13 @@ class PlaneSpec : FunSpec({
         zoomed.shifted(1.0, -1.0) shouldBe Plane(Span(3.0, 11.0), Span(0.0, 4.0))
     }
 
-    test("a drag over the picture is a part of the plane, whichever corner it begins in") {
+    test("a drag over the picture selects a part of the plane, whichever corner it begins in") {
         val part = Plane(Span(4.0, 8.0), Span(4.0, 6.0))
         plane.part(0.25, 0.25, 0.5, 0.5) shouldBe part
         plane.part(0.5, 0.25, 0.25, 0.5) shouldBe part
     }
 
-    test("what is finer than numbers are, or wider than anything, cannot be drawn") {
+    test("a range below the precision of numbers, or beyond all numbers, cannot be drawn") {
         plane.isDrawable shouldBe true
         plane.scaled(1e-12, 4.0, 2.0).isDrawable shouldBe false
         plane.scaled(1e15, 4.0, 2.0).isDrawable shouldBe false

@@ -60,7 +60,7 @@ class TrailDrawingSpec : FunSpec({
         return least
     }
 
-    test("a path that covers most of a picture is dense, and drawn in thin lines; one of a few strokes is not") {
+    test("a path that covers most of a picture is dense, and drawn with thin lines; one of a few strokes is not") {
         fun isDense(samples: Int): Boolean {
             val times = DoubleArray(samples) { it.toDouble() }
             val trail = Trail(times, DoubleArray(samples) { 10 + 9.5 * sin(it * 0.0137) }, DoubleArray(samples) { 6 + 5.5 * cos(it * 0.0191) })
@@ -72,7 +72,7 @@ class TrailDrawingSpec : FunSpec({
         isDense(2_000) shouldBe false
     }
 
-    test("no pixel that a sample is in is lost, and no more is drawn than there are pixels") {
+    test("no pixel with a sample is lost, and no more is drawn than there are pixels") {
         checkAll(Arb.list(place, 0..400), Arb.boolean()) { places, isJoined ->
             val strokes = drawn(places, isJoined)
             for ((x, y) in places) {
@@ -114,7 +114,7 @@ class TrailDrawingSpec : FunSpec({
         (0 until strokes.count).sumOf { (strokes.endOf(it) - strokes.startOf(it)) / 2 } shouldBeLessThanOrEqual 60
     }
 
-    test("samples that stand still are a dot, and two places a line") {
+    test("samples at one place are a dot, at two places a line") {
         drawn(List(9) { 3.2 to 4.2 }, isJoined = true).run { count to dotsSize } shouldBe (0 to 2)
         drawn(listOf(1.0 to 1.0, 8.0 to 9.0), isJoined = true).run { abs(points[0] - points[2]) to count } shouldBe (7.0 to 1)
     }

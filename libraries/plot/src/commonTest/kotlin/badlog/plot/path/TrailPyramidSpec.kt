@@ -23,7 +23,7 @@ private const val WIDTH = 300
 private const val HEIGHT = 200
 
 class TrailPyramidSpec : FunSpec({
-    /** One that stands, trembles, drives, jumps, loses itself and comes back. */
+    /** A path that stands, trembles, drives, jumps, gets lost and comes back. */
     fun walk(seed: Int): Trail {
         val random = Random(seed)
         val x = DoubleArray(random.nextInt(700))
@@ -42,7 +42,7 @@ class TrailPyramidSpec : FunSpec({
         return Trail(DoubleArray(x.size) { it.toDouble() }, x, y)
     }
 
-    /** Adds the pixels on the straight way from one place to another to [pixels]. */
+    /** Adds the pixels on the straight line from one place to another to [pixels]. */
     fun mark(pixels: BooleanArray, fromX: Double, fromY: Double, toX: Double, toY: Double) {
         val count = ceil(maxOf(abs(toX - fromX), abs(toY - fromY), 1.0)).toInt()
         for (i in 0..count) {
@@ -81,7 +81,7 @@ class TrailPyramidSpec : FunSpec({
         return pixels
     }
 
-    /** How many of the pixels of [one] are more than a pixel away from those of [other]. */
+    /** The number of pixels of [one] that are more than a pixel away from those of [other]. */
     fun missing(one: BooleanArray, other: BooleanArray): Int = one.indices.count { i ->
         one[i] && (-1..1).none { down ->
             (-1..1).any { right ->
@@ -92,7 +92,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    test("passing over blocks gives the same picture, to a pixel, as drawing every sample: at any zoom, of any part of the time") {
+    test("skipping blocks gives the same picture, to a pixel, as drawing every sample: at any zoom, of any part of the time") {
         checkAll(Arb.int(), Arb.boolean()) { seed, isJoined ->
             val trail = walk(seed)
             val drawing = TrailDrawing(TrailPyramid(trail))
@@ -156,7 +156,7 @@ class TrailPyramidSpec : FunSpec({
         dots.dotsSize / 2 shouldBe dots.dots.take(dots.dotsSize).chunked(2) { (x, y) -> floor(x) to floor(y) }.toSet().size
     }
 
-    test("every sample is visited once and in order where nothing may be passed over, and blocks end where their last sample is") {
+    test("every sample is visited once and in order if nothing may be skipped, and blocks end at their last sample") {
         checkAll(Arb.int(0..5000), Arb.int(0..5000)) { one, other ->
             val start = minOf(one, other)
             val end = maxOf(one, other)
@@ -176,7 +176,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    test("with strides, a line misses no sample by more than was asked, and passes over most of a smooth path") {
+    test("with strides, a line misses no sample by more than was asked, and skips most of a smooth path") {
         fun most(trail: Trail, bendX: Double, bendY: Double): Int {
             val pyramid = TrailPyramid(trail)
             val visited = ArrayList<Int>()
@@ -199,7 +199,7 @@ class TrailPyramidSpec : FunSpec({
         most(smooth, 1e-9, 1e-9) shouldBe count
     }
 
-    test("of a long path, a small part of the plane has to look at few samples") {
+    test("for a small part of the plane, few samples of a long path are looked at") {
         val count = 1_000_000
         val trail = Trail(
             DoubleArray(count) { it.toDouble() },
@@ -214,7 +214,7 @@ class TrailPyramidSpec : FunSpec({
         looks shouldBeLessThan count / 20
     }
 
-    test("the time of the nearest place is the one that a look at all places finds") {
+    test("the time of the nearest place is the one that a search of all places finds") {
         checkAll(Arb.int(), Arb.int(0..700)) { seed, start ->
             val trail = walk(seed)
             val random = Random(seed)

@@ -37,11 +37,11 @@ class XyPlotSpec : FunSpec({
         driven.headingAt(0.5) shouldBe (PI / 2 plusOrMinus 1e-12)
         driven.textAt(1.0, isField = true) shouldBe "4.00, 3.00 m · 90°"
         driven.textAt(-1.0, isField = true) shouldBe ""
-        // It looks up the field: its bow is above its middle.
+        // It faces up the field: its front is above its middle.
         driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
     }
 
-    test("what was seen is drawn first, and the driven path last") {
+    test("poses from vision are drawn first, and the driven path last") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
         val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 1.0)) })
         val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
@@ -49,14 +49,14 @@ class XyPlotSpec : FunSpec({
         plot.traces.map { it.color } shouldBe listOf(2, 1, 0)
     }
 
-    test("a plan that is an array is where its elements are at a moment") {
+    test("a plan that is an array is drawn where its elements are at the moment") {
         val view = timed(path("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + path("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
         val plan = view.plot("Trajectory[0]/translation/x", "Trajectory[0]/translation/y")!!.traces.single()
         plan.chainAt(0.5).toList() shouldBe listOf(1.0, 1.0, 2.0, 2.0)
         plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
     }
 
-    test("swerve modules are arrows at the robot's corners, those that were wanted first") {
+    test("swerve modules are arrows at the robot's corners, with the targets drawn first") {
         fun states(name: String, speed: Double) = List(4) { i ->
             listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
         }.flatten().map { it.copy(type = "struct:SwerveModuleState[]") }
@@ -68,7 +68,7 @@ class XyPlotSpec : FunSpec({
         }!!
         val arrows = plot.arrowsAt(0.0)
         arrows.map { it.isTarget } shouldBe List(4) { true } + List(4) { false }
-        // The robot looks up the field: its front left corner is at the left above, and the arrow leads up by 4 m/s for a quarter of a second.
+        // The robot faces up the field: its front left corner is at the upper left, and the arrow goes up, by 4 m/s for a quarter of a second.
         arrows[0].places.take(4).zip(listOf(1.7, 3.3, 1.7, 4.3)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
         plot.arrowsAt(-1.0) shouldBe emptyList()
     }
@@ -90,7 +90,7 @@ class XyPlotSpec : FunSpec({
         found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
         found(*corners("FL", "FR", "BL")) shouldBe emptyList()
         found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
-        // How far a wheel has turned is not where to it drives.
+        // How far a wheel has turned is not its direction.
         val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
             listOf("Speed" to "m/s", "DrivePosition" to "rad", "TurnPosition" to "rad").map { (what, unit) ->
                 timedTopic("Drive/$corner/$what", 0.0 to 0.0).copy(unit = unit)
@@ -99,7 +99,7 @@ class XyPlotSpec : FunSpec({
         swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
     }
 
-    test("a moment is the robot with its middle, its plan as an outline, what was seen as a dot; nothing of what is hidden, or at no time") {
+    test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
         val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 2.0)) })
         val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
@@ -113,7 +113,7 @@ class XyPlotSpec : FunSpec({
         plot.marksAt(Double.NaN, emptySet()) shouldBe emptyList()
     }
 
-    test("other lines are drawn over the first one; volts over amperes say the resistance") {
+    test("other lines are drawn over the first one; volts over amperes give the resistance") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
         val plot = view.plot("Current", "Voltage")!!
@@ -128,7 +128,7 @@ class XyPlotSpec : FunSpec({
         view.plot("Gone", "Voltage").shouldBeNull()
     }
 
-    test("the pointer finds the time that is nearest to it on the path, and at a crossing the nearest to the cursor") {
+    test("the pointer finds the time whose place on the path is nearest to it, and at a crossing the one nearest to the cursor") {
         val there = List(11) { Triple(it.toDouble(), it.toDouble(), 2.0) }
         val back = List(11) { Triple(11.0 + it, 10.0 - it, 2.0) }
         val view = timed(path("Pose", *(there + back).toTypedArray()))
@@ -139,7 +139,7 @@ class XyPlotSpec : FunSpec({
         at(3.1, 7.0, null).isNaN() shouldBe true
     }
 
-    test("the moment from which the robot is beside its plan is found, but not that it stays where a plan has ended") {
+    test("the moment at which the robot leaves its plan is found, but staying where a plan has ended is not leaving it") {
         val plan = List(100) { Triple(it / 10.0, minOf(it, 60) / 10.0, 2.0) }
         val driven = List(100) { i -> Triple(i / 10.0, minOf(i, 60) / 10.0, if (i >= 40) 2 + (i - 40) / 10.0 else 2.0) }
         val plot = timed(path("Pose", *driven.toTypedArray()) + path("Target", *plan.toTypedArray()))

@@ -13,11 +13,11 @@ import io.kotest.property.checkAll
 class ViewportSpec : FunSpec({
     val whole = Viewport(Span(0.0, 100.0))
 
-    test("a zoom leaves the place under the pointer where it stands") {
+    test("a zoom leaves the place under the pointer where it is") {
         whole.scaled(0.5, 20.0).visible shouldBe Span(10.0, 60.0)
     }
 
-    test("whatever is asked for, what is seen stays within the recording and goes forward") {
+    test("whatever is requested, the visible range stays within the recording and goes forward") {
         checkAll(Arb.double(), Arb.double(), Arb.double()) { from, to, factor ->
             val seen = whole.showing(from, to).scaled(factor, from).shifted(to).visible
             seen.from shouldBeGreaterThanOrEqual 0.0
@@ -26,7 +26,7 @@ class ViewportSpec : FunSpec({
         }
     }
 
-    test("back returns through what was shown, and ends at the beginning") {
+    test("back returns through the previous ranges, and ends at the first") {
         val zoomed = whole.showing(10.0, 20.0).showing(30.0, 15.0)
         zoomed.visible shouldBe Span(15.0, 30.0)
         zoomed.back().visible shouldBe Span(10.0, 20.0)
@@ -34,25 +34,25 @@ class ViewportSpec : FunSpec({
         zoomed.back().back().back().visible shouldBe whole.full
     }
 
-    test("the steps of one gesture are one step back") {
+    test("all steps of one gesture are one step back") {
         val dragged = whole.remembered().moved(0.0, 50.0).moved(10.0, 60.0).moved(20.0, 70.0)
         dragged.back().visible shouldBe whole.full
     }
 
-    test("a place out of sight is shown, one in sight moves nothing") {
+    test("a place out of sight is brought into sight, one in sight moves nothing") {
         val zoomed = whole.showing(10.0, 20.0)
         zoomed.revealing(15.0) shouldBe zoomed
         zoomed.revealing(80.0).visible shouldBe Span(75.0, 85.0)
         zoomed.revealing(Double.NaN) shouldBe zoomed
     }
 
-    test("when the recording grows, its end stays in sight where it was") {
+    test("when the recording grows, its end stays in sight if it was") {
         whole.grown(Span(0.0, 110.0)).visible shouldBe Span(0.0, 110.0)
         whole.showing(90.0, 100.0).grown(Span(0.0, 110.0)).visible.from shouldBe (100.0 plusOrMinus 1e-9)
         whole.showing(10.0, 20.0).grown(Span(0.0, 110.0)).visible shouldBe Span(10.0, 20.0)
     }
 
-    test("when the recording begins anew and is shorter, what is seen stays within it") {
+    test("when the recording starts over and is shorter, the visible range stays within it") {
         whole.showing(50.0, 60.0).grown(Span(0.0, 30.0)).visible shouldBe Span(20.0, 30.0)
         whole.showing(50.0, 60.0).grown(Span(0.0, 5.0)).visible shouldBe Span(0.0, 5.0)
     }
@@ -65,12 +65,12 @@ class ViewportSpec : FunSpec({
         zoomed.forward() shouldBe zoomed
     }
 
-    test("a step zooms around the cursor where it is in sight, else around the middle, and a step out undoes it") {
+    test("a step zooms around the cursor if it is in sight, otherwise around the middle, and a step out undoes it") {
         whole.zoomed(1, 20.0).visible.from shouldBe (20.0 / 3 plusOrMinus 1e-9)
         whole.zoomed(1, Double.NaN).zoomed(-1, null).visible.width shouldBe (100.0 plusOrMinus 1e-9)
     }
 
-    test("it never becomes too narrow to draw, and what is narrower than that cannot be zoomed") {
+    test("the visible range never becomes too narrow to draw, and a narrower recording cannot be zoomed") {
         var narrow = whole
         repeat(1000) { narrow = narrow.scaled(0.5, 50.0) }
         (narrow.visible.width > 0.0) shouldBe true

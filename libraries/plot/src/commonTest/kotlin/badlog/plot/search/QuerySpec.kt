@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 class QuerySpec : FunSpec({
-    test("every word has to occur, in any order, in capitals or not") {
+    test("every word has to occur, in any order, regardless of case") {
         Query("Left  drive").matches("Drivetrain/LEFT Output") shouldBe true
         Query("left arm").matches("drivetrain/left output") shouldBe false
         Query("  ").isEmpty shouldBe true
@@ -19,7 +19,7 @@ class QuerySpec : FunSpec({
         Query("Left").matchesLowercase("left") shouldBe true
     }
 
-    test("a bar finds one or the other, a minus leaves out, quotes keep words together") {
+    test("a bar finds either side, a minus excludes, quotes keep words together") {
         fun found(query: String) = listOf("Left Speed", "Right Speed", "Speed Left", "Arm").filter(Query(query)::matches)
         found("left | arm") shouldBe listOf("Left Speed", "Speed Left", "Arm")
         found("speed -right") shouldBe listOf("Left Speed", "Speed Left")
@@ -28,7 +28,7 @@ class QuerySpec : FunSpec({
         found("-\"left speed\" speed|arm") shouldBe listOf("Right Speed", "Speed Left", "Arm")
     }
 
-    test("what is being typed finds what it did before") {
+    test("a query that is still being typed finds what it did before") {
         for (text in listOf("left |", "| left", "left -", "left \"", "left -\"", "left||")) {
             Query(text).matches("Left") shouldBe true
             Query(text).matches("Right") shouldBe false
@@ -36,7 +36,7 @@ class QuerySpec : FunSpec({
         for (text in listOf("|", "-", "\"", "\"\"", " | - ")) Query(text).isEmpty shouldBe true
     }
 
-    test("kinds are asked for, alone and with words; other words with a colon are words") {
+    test("kinds can be searched for, alone and with words; other words with a colon are words") {
         Query("is:state mode").matches("Mode", setOf(Trait.STATE)) shouldBe true
         Query("is:state mode").matches("Mode", setOf(Trait.NUMBER)) shouldBe false
         Query("-is:constant").matches("Mode", setOf(Trait.NUMBER)) shouldBe true
@@ -48,11 +48,11 @@ class QuerySpec : FunSpec({
         Query("finding").asksFor(Trait.FINDING) shouldBe false
     }
 
-    test("words to be marked are those that are wanted") {
+    test("the words that are marked are those that are searched for") {
         Query("Left -right \"top speed\" is:state | arm").words shouldBe listOf("left", "top speed", "arm")
     }
 
-    test("what a topic is follows from its samples") {
+    test("the kind of a topic follows from its samples") {
         val view = bagView(listOf("Time|xaxis", "Number", "Still", "Mode", "Nothing"), listOf("0,1,5,auto,", "1,2,5,teleop,"))
         val traits = view.recording.topics.associate { it.name to view.seriesOf(it).traits }
         traits["Number"] shouldBe setOf(Trait.NUMBER)

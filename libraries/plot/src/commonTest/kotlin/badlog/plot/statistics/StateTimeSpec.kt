@@ -23,7 +23,7 @@ class StateTimeSpec : FunSpec({
         runs.timesOf(names)[0].share shouldBe (0.6 plusOrMinus 1e-12)
     }
 
-    test("of a range counts what lies in it, and not what only touches it") {
+    test("in a range, what is inside counts, not what only touches it") {
         runs(0.0, 1.0, 0.0, 0.0, 1.0).timesOf(names, 1.5, 4.0).told() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
         runs(0.0, 1.0).timesOf(names, 7.0, 9.0) shouldBe emptyList()
     }
@@ -32,14 +32,14 @@ class StateTimeSpec : FunSpec({
         runs(0.0, Double.NaN, 0.0).timesOf(names).told() shouldBe listOf(Triple("off", 2.0, 2))
     }
 
-    test("texts have the unit of x, and rows where x counts those") {
+    test("texts have the unit of x, or rows if x counts rows") {
         val seconds = bagView(listOf("Time|xaxis", "A"), listOf("0,1")).xAxis
         val rows = bagView(listOf("A"), listOf("1")).xAxis
         StateTime("on", 4.25, 0.027, 3).text(seconds) shouldBe "on 4.25 V (2.7 %), 3 times"
         StateTime("on", 4.0, Double.NaN, 1).text(rows) shouldBe "on 4 rows (–), 1 time"
     }
 
-    test("times of all states are the whole time, and shares are one") {
+    test("the times of all states add up to the whole time, and their shares to one") {
         checkAll(Arb.list(Arb.int(0..2), 1..60), Arb.int(0..30), Arb.int(1..40)) { states, from, length ->
             val runs = runs(*DoubleArray(states.size) { states[it].toDouble() })
             val to = (from + length).toDouble()

@@ -40,7 +40,7 @@ class CsvTableSpec : FunSpec({
         }
     }
 
-    test("what is written reads as the same rows again, every number to its last bit") {
+    test("a written table is read back as the same rows, every number to its last bit") {
         checkAll(logs) { rows ->
             val view = bagView(listOf("Time|xaxis", "A", "Mode", "On"), rows)
             val again = read(textOf(CsvTable.ofAll(view)))
@@ -49,7 +49,7 @@ class CsvTableSpec : FunSpec({
                 .filter { name -> view.recording.topics.first { it.name == name }.let { it.samples.isNotEmpty() || it.texts.size > 0 } }
             for (topic in again.topics) {
                 val logged = view.recording.topics.first { it.name == topic.name.substringBefore(" (") }
-                // Of zeros there is one.
+                // The sign of zero is not kept.
                 topic.samples.map { (it + 0.0).toBits() } shouldContainExactly logged.samples.map { (it + 0.0).toBits() }
                 textsOf(topic) shouldContainExactly textsOf(logged)
             }
@@ -81,12 +81,12 @@ class CsvTableSpec : FunSpec({
         CsvTable.ofAll(view, Span(8.0, 9.0)).rowCount shouldBe 0
     }
 
-    test("rows without x, and cells that are damaged, are rows still") {
+    test("rows without x, or with damaged cells, are rows, too") {
         val view = bagView(listOf("Time|xaxis", "A"), listOf("0,1", ",2", "2,oops", "3,4"))
         linesOf(CsvTable.ofAll(view)) shouldContainExactly listOf("Time (V),A (V)", "0,1", ",2", "2,oops", "3,4")
     }
 
-    test("of topics with times of their own there is a row every 20 ms, with the last values") {
+    test("topics with times of their own give a row every 20 ms, with the last values") {
         val view: LogView = timedView(timedTopic("Gain", 0.0 to 1.0, 0.05 to 2.0, 1.0 to 5.0), timedTopic("Late", 0.04 to 7.5))
         val table = CsvTable.ofAll(view, Span(0.0, 0.07))
         linesOf(table) shouldContainExactly listOf("Time (s),Gain (V),Late (V)", "0,1,", "0.02,1,", "0.04,1,7.5", "0.06,2,7.5")
@@ -100,7 +100,7 @@ class CsvTableSpec : FunSpec({
         table.remark shouldBe ", one at each sample of “Gyro”, each with the last values before it"
     }
 
-    test("titles that are not ASCII say that they are UTF-8") {
+    test("a file whose titles are not ASCII is marked as UTF-8") {
         val view = timedView(timedTopic("Ärm", 0.0 to 1.0))
         CsvTable.ofAll(view).header shouldBe "\uFEFFTime (s),Ärm (V)\n"
     }

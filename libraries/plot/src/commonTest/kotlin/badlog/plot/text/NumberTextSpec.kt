@@ -28,7 +28,7 @@ class NumberTextSpec : FunSpec({
         }
     }
 
-    test("large and small numbers have an exponent, the others none") {
+    test("large and small numbers have an exponent, others do not") {
         exactText(12.0) shouldBe "12"
         exactText(-0.0) shouldBe "0"
         exactText(0.1) shouldBe "0.1"
@@ -43,7 +43,7 @@ class NumberTextSpec : FunSpec({
         exactText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
     }
 
-    test("what was calculated has six digits, and none that a calculation makes up") {
+    test("a calculated number has six digits, without digits that only come from rounding") {
         roundedText(1 / 3.0) shouldBe "0.333333"
         roundedText(0.1 + 0.2) shouldBe "0.3"
         roundedText(1234567.0) shouldBe "1234570"
@@ -52,7 +52,7 @@ class NumberTextSpec : FunSpec({
         }
     }
 
-    test("a number with so many decimals is the nearest of those, and nothing is minus zero") {
+    test("a number with a given number of decimals is the nearest of those, and never minus zero") {
         fixedText(-0.001, 2) shouldBe "0.00"
         fixedText(2.5, 0) shouldBe "3"
         fixedText(-2.5, 0) shouldBe "-3"
@@ -68,7 +68,7 @@ class NumberTextSpec : FunSpec({
         decimalsFor(0.0) shouldBe 9
     }
 
-    test("a number has its unit behind it, and no number has none") {
+    test("a number is followed by its unit, and a missing number has none") {
         withUnit("12", "V") shouldBe "12 V"
         withUnit("12", "ul") shouldBe "12"
         withUnit("–", "V") shouldBe "–"

@@ -27,7 +27,7 @@ class TimeTextSpec : FunSpec({
         minutesText(1e300) shouldBe "1e300"
     }
 
-    test("the cursor shows its place and what other clocks show there, or else minutes") {
+    test("the cursor shows its place and what other clocks show there, or otherwise minutes") {
         cursorText(93.7, seconds, 160.0, "Teleop 1:31") shouldBe "93.70 s · Teleop 1:31"
         cursorText(93.7, seconds, 160.0, "") shouldBe "93.70 s · 1:33.7"
         cursorText(9.0, seconds, 160.0, "") shouldBe "9.00 s"
@@ -39,7 +39,7 @@ class TimeTextSpec : FunSpec({
         lengthText(1.0, rows) shouldBe "1 rows"
     }
 
-    test("a length has its unit, and from a minute on the minutes") {
+    test("a length has its unit, and from one minute on also the minutes") {
         lengthText(12.5, seconds) shouldBe "12.5 s"
         lengthText(90.0, seconds) shouldBe "90 s · 1:30.0"
         differenceText(5.0, 3.5, seconds) shouldBe "Δ -1.5 s"

@@ -29,12 +29,12 @@ class EventTimelineSpec : FunSpec({
         listOf("2,homed,", "1,,stopped", "3,jammed,Started", ",lost,", "5,,"),
     )
 
-    test("events of all topics stand in the order of x, those without one last") {
+    test("events of all topics are in the order of x, those without x last") {
         events.texts() shouldContainExactly listOf("1 stopped", "2 homed", "3 jammed", "3 Started", "null lost")
         events.placedCount shouldBe 4
     }
 
-    test("a search finds words in text and topic, and keeps to its topics") {
+    test("a search finds words in text and topic, and is limited to its topics") {
         fun found(text: String, vararg topics: String) = events.matching(Query(text), topics.toSet()).texts()
         found("START") shouldContainExactly listOf("3 Started")
         found("arm jam") shouldContainExactly listOf("3 jammed")
@@ -53,7 +53,7 @@ class EventTimelineSpec : FunSpec({
         EventTimeline.NONE.nearest(1.0) shouldBe -1
     }
 
-    test("places are put in order without losing which was first") {
+    test("places are sorted without losing which was first") {
         checkAll(Arb.list(Arb.double(), 0..40)) { places ->
             stableOrder(places.toDoubleArray()).toList() shouldBe places.indices.sortedBy { places[it] }
         }
@@ -68,7 +68,7 @@ class EventTimelineSpec : FunSpec({
         marks.size shouldBeLessThanOrEqual 51
     }
 
-    test("each event in sight has a mark at its pixel, each mark an event, and the serious one shows in any crowd") {
+    test("each event in sight has a mark at its pixel, each mark has an event, and a serious one is visible in any crowd") {
         checkAll(Arb.list(Arb.numericDouble(0.0, 10.0), 1..60), Arb.int(1..40)) { places, width ->
             val serious = places.indices.filter { it % 7 == 3 }
             val all = timeline(places.mapIndexed { i, x -> x to if (i in serious) "[WARN] $i" else "ok $i" })
@@ -77,7 +77,7 @@ class EventTimelineSpec : FunSpec({
             marks.place(all, span, width.toDouble(), 1.0)
             val pixels = List(marks.size) { marks.pixelOf(it) }
 
-            // The parser has rounded the texts of the places as it does.
+            // The parser has rounded the places, which it read from text.
             fun pixelsOf(indices: List<Int>) = indices.map { all.x[it] }.filter { it in span }.map { floor((it - 2.0) / 6.0 * width) }.distinct()
             pixels shouldBe pixelsOf((0 until all.size).toList())
             val seriousPixels = pixelsOf((0 until all.size).filter { "WARN" in all.textOf(it) })
@@ -88,7 +88,7 @@ class EventTimelineSpec : FunSpec({
         }
     }
 
-    test("what calls itself an error or a warning is serious, whatever stands before it") {
+    test("what calls itself an error or a warning is serious, whatever precedes it") {
         fun isSerious(text: String) = timeline(listOf(1.0 to text)).areSerious(0, 1)
         listOf("ERROR: brownout", "[warning] low", "  Fatal", "severe", "(critical) x").map(::isSerious) shouldBe List(5) { true }
         listOf("no error", "_error", "erro", "12 warnings").map(::isSerious) shouldBe List(4) { false }

@@ -23,7 +23,7 @@ class ModeTimelineSpec : FunSpec({
 
     val match = timelineOf(Triple(2.0, 17.0, RobotMode.AUTONOMOUS), Triple(19.0, 154.0, RobotMode.TELEOP), Triple(400.0, 410.0, RobotMode.TELEOP))
 
-    test("modes are those that the vocabulary's topics tell, and only enabled where none tells of autonomous") {
+    test("modes are those that the vocabulary's topics show, and only enabled if none shows autonomous") {
         val view = bagView(listOf("Time|xaxis", "E", "A"), listOf("0,0,0", "1,1,1", "2,1,0", "3,0,0"))
         fun LogView.told(modes: ModeTopics) = ModeTimeline.of(identified(null, modes)).spans.map { it.span to it.mode }
         view.told(ModeTopics(flag("E"), flag("A"))) shouldBe
@@ -32,7 +32,7 @@ class ModeTimelineSpec : FunSpec({
         view.told(ModeTopics.NONE) shouldBe emptyList()
     }
 
-    test("the match clock counts from when the robot was enabled, through the pause between the phases, and anew in the next match") {
+    test("the match clock counts from when the robot was enabled, through the pause between the phases, and starts over in the next match") {
         match.clockAt(2.0) shouldBe "Auto 0:00"
         match.clockAt(16.99) shouldBe "Auto 0:14"
         match.clockAt(18.0) shouldBe "Disabled 0:16"
@@ -45,7 +45,7 @@ class ModeTimelineSpec : FunSpec({
         ModeTimeline(match.spans, null).clockAt(3.0) shouldBe null
     }
 
-    test("bands stand where the robot was enabled, and what is shorter than a pixel gets one") {
+    test("bands are where the robot was enabled, and what is shorter than a pixel gets one") {
         val bands = ModeBands()
         bands.place(match, Span(0.0, 512.0), 64.0)
         List(bands.size) { Triple(bands.leftOf(it), bands.rightOf(it), bands.modeOf(it)) } shouldBe listOf(
@@ -62,15 +62,15 @@ class ModeTimelineSpec : FunSpec({
         bands.size shouldBe 0
     }
 
-    test("spans of less than a pixel share one, also where its place has more digits than a number holds") {
+    test("spans of less than a pixel share one, even if its place has more digits than a number holds") {
         val bands = ModeBands()
-        // 1.003 + 1 rounds to a number that is further than 1 from 1.003.
+        // 1.003 + 1 rounds to a number that is more than 1 from 1.003.
         val spans = List(40) { ModeSpan(Span(1.003 + it * 0.001, 1.003 + it * 0.001 + 0.0005), RobotMode.entries[it % 2]) }
         bands.place(ModeTimeline(spans, 1.0), Span(0.0, 10.0), 10.0)
         bands.size shouldBe 1
     }
 
-    test("however often a robot is enabled, bands are no more than pixels, in order, and none of what is seen is lost") {
+    test("however often a robot is enabled, there are no more bands than pixels, in order, and no visible one is lost") {
         val bands = ModeBands()
         checkAll(Arb.list(Arb.numericDouble(0.001, 3.0), 0..300), Arb.int(1..50), Arb.numericDouble(-5.0, 100.0), Arb.numericDouble(0.01, 300.0)) { gaps, width, from, length ->
             var x = 0.0

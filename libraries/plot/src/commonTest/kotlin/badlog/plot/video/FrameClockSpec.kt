@@ -21,7 +21,7 @@ class FrameClockSpec : FunSpec({
     /** The frame that a player shows at [seconds]. */
     fun frameAt(seconds: Double, rate: Double) = floor(seconds * rate).toInt().let { near -> (near + 1 downTo near - 1).first { begin(it, rate) <= seconds } }
 
-    test("after some frames were played, with some left out, each step goes by one frame, forth and back") {
+    test("after some frames were played, with some skipped, each step goes by one frame, forward and back") {
         checkAll(rates, Arb.list(Arb.int(1..4), 8..40), Arb.int(10..5000)) { rate, gaps, start ->
             val clock = FrameClock()
             var frame = start
@@ -51,7 +51,7 @@ class FrameClockSpec : FunSpec({
         }
     }
 
-    test("a jump, and frames that were played too fast to be all seen, do not make frames longer") {
+    test("a jump, and frames that were played too fast to show them all, do not make frames longer") {
         val clock = FrameClock()
         clock.show(1.0, isNext = false)
         clock.show(1.2, isNext = false)

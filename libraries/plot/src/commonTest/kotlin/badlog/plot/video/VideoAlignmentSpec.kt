@@ -15,7 +15,7 @@ class VideoAlignmentSpec : FunSpec({
     val seconds = Arb.numericDouble(0.0, 10_000.0)
     val unit = Arb.element(1.0, 0.001, 1e-6, 60.0)
 
-    test("an aligned frame is where it was put, and all others as far from it as the video says, whatever the unit of x") {
+    test("an aligned frame is where it was put, and all others are as far from it as in the video, whatever the unit of x") {
         checkAll(seconds, Arb.numericDouble(-5000.0, 5000.0), unit, seconds) { frame, moment, secondsOfX, other ->
             val x = moment / secondsOfX
             val alignment = VideoAlignment.of(frame, x, secondsOfX)
@@ -25,7 +25,7 @@ class VideoAlignmentSpec : FunSpec({
         }
     }
 
-    test("what is remembered is read as it was written, to the last bit") {
+    test("a stored alignment is read as it was written, to the last bit") {
         checkAll(Arb.string(0..20), Arb.numericDouble(-1e6, 1e6).orNull()) { name, start ->
             val read = videoNoteOf(VideoNote(name, start?.let(::VideoAlignment)).toText())
             read?.name shouldBe name
@@ -34,11 +34,11 @@ class VideoAlignmentSpec : FunSpec({
         VideoNote("a match.mp4", VideoAlignment(-1.94667000001)).toText() shouldBe "-1.9467 a match.mp4"
     }
 
-    test("what something else wrote is not taken for an alignment") {
+    test("text that something else wrote is not read as an alignment") {
         for (text in listOf("", "12.5", "x match.mp4", "NaN match.mp4", "Infinity a")) videoNoteOf(text) shouldBe null
     }
 
-    test("a frame with an enabled robot belongs to the first time it was enabled in sight, or else at all") {
+    test("a frame of the moment of enabling belongs to the first such moment in sight, or otherwise to the first of the log") {
         val enabled = listOf(Span(5.0, 20.0), Span(23.0, 158.0))
         enabledStart(enabled, Span(0.0, 200.0)) shouldBe 5.0
         enabledStart(enabled, Span(10.0, 60.0)) shouldBe 23.0

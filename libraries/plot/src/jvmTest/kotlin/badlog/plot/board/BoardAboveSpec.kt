@@ -23,11 +23,11 @@ private fun above(view: LogView, vararg pointed: String) = boardAbove(view, Rule
 class BoardAboveSpec : FunSpec({
     val power = arrayOf(topic(VOLTAGE, "V"), topic(CURRENT, "A"), topic(LOOP, "ms"))
 
-    test("above a log of few graphs, which stand near each other, there is no board") {
+    test("above a log of few graphs, which are close together, there is no board") {
         above(logOf(7, *power), "Dashboard/Value 1") shouldBe emptyList()
     }
 
-    test("above a log of more, battery and current stand together, then the loop time, then what findings point at") {
+    test("above a log of more graphs are battery and current together, then the loop time, then what findings point at") {
         above(logOf(8, *power), CURRENT, "Dashboard/Value 3", "Dashboard/Value 5", "Not logged") shouldBe listOf(
             "Battery and current" to listOf(VOLTAGE, CURRENT),
             LOOP to listOf(LOOP),
@@ -35,18 +35,18 @@ class BoardAboveSpec : FunSpec({
         )
     }
 
-    test("what never changes and what nothing is known of is not among them") {
+    test("topics that never change, and those of which nothing is known, are not among them") {
         above(logOf(12, topic(VOLTAGE, "V"), topic(CURRENT, "A", to = 1.0))) shouldBe listOf(VOLTAGE to listOf(VOLTAGE))
         above(logOf(12)) shouldBe emptyList()
     }
 
-    test("of a large log, what findings point at stands behind the signals, and the graphs do not become more than are looked through") {
+    test("for a large log, what findings point at comes after the signals, and there are no more graphs than a person looks through") {
         val board = boardAbove(logOf(70, *power), RuleSet.BUILT_IN.signals, listOf("Dashboard/Value 60"))
         board.graphs.map { it.lines.first() }.take(4) shouldBe listOf(VOLTAGE, CURRENT, LOOP, "Dashboard/Value 60")
         board.graphs.size shouldBeLessThanOrEqual 24
     }
 
-    test("where all graphs stand on the board, those that stand above are not repeated below") {
+    test("if all graphs are on the board, those above are not repeated below") {
         val board = standardBoard(logOf(12, *power), RuleSet.BUILT_IN.signals, listOf("Dashboard/Value 3"))
         board.graphs.map { it.lines }.take(3) shouldBe listOf(listOf(VOLTAGE, CURRENT), listOf(LOOP), listOf("Dashboard/Value 0"))
         board.graphs.flatMap { it.lines }.groupingBy { it }.eachCount().values.toSet() shouldBe setOf(1)

@@ -14,7 +14,7 @@ class FolderLayoutSpec : FunSpec({
 
     fun lineFor(log: Path, top: Path? = null, type: String? = null) = FolderLayout.of(log, top) { type }.layout?.board?.graphs?.single()?.lines?.single()
 
-    test("the layout is that of the log's folder, else of the folders above it up to the top, else none") {
+    test("the layout is that of the log's folder, otherwise of a folder above it up to the top, otherwise none") {
         val top = tempdir().toPath()
         val day = Files.createDirectories(top.resolve("day 1"))
         val log = day.resolve("a.bag")
@@ -28,7 +28,7 @@ class FolderLayoutSpec : FunSpec({
         FolderLayout.of(log, top).layout.shouldNotBeNull().formulas shouldBe listOf("A = 1")
     }
 
-    test("a file for the type of the match comes first, and the type is asked for only where there is one") {
+    test("a file for the type of the match comes first, and the type is read only if there is such a file") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")
         write(folder, FolderLayout.NAME, "All")
@@ -41,7 +41,7 @@ class FolderLayoutSpec : FunSpec({
         lineFor(log, type = null) shouldBe "All"
     }
 
-    test("of a file with a mistake the name, the place and what to do are said, and nothing is used") {
+    test("for a file with a mistake, its name, the place and what to do are reported, and nothing is used") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")
         val file = folder.resolve(FolderLayout.NAME)

@@ -28,7 +28,7 @@ private fun flag(name: String): Topic = topic(name, "boolean[]").copy(counts = C
 
 private fun empty(name: String) = Topic(name, "", emptyList(), DoubleArray(0), TextColumn.EMPTY, CellCounts(0, 0, 0, 0, 0, 0), DoubleArray(0))
 
-/** A log that is large because of many settings beside [topics]. */
+/** A log that is large because it has many settings besides [topics]. */
 private fun large(vararg topics: Topic): LogView = timedView(*topics, *Array(100) { topic("Settings/Gain $it", to = 1.0) })
 
 private fun drawn(view: LogView) = outlineOf(view, RuleSet.BUILT_IN.signals).folders.flatMap { it.folder.graphs }
@@ -43,7 +43,7 @@ class LogOutlineSpec : FunSpec({
         outline.empty shouldBe emptyList()
     }
 
-    test("of a large log, what never changes is a row with its value, and what was never logged a name") {
+    test("in a large log, what never changes is a row with its value, and what was never logged a name") {
         val outline = outlineOf(large(topic("A"), empty("Nothing")), RuleSet.BUILT_IN.signals)
         outline.folders.flatMap { it.folder.graphs }.map { it.name } shouldBe listOf("A")
         outline.constants.size shouldBe 100
@@ -74,19 +74,19 @@ class LogOutlineSpec : FunSpec({
         )
     }
 
-    test("target and actual of one thing share a graph, also where the target never changes") {
+    test("target and actual of one thing share a graph, even if the target never changes") {
         drawn(large(topic("Arm/TargetAngle", to = 1.0), topic("Arm/ActualAngle"))) shouldBe
             listOf("Arm/ActualAngle" to listOf("Arm/ActualAngle", "Arm/TargetAngle"))
         drawn(large(topic("Arm/Goal", unit = "deg"), topic("Arm/Angle", unit = "deg"))) shouldBe
             listOf("Arm/Angle" to listOf("Arm/Angle", "Arm/Goal"))
     }
 
-    test("a target in another unit, and one of which it is not clear what it is for, stand alone") {
+    test("a target in another unit, and one whose actual value is not clear, stay alone") {
         drawn(large(topic("Arm/TargetAngle", unit = "deg"), topic("Arm/Angle", unit = "rad"))).size shouldBe 2
         drawn(large(topic("Arm/Goal"), topic("Arm/Angle"), topic("Arm/Velocity"))).size shouldBe 3
     }
 
-    test("of more graphs than can be looked through those of signals come first, and the others are listed in their folders") {
+    test("if there are too many graphs to look through, those of signals come first, and the others are listed in their folders") {
         val view = large(*Array(90) { topic("Folder ${it % 9}/Value $it") }, topic("SystemStats/BatteryVoltage"))
         val outline = outlineOf(view, RuleSet.BUILT_IN.signals)
         outline.folders.sumOf { it.folder.graphs.size } shouldBe 36
@@ -94,7 +94,7 @@ class LogOutlineSpec : FunSpec({
         outline.folders.sumOf { it.listed.size } shouldBe 55
     }
 
-    test("what is to be kept is drawn as it is") {
+    test("topics that are to be kept are drawn as they are") {
         val view = large(topic("Kept", to = 1.0), topic("Arm/Target"), topic("Arm/Actual"))
         outlineOf(view, RuleSet.BUILT_IN.signals, setOf("Kept", "Arm/Target")).folders.flatMap { it.folder.graphs }.map { it.name } shouldBe
             listOf("Kept", "Arm/Target", "Arm/Actual")
@@ -124,7 +124,7 @@ class LogOutlineSpec : FunSpec({
         }
     }
 
-    test("a topic comes with what is target or actual of the same thing") {
+    test("a topic comes with the target or actual of the same thing") {
         val view = timedView(topic("Arm/TargetAngle"), topic("Arm/ActualAngle"), topic("Arm/Other"))
         withCounterparts(view, "Arm/TargetAngle") shouldBe listOf("Arm/ActualAngle", "Arm/TargetAngle")
         withCounterparts(view, "Arm/ActualAngle") shouldBe listOf("Arm/ActualAngle", "Arm/TargetAngle")

@@ -73,7 +73,7 @@ class HookOutputSpec : FunSpec({
 
     fun figure(key: String, content: String) = read("""{"figures": [{"title": "f", "$key": "$content"}]}""").figures.single()
 
-    test("an SVG may have before its root what XML allows") {
+    test("an SVG may have anything before its root that XML allows") {
         for (svg in listOf(
             "<svg/>",
             "\\n<?xml version='1.0'?>\\n<!-- Generator: X 29.1, SVG Export Plug-In . --><svg ></svg>",
@@ -84,7 +84,7 @@ class HookOutputSpec : FunSpec({
         }
     }
 
-    test("a PNG may have 4 MiB, however it is written") {
+    test("a PNG may have 4 MiB, however it is encoded") {
         val most = 4 shl 20
         val begin = byteArrayOf(0x89.toByte(), 'P'.code.toByte(), 'N'.code.toByte(), 'G'.code.toByte(), 13, 10, 26, 10)
         fun lines(size: Int) = String(Base64.getMimeEncoder().encode(begin.copyOf(size))).replace("\r\n", "\\n")
@@ -92,7 +92,7 @@ class HookOutputSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { figure("png", lines(most + 1)) }.message shouldContain "at most 4194304 are allowed"
     }
 
-    test("whatever is printed, there is a result or a sentence") {
+    test("whatever a hook prints, there is a result or a sentence") {
         checkAll(300, Arb.int(0, WHOLE.length), Arb.string(0, 5)) { at, text ->
             try {
                 read(WHOLE.take(at) + text + WHOLE.drop(at + text.length))

@@ -43,7 +43,10 @@ private fun isRunning(process: String): Boolean = ProcessHandle.of(process.toLon
 /** Runs a [program] in Python. */
 private fun python(program: String, limit: Duration = 5.minutes): HookResult = HookRunner(listOf("python3", "-c", program, "{header}"), limit).run(RECORDING)
 
-/** For hooks that are to be killed while they sleep: on a busy machine, Python may not have come that far after the first. */
+/**
+ * Time limits for hooks that are killed while they sleep: on a busy machine, they may not sleep yet when the first has
+ * passed.
+ */
 private val LIMITS = listOf(4.seconds, 30.seconds, 120.seconds)
 
 class HookRunnerSpec : FunSpec({
@@ -63,7 +66,7 @@ class HookRunnerSpec : FunSpec({
         result.figures.single().mediaType shouldBe "image/png"
     }
 
-    test("of what R says, that counts which shows what went wrong").config(enabled = HAS_PYTHON) {
+    test("of R's output, the line that shows what went wrong is reported").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
         failure.message shouldBe "The hook ended with exit code 1; its last error: Error: no such column."
     }
@@ -104,12 +107,12 @@ class HookRunnerSpec : FunSpec({
         python("print('{}')").findings.shouldBeEmpty()
     }
 
-    test("a hook that fails is reported with its last words").config(enabled = HAS_PYTHON) {
+    test("a hook that fails is reported with its last error").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('no such column')") }
         failure.message shouldBe "The hook ended with exit code 1; its last error: no such column."
     }
 
-    test("whatever is wrong with a hook, its last words are reported").config(enabled = HAS_PYTHON) {
+    test("whatever is wrong with a hook, its last error is reported").config(enabled = HAS_PYTHON) {
         shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
             "The hook printed nothing; it must print one JSON object, at least {}. Its last error: odd column."
     }
@@ -125,7 +128,7 @@ class HookRunnerSpec : FunSpec({
         }
     }
 
-    test("a hook goes, with its header, when the program is asked to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
+    test("a hook ends, and its header is deleted, when the program is asked to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
         val told = File.createTempFile("hook", ".txt")
         try {
             val program = """
@@ -180,7 +183,7 @@ class HookRunnerSpec : FunSpec({
         told.delete()
     }
 
-    test("what outlives its hook and keeps its output open is killed at the time limit").config(enabled = HAS_PYTHON) {
+    test("a process that outlives its hook and keeps its output open is killed at the time limit").config(enabled = HAS_PYTHON) {
         val program = """
             import subprocess, sys, time
             subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(300)'])
@@ -189,17 +192,17 @@ class HookRunnerSpec : FunSpec({
         LIMITS.any { limit -> "something it started" in shouldThrow<HookException> { python(program, limit) }.message.orEmpty() } shouldBe true
     }
 
-    test("much output is read as fast as it comes").config(enabled = HAS_PYTHON) {
+    test("large output is read as fast as it comes").config(enabled = HAS_PYTHON) {
         val program = "import sys\nfor i in range(60): sys.stdout.write(' ' * 1000000)\nprint('{}')"
         python(program, 2.minutes).values.keys.shouldBeEmpty()
     }
 
-    test("more output than is bearable ends the hook").config(enabled = HAS_PYTHON) {
+    test("too much output ends the hook").config(enabled = HAS_PYTHON) {
         val program = "import sys\nwhile True: sys.stdout.write('x' * 1000000)"
         shouldThrow<HookException> { python(program) }.message shouldContain "more than 64 MB"
     }
 
-    test("a program that is not there is reported") {
+    test("a missing program is reported") {
         val failure = shouldThrow<HookException> { HookRunner(listOf("no-such-program-anywhere"), 1.seconds).run(RECORDING) }
         failure.message shouldStartWith "The program “no-such-program-anywhere” cannot be started ("
         failure.message shouldEndWith "); install it, or add its folder to the PATH."

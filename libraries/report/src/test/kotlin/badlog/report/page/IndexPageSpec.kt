@@ -21,7 +21,7 @@ import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import java.nio.file.Path
 
-/** The index of a report in a real browser; each test is skipped where there is none. */
+/** The index of a report in a real browser; each test is skipped if there is none. */
 class IndexPageSpec : FunSpec({
     fun browserTest(name: String, test: (OpenPage) -> Unit, screen: Screen = Screen.WIDE, page: (Path) -> String) {
         test(name).config(enabledOrReasonIf = { Chromium.enabled }) {
@@ -41,7 +41,7 @@ class IndexPageSpec : FunSpec({
 
     fun OpenPage.shownItems() = elements(".match li").count { it.isDisplayed }
 
-    /** As a person chooses [value] in the field [name] of the filter. */
+    /** Selects [value] in the field [name] of the filter, as a person does. */
     fun OpenPage.set(name: String, value: String) {
         val field = "document.getElementById('filter').elements[arguments[0]]"
         script("$field.value = arguments[1]; $field.dispatchEvent(new Event('input', { bubbles: true }))", name, value)

@@ -24,7 +24,7 @@ import javax.xml.parsers.DocumentBuilderFactory
 private const val HOSTILE = "<script>alert(1)</script>\"'&"
 
 class ReportPageSpec : FunSpec({
-    test("texts from files are shown as they are, and the style is the one that is allowed") {
+    test("texts from files are shown literally, and only the page's own style and script are allowed") {
         inFolder { folder ->
             folder.put("1.bag", bag(mapOf("Time" to "s", HOSTILE to "V"), listOf("0,1"), mapOf("Event" to HOSTILE, "Match Number" to "1")))
             val rules = RulesFile.parse("[[rule]]\nname='<b>'\nseverity='error'\neach='*'\nwhen='topic > 0'\ntext='{topic} <i> {match}'").rules
@@ -37,7 +37,7 @@ class ReportPageSpec : FunSpec({
             val script = page.substringAfter("<script>").substringBefore("</script>")
             page shouldContain "default-src 'none'; style-src '${hashOf(style)}'; script-src '${hashOf(script)}'; base-uri 'none'; form-action 'none'"
             page shouldNotContain "style=\""
-            // Apart from what HTML leaves open it is well formed.
+            // Except for elements that HTML leaves open, it is well formed.
             val body = page.substringAfter("<body>").substringBefore("<script>").replace("<br>", "<br/>")
             DocumentBuilderFactory.newInstance().newDocumentBuilder().parse("<body>$body</body>".byteInputStream())
         }
@@ -62,7 +62,7 @@ class ReportPageSpec : FunSpec({
         }
     }
 
-    test("what badlog made is replaced, what others made only by force, and what is read never") {
+    test("what badlog made is replaced, what others made only if forced, and input files never") {
         inFolder { folder ->
             val log = folder.put("index.html", batteryBag(6.0))
             folder.put("Q1.bag", batteryBag(6.0))
@@ -87,7 +87,7 @@ class ReportPageSpec : FunSpec({
         }
     }
 
-    test("a log with the longest name there may be has a page") {
+    test("a log with the longest possible name has a page") {
         inFolder { folder ->
             val log = LogFile.of(folder.put("\u00e9".repeat(125) + ".bag", batteryBag(6.0)))
             val pages = ReportFolder(folder.resolve("out"), listOf(log), RuleSet.NONE, exporter = HtmlExporter(parts = PageParts("", "")))

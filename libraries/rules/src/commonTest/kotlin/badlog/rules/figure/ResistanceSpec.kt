@@ -21,7 +21,7 @@ class ResistanceSpec : FunSpec({
         return DoubleArray(times.size) { 12.6 - 0.004 * times[it] - 0.018 * amps[it] + noise * (random.nextDouble() - 0.5) }
     }
 
-    test("it is the slope of voltage against current, though the battery empties meanwhile") {
+    test("the resistance is the slope of voltage against current, even while the battery empties") {
         val found = resistanceOf(Series(times, volts(0.05)), Series(times, amps), times.last()).shouldNotBeNull()
         found.milliohms shouldBe (18.0 plusOrMinus 0.6)
         abs(found.milliohms - 18) shouldBeLessThan found.uncertainty + 0.2
@@ -39,14 +39,14 @@ class ResistanceSpec : FunSpec({
         rows.milliohms shouldBe (20.0 plusOrMinus 0.01)
     }
 
-    test("there is none where it is known within half of it at best") {
+    test("there is no resistance if its uncertainty is half of it or more") {
         val rows = 2500
         val uneven = DoubleArray(rows) { 12.6 - (if (times[it] in 20.0..30.0) 0.08 else 0.0) * amps[it] }
         val x = times.copyOf(rows)
         resistanceOf(Series(x, uneven), Series(x, amps.copyOf(rows)), x.last()).shouldBeNull()
     }
 
-    test("there is none where the current hardly changes, for a few seconds, and of no voltage") {
+    test("there is no resistance if the current hardly changes, if there are only a few seconds, or without a voltage") {
         resistanceOf(Series(times, volts(0.05)), Series(times, DoubleArray(times.size) { 5 + it % 3.0 }), times.last()).shouldBeNull()
         val few = DoubleArray(500) { times[it] }
         resistanceOf(Series(few, volts(0.0).copyOf(500)), Series(few, amps.copyOf(500)), few.last()).shouldBeNull()

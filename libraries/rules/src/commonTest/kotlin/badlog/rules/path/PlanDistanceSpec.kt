@@ -30,7 +30,7 @@ class PlanDistanceSpec : FunSpec({
         distances(driven, path(20) { 3.0 }, all).all { it.isNaN() } shouldBe true
     }
 
-    test("who was never on a plan has not left it, and each plan counts for itself") {
+    test("a robot that was never on a plan has not left it, and each plan counts by itself") {
         val driven = path(20) { it / 10.0 }
         distances(driven, path(20, y = { 3.0 }) { it / 10.0 }, all).all { it.isNaN() } shouldBe true
         // The second plan begins beside the robot.

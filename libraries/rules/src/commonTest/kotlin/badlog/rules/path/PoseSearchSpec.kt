@@ -18,13 +18,13 @@ class PoseSearchSpec : FunSpec({
         poses[1].heading.shouldBeEmpty()
     }
 
-    test("a pose in space heads where its quaternion says") {
+    test("the heading of a pose in space follows from its quaternion") {
         val parts = listOf("translation/x", "translation/y", "translation/z", "rotation/q/w", "rotation/q/x", "rotation/q/y", "rotation/q/z")
         val pose = posesOf(parts.map { poseTopic("Pose/$it", type = "struct:Pose3d") }).single()
         pose.heading.map { it.substringAfterLast('/') } shouldBe listOf("w", "x", "y", "z")
     }
 
-    test("three numbers of an array that is called so are a pose in degrees; others are not") {
+    test("three numbers of an array are a pose in degrees if its name says so; others are not") {
         fun array(name: String, count: Int) = List(count) { poseTopic("$name[$it]", type = "double[]") }
         val poses = posesOf(array("NT:/SmartDashboard/Field/Robot", 3) + array("Joystick/axes", 3) + array("targetpose_robotspace", 6) + array("NT:/PathPlanner/currentPose", 3))
         poses.map { it.name } shouldBe listOf("NT:/SmartDashboard/Field/Robot", "NT:/PathPlanner/currentPose")
@@ -56,7 +56,7 @@ class PoseSearchSpec : FunSpec({
         poses.map { it.list to it.role } shouldBe List(2) { "Trajectory" to PoseRole.PLANNED }
     }
 
-    test("what has no samples is not a pose") {
+    test("topics without samples are not a pose") {
         posesOf(poseTopics("Pose").map { it.copy(counts = CellCounts(0, 0, 0, 0, 0, 0)) }).shouldBeEmpty()
     }
 })

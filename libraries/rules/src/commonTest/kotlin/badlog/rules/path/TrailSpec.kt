@@ -22,7 +22,7 @@ class TrailSpec : FunSpec({
         }
     }
 
-    test("topics of other times are joined by what each said last, once both have said something") {
+    test("topics of different times are joined by the last value of each, once each has one") {
         trail(listOf(0.0 to 1.0, 2.0 to 2.0, 4.0 to 3.0), listOf(1.0 to 5.0, 2.0 to 6.0)).samples() shouldBe
             listOf(Triple(1.0, 1.0, 5.0), Triple(2.0, 2.0, 6.0), Triple(4.0, 3.0, 6.0))
     }

@@ -29,7 +29,7 @@ class RobotBesideStationSpec : FunSpec({
         ),
     )
 
-    test("the Driver Station's samples stand on the robot's clock, from 10 s before its log until 10 s after it") {
+    test("the Driver Station's samples are on the robot's clock, from 10 s before its log until 10 s after it") {
         val robot = logOf(listOf(numbers("Arm", listOf(0.0 to 1.0, 20.0 to 2.0))))
         val both = beside(robot, station, -40.0).both
         both.topic("Driver Station/Trip Time").run { times?.toList() to samples.toList() } shouldBe
@@ -38,13 +38,13 @@ class RobotBesideStationSpec : FunSpec({
         both.enabledSpans().map { it.span } shouldBe listOf(Span(2.0, 8.0))
     }
 
-    test("a bag that counts milliseconds gets the Driver Station's times in those") {
+    test("a bag in milliseconds gets the Driver Station's times in milliseconds") {
         val text = """{"topics":[{"name":"Time","unit":"ms","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}""" + "\nTime,A\n0,1\n20000,2\n"
         val robot = BagParser().apply { accept(text.encodeToByteArray()) }.finish()
         beside(robot, station, -40.0).both.topic("Driver Station/Trip Time").times?.toList() shouldBe List(41) { (it - 10) * 1000.0 }
     }
 
-    test("rules get what the robot's log lacks, over its own time; what it has itself counts") {
+    test("rules get what the robot's log lacks, over its own time; what the log itself has takes precedence") {
         val robot = logOf(listOf(numbers("Battery Voltage", listOf(0.0 to 12.5, 20.0 to 12.0), "V")))
         val forRules = beside(robot, station, -40.0).forRules
         signalTopicsOf(forRules, signals).of("battery").map { it.topic } shouldBe listOf("Battery Voltage")
@@ -53,7 +53,7 @@ class RobotBesideStationSpec : FunSpec({
         forRules.xAxis.range shouldBe 0.0..20.0
     }
 
-    test("a topic of a name that the robot has gets another one, and the robot's own moments of enabled count") {
+    test("a topic with a name that the robot's log has is renamed, and the robot's own moments of enabling count") {
         val robot = logOf(
             listOf(flag("DS:enabled", 0.0, listOf(3.0, 9.0), 20.0), numbers("Driver Station/Trip Time", listOf(0.0 to 1.0, 20.0 to 1.0))),
         )

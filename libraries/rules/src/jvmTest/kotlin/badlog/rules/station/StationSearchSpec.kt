@@ -14,7 +14,7 @@ class StationSearchSpec : FunSpec({
 
     fun number(text: String) = listOf(Value("Match Number", text))
 
-    test("the log of the time of day is found, aligned by the moments of enabled, with the error") {
+    test("the log of the same time of day is found, aligned by the moments of enabling, with the error") {
         val robot = log(3.0, "2026-03-07 15:04:08 UTC")
         val other = log(0.0, "2026-03-07 14:04:05 UTC", name = "an hour before")
         val found = checkNotNull(found(robot, other, log(0.0, "2026-03-07 15:04:05 UTC", name = "this", shift = 0.04)))
@@ -24,7 +24,7 @@ class StationSearchSpec : FunSpec({
         found.fit.error shouldBe (0.03 plusOrMinus 1e-9)
     }
 
-    test("of a robot's log that does not show enabled, the clocks tell, and that they are known to the second") {
+    test("a robot's log that does not show enabled is aligned by the clocks, which are known to the second") {
         val robot = clocked(logOf(listOf(numbers("Arm", listOf(0.0 to 1.0, 10.0 to 2.0))), "2026-03-07 15:04:08 UTC"))
         val fit = checkNotNull(found(robot, log(0.0, "2026-03-07 15:04:05 UTC"))).fit
         listOf(fit.seconds, fit.edges, fit.error) shouldBe listOf(-3.0, 0, 1.0)
@@ -37,7 +37,7 @@ class StationSearchSpec : FunSpec({
         clocked(logOf(listOf(numbers("Arm", listOf(2.0 to 1.0)))), "FRC_20261307_150405.wpilog").start.shouldBeNull()
     }
 
-    test("without a time of day the match tells, and without a match the moments of enabled where one log alone has them") {
+    test("without a time of day, the match decides, and without a match the moments of enabling, if only one log has them") {
         val stations = arrayOf(log(0.0, "2026-03-07 15:04:05 UTC", number("41"), "a"), log(0.0, "2026-03-07 16:04:05 UTC", number("42"), "b"))
         found(log(3.0, null, number("42")), *stations)?.station?.name shouldBe "b"
         found(log(3.0, null), *stations).shouldBeNull()
@@ -45,7 +45,7 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null), practice, stations[0])?.station?.name shouldBe "a"
     }
 
-    test("of many logs only those are read that may be of the time of day") {
+    test("of many logs, only those are read that may be of the same time of day") {
         val read = ArrayList<Int>()
         fun search(robot: ClockedLog) = StationSearch(robot, { hour: Int -> hour * 3600.0 }, { hour ->
             read += hour
@@ -54,18 +54,18 @@ class StationSearchSpec : FunSpec({
         search(log(3.0, "2026-03-07 15:04:08 UTC")).over((1..100).toList(), mostRead = 40).shouldBeNull()
         search(log(3.0, null)).over((1..100).toList(), mostRead = 40).shouldBeNull()
         read shouldBe emptyList()
-        // Fewer may be of the match, or have the moments of enabled; here all have those.
+        // Fewer may be of the match, or have the same moments of enabling; here all have those.
         search(log(3.0, null)).over((1..10).toList(), mostRead = 40).shouldBeNull()
         read shouldBe (1..10).toList()
     }
 
-    test("a single moment of enabled that the clocks speak against is not believed") {
+    test("a single moment of enabling that contradicts the clocks is not trusted") {
         val robot = clocked(logOf(listOf(flag("DS:enabled", 0.0, listOf(5.0), 17.0)), "2026-03-07 15:04:05 UTC"))
         val station = clocked(logOf(listOf(flag("DS:enabled", 0.0, listOf(300.0), 600.0)), "2026-03-07 15:00:05 UTC"))
         checkNotNull(found(robot, station)).fit.run { listOf(seconds, edges) } shouldBe listOf(-240.0, 0)
     }
 
-    test("a robot's log over row numbers has no clock, so none is beside it") {
+    test("a robot's log over row numbers has no clock, so no Driver Station's log fits it") {
         val bag = badlog.bag.BagParser().apply { accept("A,B\n1,2\n2,3\n".encodeToByteArray()) }.finish()
         found(clocked(bag), log(0.0, null)).shouldBeNull()
     }
