@@ -31,6 +31,9 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private var isSure = false
     private var waits = 0
 
+    /** Whether the frame is being found out that the video shows after a pause. */
+    private var isSettling = false
+
     /** Whether the browser does not report which frame is shown after a seek. */
     private var isSilent = false
     private val isStale get() = abs(frame - video.currentTime) > FAR
@@ -67,7 +70,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             val wanted = next
             next = Double.NaN
             window.clearTimeout(timer)
-            waits = 0
+            if (!isSettling) waits = 0
             if (!wanted.isNaN()) seek(wanted) else await()
         }
         if (video.asDynamic().requestVideoFrameCallback == null) on("timeupdate") { show(video.currentTime) } else watch()
@@ -86,17 +89,28 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         }
     }
 
-    /** Seeks to where the video was paused: a busy browser may not have reported the frame that it shows there, but reports it after a seek. */
+    /**
+     * Finds out which frame the video shows where it was paused: a busy browser may not have reported it, and does so after a seek, unless
+     * that is to the very same moment, or comes while the video is still being paused. A seek at the end would keep the reader from playing
+     * the video again from its start.
+     */
     private fun settle() {
         if (!video.paused || video.seeking || !next.isNaN()) return
         isLed = false
-        seek(video.currentTime)
+        if (!video.ended) {
+            isSettling = true
+            waits = 0
+            seek(video.currentTime + LITTLE)
+        } else if (video.duration - frame > clock.frameSeconds * 2) {
+            show(video.duration - clock.frameSeconds)
+        }
     }
 
     /** Shows the frame [count] after the displayed one, or before it if negative. */
     fun step(count: Int) {
         video.pause()
         isLed = false
+        isSettling = false
         window.clearTimeout(timer)
         if (steps == 0) from = if (isStale) video.currentTime else frame
         steps += count
@@ -130,6 +144,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private fun arrive() {
         if (video.seeking || !video.paused) return
         val isLate = !isSure && ++waits < MAX_WAITS
+        if (isLate && isSettling) return seek(video.currentTime + LITTLE)
         if (isStale || (!isReported && !isLate)) isSilent = true
         val tried = clock.frameSeconds
         if (isSilent) {
@@ -145,6 +160,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     private fun leave() {
         isLed = false
+        isSettling = false
         steps = 0
         from = Double.NaN
     }
@@ -183,6 +199,9 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private companion object {
         /** A frame this many seconds from the video's position is not the displayed one. */
         const val FAR = 0.25
+
+        /** So many seconds make a seek, but hardly ever another frame. */
+        const val LITTLE = 1e-4
 
         /** Milliseconds after which a frame that the video has sought is on the screen. */
         const val PATIENCE = 150
