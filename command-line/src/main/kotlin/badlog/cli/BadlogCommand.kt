@@ -37,6 +37,7 @@ import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.obj
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import com.github.ajalt.clikt.output.Localization
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.optional
@@ -91,6 +92,12 @@ internal class BadlogCommand(
         context {
             readArgumentFile = null
             obj = CommandLine(arguments)
+            localization = object : Localization {
+                override fun noSuchSubcommand(name: String, possibilities: List<String>): String {
+                    val meant = possibilities.joinToString(" or ") { "“$it”" }
+                    return "there is no command “$name”" + if (meant.isEmpty()) "" else "; did you mean $meant?"
+                }
+            }
         }
     }
 

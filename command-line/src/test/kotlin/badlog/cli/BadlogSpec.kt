@@ -59,14 +59,16 @@ class BadlogSpec : FunSpec({
         badlog("--version").out shouldBe "badlog $BADLOG_VERSION\n"
     }
 
-    test("a mistyped sub-command is reported with the one that was meant, before its arguments are looked at") {
+    test("a mistyped command is reported with the one that was meant, before its arguments are looked at") {
         for (arguments in listOf(listOf("cutt"), listOf("cutt", "a", "b"), listOf("help", "cutt"), listOf("cutt", "--from", "1"))) {
             val ended = badlog(*arguments.toTypedArray())
             ended.code shouldBe ExitCode.USAGE
             ended.err shouldContain "cutt"
-            ended.err shouldContain "cut?"
+            ended.err shouldContain "cut”?"
             ended.err.lines().size shouldBe 2
         }
+        badlog("reprot", "x").err shouldBe "There is no command “reprot”; did you mean “report” or “export”? Try: badlog help\n"
+        badlog("frobnicate").err shouldBe "There is no command “frobnicate”. Try: badlog help\n"
     }
 
     test("wrong usage is one sentence that names the help to read") {
