@@ -88,12 +88,15 @@ internal fun TopicPane(
         val list = topics.state
         val open = current.recording
         val found = topicsWithFindings()
-        val rows by produceState<List<TopicRow>?>(null, open, list.query, list.folded, found) {
-            value = open?.let { withContext(Dispatchers.Default) { topicRows(it.signals, list.query, list.folded, it.empty, found) } }
+        val shown by produceState<ShownRows?>(null, open, list.query, list.folded, found) {
+            value = open?.let { withContext(Dispatchers.Default) { ShownRows(list.query, it.rowsOf(list, found)) } }
         }
+        val rows = shown?.rows
+        // A key may come before the rows of what was typed are shown.
+        val rowsOfKeys = { shown?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
         val draw = { name: String -> open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) } }
         val focus = rememberAskedFocus(list.searchesAsked)
-        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rows.orEmpty()) { name -> draw(name) } }
+        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys) { name -> draw(name) } }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
                 topics.change { searching(it) }
@@ -111,13 +114,18 @@ internal fun TopicPane(
     }
 }
 
+/** The rows of a list that is searched for [query]. */
+private class ShownRows(val query: String, val rows: List<TopicRow>)
+
+private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(signals, list.query, list.folded, empty, found)
+
 /** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
-private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: List<TopicRow>, draw: (String) -> Unit): Boolean {
+private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when (event.key) {
-        Key.DirectionDown -> topics.change { marking(1, rows) }
-        Key.DirectionUp -> topics.change { marking(-1, rows) }
-        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows.firstNotNullOfOrNull { (it as? SignalRow)?.signal?.name })?.let(draw)
+        Key.DirectionDown -> topics.change { marking(1, rows()) }
+        Key.DirectionUp -> topics.change { marking(-1, rows()) }
+        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows().firstNotNullOfOrNull { (it as? SignalRow)?.signal?.name })?.let(draw)
         else -> return false
     }
     return true

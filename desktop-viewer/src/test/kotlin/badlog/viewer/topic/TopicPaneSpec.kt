@@ -11,6 +11,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.file.UserFolders
 import badlog.viewer.TestTopics
@@ -108,6 +109,18 @@ class TopicPaneSpec : FunSpec({
             onNodeWithContentDescription("Search topics").performTextInput("topic 4242")
             waitFor { viewer.topics.state.query == "topic 4242" && onAllNodesWithText("Folder 0").fetchSemanticsNodes().isEmpty() }
             onNodeWithContentDescription("Topic Folder 42/Topic 4242").assertExists()
+        }
+    }
+
+    test("a key right after typing counts for what was typed, even if the list still shows what was before") {
+        val names = List(50_000) { "Folder ${it % 50}/Topic $it" }
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis") + names, listOf("0," + names.joinToString(",") { "1" }))))
+        runDesktopComposeUiTest(240, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
+            waitFor { onAllNodesWithText("Folder 0").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Search topics").performTextInput("topic 49999")
+            onNodeWithContentDescription("Search topics").performKeyInput { pressKey(Key.DirectionDown) }
+            viewer.topics.state.marked shouldBe "Folder 49/Topic 49999"
         }
     }
 

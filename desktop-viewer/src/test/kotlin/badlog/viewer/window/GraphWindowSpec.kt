@@ -156,6 +156,7 @@ class GraphWindowSpec : FunSpec({
             val before = window.look { it.board.state }
             window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
             window.type("at bottom")
+            window.awaitState("the search") { it.topics.state.query == "at bottom" }
             window.awaitText("Topic Elevator/At Bottom")
             window.press(KeyEvent.VK_DOWN)
             window.awaitState("a mark on the topic") { it.topics.state.marked == "Elevator/At Bottom" }
