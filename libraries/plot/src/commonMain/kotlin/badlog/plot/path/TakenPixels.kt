@@ -136,11 +136,13 @@ internal class TakenPixels {
         return if (part >= 0) part else Double.POSITIVE_INFINITY
     }
 
-    /** Adds the rows of adjacent taken pixels to [strokes], if given. Returns how many there are. */
-    fun runs(strokes: Strokes?): Int {
-        var ends = 0
+    /** Adds the rows of taken pixels with at most [gap] free ones between them to [strokes], if given. Returns how many rows there are. */
+    fun runs(strokes: Strokes?, gap: Int): Int {
+        var count = 0
         for (row in AROUND until rows - AROUND) {
             val first = row * wordsPerRow
+            val y = row - AROUND + HALF
+            var end = NONE
             var before = 0
             for (column in 0..columns - AROUND step WORD) {
                 var word = words[first + (column ushr WORD_BITS)]
@@ -150,16 +152,29 @@ internal class TakenPixels {
                 before = word ushr WORD - 1
                 while (changes != 0) {
                     val bit = changes.countTrailingZeroBits()
+                    val x = column + bit - AROUND
                     changes = changes and changes - 1
-                    strokes?.add((column + bit - AROUND).toDouble(), row - AROUND + HALF)
-                    if (ends++ and 1 != 0) strokes?.lift()
+                    if (word ushr bit and 1 == 0) {
+                        end = x
+                    } else if (end == NONE || x - end > gap) {
+                        if (end != NONE) strokes?.endRun(end, y)
+                        strokes?.add(x.toDouble(), y)
+                        count++
+                    }
                 }
             }
+            if (end != NONE) strokes?.endRun(end, y)
         }
-        return ends / 2
+        return count
+    }
+
+    private fun Strokes.endRun(x: Int, y: Double) {
+        add(x.toDouble(), y)
+        lift()
     }
 
     internal companion object {
+        private const val NONE = -1
         private const val WORD_BITS = 5
         private const val WORD = 1 shl WORD_BITS
         private const val HALF = 0.5

@@ -89,9 +89,9 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
         if (!isJoined) drawn = strokes.dotsSize / 2
         strokes.isDense = drawn > DENSE
         // Filled areas need far fewer strokes this way.
-        if (strokes.isDense && (!isJoined || pixels.runs(null) < drawn / 2)) {
+        if (strokes.isDense && (!isJoined || pixels.runs(null, gap = 0) < drawn / 2)) {
             strokes.begin()
-            pixels.runs(strokes)
+            pixels.runs(strokes, gap = if (isJoined) 0 else DOT_GAP)
         }
     }
 
@@ -100,6 +100,9 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
 
         /** How many pixels a line may be off the samples that it passes over: nobody sees less. */
         const val BEND = 0.25
+
+        /** How many free pixels between two dots are under them: dots are 3.5 pixels wide, or more. */
+        const val DOT_GAP = 2
 
         /** More samples than these are drawn in the thinnest lines, or as rows of dots. */
         const val DENSE = 20_000

@@ -146,9 +146,15 @@ class TrailPyramidSpec : FunSpec({
         val pixels = BooleanArray(WIDTH * HEIGHT)
         for (row in 0 until rows.count) {
             val at = rows.startOf(row)
-            for (column in rows.points[at].toInt() until rows.points[at + 2].toInt()) pixels[rows.points[at + 1].toInt() * WIDTH + column] = true
+            val y = rows.points[at + 1].toInt() * WIDTH
+            val columns = rows.points[at].toInt() until rows.points[at + 2].toInt()
+            for (column in columns) pixels[y + column] = true
+            expected[y + columns.first] shouldBe true
+            expected[y + columns.last] shouldBe true
+            // Dots are so wide that the gaps between them cannot be seen.
+            columns.windowed(3).count { gap -> gap.none { expected[y + it] } } shouldBe 0
         }
-        pixels.indices.filter { pixels[it] != expected[it] }.shouldBeEmpty()
+        expected.indices.filter { expected[it] && !pixels[it] }.shouldBeEmpty()
 
         val (dots, _) = drawn(10_000)
         dots.isDense shouldBe false
