@@ -259,7 +259,7 @@ internal class RealWindow(
         check(!application.isAlive) { "The window does not close." }
     }
 
-    /** Identifies what has the keyboard; null if that is nothing that screen readers are told of. */
+    /** Identifies the element with the keyboard focus; null if screen readers do not know it. */
     private fun focused(): Int? {
         var id: Int? = null
         SwingUtilities.invokeAndWait {

@@ -40,7 +40,10 @@ public class XyTrace internal constructor(
     /** Whether its samples are joined by lines. */
     public val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
 
-    /** Draws the part of it in [span] into [strokes], on [width] by [height] pixels that show [plane]. */
+    /**
+     * Draws the part of it in [span] into [strokes], on [width] by [height] pixels that show [plane]: lines if it [isJoined], otherwise
+     * dots. If there are very many dots, there are no single ones: each stroke is a row of them, from its left pixel to its right one.
+     */
     public fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
         val x = plane.xScale(width.toDouble())
         val y = plane.yScale(height.toDouble())
