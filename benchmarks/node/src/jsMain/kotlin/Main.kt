@@ -1,5 +1,5 @@
-import badlog.bag.BagParser
-import badlog.bag.RowWriter
+import badlog.core.bag.BagParser
+import badlog.core.bag.RowWriter
 import kotlin.math.sin
 
 private external interface Process {

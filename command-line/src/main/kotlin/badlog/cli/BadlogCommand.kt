@@ -24,7 +24,7 @@ import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
 import badlog.cli.sql.SqlCommand
 import badlog.cli.table.TableCommand
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
 import com.github.ajalt.clikt.completion.CompletionGenerator
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context

@@ -4,7 +4,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
 import badlog.cli.part.PartLoader
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
 import badlog.rules.commandWords
 import com.github.ajalt.clikt.core.parse
 import io.kotest.core.spec.style.FunSpec

@@ -1,9 +1,9 @@
 package badlog.cli
 
 import badlog.cli.command.ExitCode
-import badlog.file.readRecording
+import badlog.core.recording.ProblemKind
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.ProblemKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

@@ -1,8 +1,8 @@
 package badlog.cli
 
 import badlog.cli.command.ExitCode
-import badlog.file.LogFile
-import badlog.python.TestPython
+import badlog.core.python.TestPython
+import badlog.files.LogFile
 import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.assertions.withClue

@@ -1,8 +1,8 @@
 package badlog.cli
 
-import badlog.bag.Mutant
-import badlog.driverstation.STATION_EVENTS
-import badlog.driverstation.STATION_LOG
+import badlog.core.bag.Mutant
+import badlog.formats.driverstation.STATION_EVENTS
+import badlog.formats.driverstation.STATION_LOG
 import badlog.rules.RulesException
 import badlog.rules.RulesFile
 import io.kotest.assertions.withClue

@@ -4,9 +4,9 @@ import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.cli.fetch.Robots
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.wpilog.WpilogWriter
+import badlog.formats.wpilog.WpilogWriter
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.Json

@@ -1,9 +1,9 @@
 package badlog.cli
 
-import badlog.driverstation.STATION_EVENTS
-import badlog.driverstation.STATION_LOG
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.driverstation.STATION_EVENTS
+import badlog.formats.driverstation.STATION_LOG
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.ints.shouldBeGreaterThan

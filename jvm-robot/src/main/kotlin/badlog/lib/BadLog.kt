@@ -1,6 +1,6 @@
 package badlog.lib
 
-import badlog.bag.BagTopic
+import badlog.core.bag.BagTopic
 import java.io.File
 import java.util.Objects
 import java.util.function.BooleanSupplier

@@ -1,7 +1,7 @@
 package badlog.lib
 
-import badlog.bag.BagTopic
-import badlog.bag.RowWriter
+import badlog.core.bag.BagTopic
+import badlog.core.bag.RowWriter
 import java.util.concurrent.atomic.AtomicLong
 
 /** A topic of events: each row has all events since the previous row, however often the topics were updated. */

@@ -1,9 +1,9 @@
 package badlog.lib
 
-import badlog.bag.BagHeader
-import badlog.bag.BagValue
-import badlog.bag.RowWriter
-import badlog.recording.Value
+import badlog.core.bag.BagHeader
+import badlog.core.bag.BagValue
+import badlog.core.bag.RowWriter
+import badlog.core.recording.Value
 
 /** The topics and values of a log during setup, each with a unique name. Guarded by the log's lock. */
 internal class Namespace {

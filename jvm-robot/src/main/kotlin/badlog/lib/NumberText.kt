@@ -1,6 +1,6 @@
 package badlog.lib
 
-import badlog.bag.RowWriter
+import badlog.core.bag.RowWriter
 import java.util.function.Function
 
 /**

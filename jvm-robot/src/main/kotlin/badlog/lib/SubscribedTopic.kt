@@ -1,7 +1,7 @@
 package badlog.lib
 
-import badlog.bag.BagTopic
-import badlog.bag.RowWriter
+import badlog.core.bag.BagTopic
+import badlog.core.bag.RowWriter
 import java.util.function.Function
 
 /**

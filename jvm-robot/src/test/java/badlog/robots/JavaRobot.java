@@ -5,7 +5,6 @@ import badlog.lib.DataInferMode;
 import badlog.lib.DuplicateNameException;
 import badlog.lib.InvalidModeException;
 import badlog.lib.InvalidNameException;
-
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;

@@ -1,6 +1,6 @@
 package badlog.lib
 
-import badlog.recording.ProblemKind
+import badlog.core.recording.ProblemKind
 import badlog.robots.NullArguments
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

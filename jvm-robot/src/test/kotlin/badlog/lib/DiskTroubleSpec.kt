@@ -1,6 +1,6 @@
 package badlog.lib
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled

@@ -1,6 +1,6 @@
 package badlog.lib
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import java.io.File

@@ -1,7 +1,7 @@
 package badlog.lib
 
-import badlog.bag.BagParser
-import badlog.recording.Recording
+import badlog.core.bag.BagParser
+import badlog.core.recording.Recording
 import com.sun.management.ThreadMXBean
 import java.io.ByteArrayOutputStream
 import java.io.EOFException

@@ -1,8 +1,8 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
-import badlog.recording.Severity
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
+import badlog.core.recording.Severity
 import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
 import io.kotest.core.spec.style.FunSpec

@@ -1,7 +1,7 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.SignalsFile

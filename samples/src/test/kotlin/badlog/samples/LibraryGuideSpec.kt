@@ -1,8 +1,8 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.analysis.statistics
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.analysis.statistics
+import badlog.core.bag.BagParser
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

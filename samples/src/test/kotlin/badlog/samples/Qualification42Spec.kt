@@ -1,8 +1,8 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.recording.ProblemKind
-import badlog.recording.Severity
+import badlog.core.analysis.LogView
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Severity
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeSorted
 import io.kotest.matchers.doubles.shouldBeBetween

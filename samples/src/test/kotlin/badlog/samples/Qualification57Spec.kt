@@ -1,7 +1,7 @@
 package badlog.samples
 
-import badlog.recording.ProblemKind
-import badlog.recording.Severity
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Severity
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan

@@ -1,8 +1,8 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
-import badlog.recording.Topic
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
+import badlog.core.recording.Topic
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.util.zip.Inflater

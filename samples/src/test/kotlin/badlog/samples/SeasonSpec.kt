@@ -1,12 +1,12 @@
 package badlog.samples
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.comparison.compared
 import badlog.rules.comparison.figuresOf
-import badlog.rules.figure.LogFigures
+import badlog.rules.number.LogFigures
 import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
 import io.kotest.core.spec.style.FunSpec

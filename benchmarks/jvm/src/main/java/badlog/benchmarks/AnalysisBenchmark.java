@@ -1,11 +1,11 @@
 package badlog.benchmarks;
 
-import badlog.analysis.DerivationsKt;
-import badlog.analysis.Downsampling;
-import badlog.analysis.PixelColumns;
-import badlog.analysis.Series;
-import badlog.analysis.SeriesStatistics;
-import badlog.analysis.SeriesStatisticsKt;
+import badlog.core.analysis.DerivationsKt;
+import badlog.core.analysis.Downsampling;
+import badlog.core.analysis.PixelColumns;
+import badlog.core.analysis.Series;
+import badlog.core.analysis.SeriesStatistics;
+import badlog.core.analysis.SeriesStatisticsKt;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

@@ -1,8 +1,8 @@
 package badlog.benchmarks;
 
-import badlog.analysis.AttributeRegistry;
-import badlog.analysis.LogView;
-import badlog.bag.BagParser;
+import badlog.core.analysis.AttributeRegistry;
+import badlog.core.analysis.LogView;
+import badlog.core.bag.BagParser;
 import badlog.expression.Answer;
 import badlog.expression.Expression;
 import badlog.expression.LogViewSignals;

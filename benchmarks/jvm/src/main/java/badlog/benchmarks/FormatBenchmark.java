@@ -1,6 +1,6 @@
 package badlog.benchmarks;
 
-import badlog.number.FiveDigitFormat;
+import badlog.core.number.FiveDigitFormat;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;

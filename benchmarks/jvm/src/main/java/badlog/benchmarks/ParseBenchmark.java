@@ -1,7 +1,7 @@
 package badlog.benchmarks;
 
-import badlog.bag.BagParser;
-import badlog.recording.Recording;
+import badlog.core.bag.BagParser;
+import badlog.core.recording.Recording;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,8 +1,8 @@
 package badlog.benchmarks;
 
-import badlog.file.ReadRecordingKt;
+import badlog.core.recording.NumberSinks;
+import badlog.files.ReadRecordingKt;
 import badlog.formats.LogFormatsKt;
-import badlog.recording.NumberSinks;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;

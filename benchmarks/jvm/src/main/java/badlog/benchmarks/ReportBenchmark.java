@@ -1,13 +1,13 @@
 package badlog.benchmarks;
 
-import badlog.file.FolderScan;
-import badlog.file.LogFile;
+import badlog.files.FolderScan;
+import badlog.files.LogFile;
 import badlog.report.Find;
 import badlog.report.FindTextKt;
 import badlog.report.Report;
 import badlog.report.ReportTextKt;
 import badlog.rules.RulesFile;
-import badlog.rules.signal.SignalVocabulary;
+import badlog.signals.vocabulary.SignalVocabulary;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

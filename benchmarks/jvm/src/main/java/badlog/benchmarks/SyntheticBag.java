@@ -1,10 +1,10 @@
 package badlog.benchmarks;
 
-import badlog.bag.BagHeader;
-import badlog.bag.BagTopic;
-import badlog.bag.BagValue;
-import badlog.bag.RowWriter;
-import badlog.recording.Value;
+import badlog.core.bag.BagHeader;
+import badlog.core.bag.BagTopic;
+import badlog.core.bag.BagValue;
+import badlog.core.bag.RowWriter;
+import badlog.core.recording.Value;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

@@ -1,7 +1,7 @@
 package badlog.benchmarks;
 
-import badlog.recording.Recording;
-import badlog.wpilog.WpilogParser;
+import badlog.core.recording.Recording;
+import badlog.formats.wpilog.WpilogParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

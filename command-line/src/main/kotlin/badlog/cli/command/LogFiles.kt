@@ -3,9 +3,9 @@ package badlog.cli.command
 import badlog.cli.console.Console
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
-import badlog.file.LogFile
-import badlog.file.UnreadableFileException
-import badlog.file.reading
+import badlog.files.LogFile
+import badlog.files.UnreadableFileException
+import badlog.files.reading
 import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
 

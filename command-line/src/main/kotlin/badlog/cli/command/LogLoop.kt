@@ -5,9 +5,9 @@ import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.cli.input.NotALog
-import badlog.file.UnreadableFileException
-import badlog.file.UnwritableFileException
-import badlog.html.ExportException
+import badlog.exporter.ExportException
+import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
 import badlog.report.TopicException
 import badlog.terminal.Progress
 import java.nio.file.Path

@@ -1,7 +1,7 @@
 package badlog.cli.computer
 
-import badlog.file.UserFolders
-import badlog.file.programOnPath
+import badlog.files.UserFolders
+import badlog.files.programOnPath
 import badlog.terminal.startProgram
 import java.nio.file.Files
 import java.nio.file.InvalidPathException

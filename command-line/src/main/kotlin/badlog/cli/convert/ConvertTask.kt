@@ -1,6 +1,5 @@
 package badlog.cli.convert
 
-import badlog.analysis.resampled
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
@@ -25,16 +24,17 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.text.wrapped
 import badlog.cli.topic.TopicChoice
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
+import badlog.core.analysis.resampled
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.formats.wpilog.Omission
+import badlog.formats.wpilog.record.RecordEntry
+import badlog.formats.wpilog.record.RecordLane
+import badlog.formats.wpilog.record.RecordMerge
+import badlog.formats.wpilog.record.RecordPiece
 import badlog.report.UndefinedJson
 import badlog.report.withX
 import badlog.terminal.Progress
-import badlog.wpilog.Omission
-import badlog.wpilog.record.RecordEntry
-import badlog.wpilog.record.RecordLane
-import badlog.wpilog.record.RecordMerge
-import badlog.wpilog.record.RecordPiece
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 

@@ -1,13 +1,13 @@
 package badlog.cli.convert
 
-import badlog.analysis.LogView
 import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.topic.TopicChoice
-import badlog.recording.Recording
-import badlog.rules.withVirtualTopics
+import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
+import badlog.signals.withVirtualTopics
 import badlog.terminal.Progress
 
 /**

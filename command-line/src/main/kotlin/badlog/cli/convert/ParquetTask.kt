@@ -1,6 +1,5 @@
 package badlog.cli.convert
 
-import badlog.analysis.LogView
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
@@ -20,6 +19,7 @@ import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.topic.TopicChoice
+import badlog.core.analysis.LogView
 import badlog.report.UndefinedJson
 import badlog.terminal.Progress
 import kotlinx.serialization.Serializable

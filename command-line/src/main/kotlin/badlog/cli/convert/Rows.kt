@@ -1,15 +1,15 @@
 package badlog.cli.convert
 
-import badlog.analysis.periodicTimes
-import badlog.analysis.timesOf
 import badlog.cli.input.Failure
 import badlog.cli.output.Omissions
 import badlog.cli.text.counted
-import badlog.recording.Recording
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.periodicTimes
+import badlog.core.analysis.timesOf
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.formats.wpilog.isOfBytes
 import badlog.report.topicCalled
-import badlog.wpilog.isOfBytes
 import java.nio.file.Path
 
 /**

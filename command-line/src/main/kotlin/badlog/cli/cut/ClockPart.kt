@@ -1,6 +1,6 @@
 package badlog.cli.cut
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import java.util.IdentityHashMap
 import kotlin.math.round
 

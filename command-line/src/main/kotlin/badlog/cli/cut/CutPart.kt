@@ -1,15 +1,15 @@
 package badlog.cli.cut
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
 import badlog.cli.input.Failure
 import badlog.cli.output.EVENT_LOG
 import badlog.cli.text.XTime
 import badlog.cli.topic.part
 import badlog.cli.topic.with
-import badlog.recording.Recording
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 
 /**
  * The part of a log that is kept.

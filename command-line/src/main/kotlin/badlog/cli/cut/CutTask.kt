@@ -1,7 +1,5 @@
 package badlog.cli.cut
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
@@ -26,11 +24,13 @@ import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
 import badlog.cli.text.lossLines
 import badlog.cli.text.wrapped
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.Value
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Value
 import badlog.rules.ofPart
-import badlog.rules.withSignals
+import badlog.signals.withSignals
 import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Path

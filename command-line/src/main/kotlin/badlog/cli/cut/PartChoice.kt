@@ -1,12 +1,12 @@
 package badlog.cli.cut
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
-import badlog.analysis.enabledSpans
 import badlog.cli.input.Failure
 import badlog.cli.input.Position
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.analysis.enabledSpans
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 
 /** Returns a way to select a part of a log by its x. */
 internal fun interface PartChoice {

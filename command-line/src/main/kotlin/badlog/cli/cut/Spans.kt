@@ -1,6 +1,6 @@
 package badlog.cli.cut
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import java.util.BitSet
 
 /** Returns the same parts of x as spans that ascend and do not touch. */

@@ -4,9 +4,9 @@ import badlog.cli.command.cacheFolder
 import badlog.cli.computer.Computer
 import badlog.cli.text.counted
 import badlog.cli.text.sizeText
+import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.RobotAddress
 import badlog.fetch.answering
-import badlog.html.BADLOG_VERSION
 import badlog.terminal.browserCommand
 import java.io.IOException
 import java.io.UncheckedIOException

@@ -17,8 +17,8 @@ import badlog.fetch.FoundLogs
 import badlog.fetch.KnownHosts
 import badlog.fetch.LogFetch
 import badlog.fetch.RobotAddress
-import badlog.file.UnreadableFileException
-import badlog.file.UnwritableFileException
+import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
 import badlog.terminal.ProgressBar
 import kotlinx.serialization.Serializable
 import java.nio.file.Path

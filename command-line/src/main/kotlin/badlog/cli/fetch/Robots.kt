@@ -2,7 +2,7 @@ package badlog.cli.fetch
 
 import badlog.fetch.Patience
 import badlog.fetch.RobotAddress
-import badlog.file.UserFolders
+import badlog.files.UserFolders
 import java.nio.file.Path
 
 /**

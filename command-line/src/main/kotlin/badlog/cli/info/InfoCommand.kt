@@ -1,6 +1,5 @@
 package badlog.cli.info
 
-import badlog.analysis.LogView
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
@@ -13,13 +12,14 @@ import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.cli.topic.OnlyOption
 import badlog.cli.topic.TopicChoice
-import badlog.file.LogFile
+import badlog.core.analysis.LogView
+import badlog.files.LogFile
 import badlog.report.NamedTopics
 import badlog.report.UndefinedTopic
 import badlog.report.undefinedTexts
-import badlog.rules.signalTopicsOf
-import badlog.rules.withSignals
-import badlog.rules.withVirtualTopics
+import badlog.signals.signalTopicsOf
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help

@@ -1,14 +1,14 @@
 package badlog.cli.info
 
-import badlog.analysis.Units
-import badlog.analysis.XAxis
 import badlog.cli.text.JsonNumber
 import badlog.cli.text.ProblemJson
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Value
 import badlog.expression.ExpressionError
-import badlog.recording.CellCounts
-import badlog.recording.Value
 import badlog.report.UndefinedJson
-import badlog.rules.signal.SignalTopic
+import badlog.signals.vocabulary.SignalTopic
 import kotlinx.serialization.Serializable
 
 /** Everything about one log, for programs. */

@@ -1,6 +1,5 @@
 package badlog.cli.info
 
-import badlog.analysis.Units
 import badlog.cli.console.Console
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
@@ -10,9 +9,10 @@ import badlog.cli.text.problemLines
 import badlog.cli.text.shortNumber
 import badlog.cli.text.sizeText
 import badlog.cli.text.wrapped
-import badlog.recording.Severity
-import badlog.recording.TopicKind
-import badlog.rules.signal.SignalTopic
+import badlog.core.analysis.Units
+import badlog.core.recording.Severity
+import badlog.core.recording.TopicKind
+import badlog.signals.vocabulary.SignalTopic
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import badlog.terminal.displayWidth

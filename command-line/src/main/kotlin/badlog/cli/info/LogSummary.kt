@@ -1,11 +1,11 @@
 package badlog.cli.info
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
-import badlog.analysis.XAxis
 import badlog.cli.topic.TopicChoice
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 import java.nio.file.Path
 
 /**

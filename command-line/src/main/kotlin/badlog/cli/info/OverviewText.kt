@@ -4,7 +4,7 @@ import badlog.cli.console.Console
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.grouped
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 

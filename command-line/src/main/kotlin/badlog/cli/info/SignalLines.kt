@@ -1,6 +1,6 @@
 package badlog.cli.info
 
-import badlog.rules.signal.SignalTopic
+import badlog.signals.vocabulary.SignalTopic
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
 import kotlinx.serialization.Serializable

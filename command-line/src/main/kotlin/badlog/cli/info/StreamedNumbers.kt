@@ -1,8 +1,8 @@
 package badlog.cli.info
 
-import badlog.recording.NumberSink
-import badlog.recording.NumberSinks
-import badlog.recording.Topic
+import badlog.core.recording.NumberSink
+import badlog.core.recording.NumberSinks
+import badlog.core.recording.Topic
 
 /** A summary of the numbers of a topic; only finite ones count. */
 internal class NumberSummary : NumberSink {

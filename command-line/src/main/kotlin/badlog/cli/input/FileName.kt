@@ -1,8 +1,8 @@
 package badlog.cli.input
 
-import badlog.file.LogName
+import badlog.core.text.freeName
+import badlog.files.LogName
 import badlog.report.startOfBytes
-import badlog.text.freeName
 import java.nio.file.Path
 
 /**

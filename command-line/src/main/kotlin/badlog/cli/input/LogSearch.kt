@@ -1,11 +1,11 @@
 package badlog.cli.input
 
-import badlog.file.FolderScan
-import badlog.file.LogFile
-import badlog.file.NaturalOrder
-import badlog.file.UnreadableFileException
-import badlog.file.reading
-import badlog.file.wholeLogs
+import badlog.files.FolderScan
+import badlog.files.LogFile
+import badlog.files.NaturalOrder
+import badlog.files.UnreadableFileException
+import badlog.files.reading
+import badlog.files.wholeLogs
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,7 +1,7 @@
 package badlog.cli.input
 
-import badlog.analysis.Units
-import badlog.analysis.XAxis
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert

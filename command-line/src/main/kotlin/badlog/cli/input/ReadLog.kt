@@ -1,11 +1,11 @@
 package badlog.cli.input
 
-import badlog.file.readRecording
+import badlog.core.recording.NumberSinks
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.NumberSinks
-import badlog.recording.ProblemKind
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import badlog.report.withX
 import badlog.terminal.Progress
 import java.nio.file.Path
@@ -17,7 +17,7 @@ import java.nio.file.Path
  * @throws NotALog if there is nothing to show.
  * @throws badlog.report.TopicException if there is no such topic.
  * @throws Failure if the beginning of a WPILOG is lost.
- * @throws badlog.file.UnreadableFileException if it cannot be read.
+ * @throws badlog.files.UnreadableFileException if it cannot be read.
  */
 internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
     val recording = readRecording(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced)

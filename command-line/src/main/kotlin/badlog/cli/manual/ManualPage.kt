@@ -1,6 +1,6 @@
 package badlog.cli.manual
 
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.PrintHelpMessage

@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-import badlog.recording.Topic
+import badlog.core.recording.Topic
 
 /** Returns whether cell [index] of [one] has the same content as cell [otherIndex] of [other]. */
 internal fun isSameCell(one: Topic, index: Int, other: Topic, otherIndex: Int): Boolean =

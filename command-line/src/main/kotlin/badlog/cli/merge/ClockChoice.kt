@@ -1,15 +1,15 @@
 package badlog.cli.merge
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
-import badlog.file.LogName
-import badlog.rules.station.ClockFit
-import badlog.rules.station.EnabledEdge
-import badlog.rules.station.enabledEdges
-import badlog.rules.station.motorFit
-import badlog.rules.withSignals
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.files.LogName
+import badlog.signals.clock.ClockFit
+import badlog.signals.clock.EnabledEdge
+import badlog.signals.clock.enabledEdges
+import badlog.signals.clock.motorFit
+import badlog.signals.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
 import java.util.IdentityHashMap

@@ -1,18 +1,18 @@
 package badlog.cli.merge
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
-import badlog.analysis.XAxis
-import badlog.analysis.stableOrder
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.output.EVENT_LOG
 import badlog.cli.topic.part
 import badlog.cli.topic.with
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.core.analysis.stableOrder
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 import java.nio.file.Path
 
 /**

@@ -1,12 +1,12 @@
 package badlog.cli.merge
 
-import badlog.analysis.Units
 import badlog.cli.input.Failure
 import badlog.cli.topic.CellSource
 import badlog.cli.topic.TopicBuilder
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.Topic
+import badlog.core.analysis.Units
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
 
 /**
  * Makes one recording of [parts], two or more, which must all have rows.

@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-import badlog.recording.Recording
+import badlog.core.recording.Recording
 
 /**
  * One recording made from several.

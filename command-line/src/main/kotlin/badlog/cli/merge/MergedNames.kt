@@ -1,8 +1,8 @@
 package badlog.cli.merge
 
-import badlog.recording.Value
+import badlog.core.recording.Value
+import badlog.core.text.freeName
 import badlog.rules.PART_VALUE
-import badlog.text.freeName
 
 /** Gives each topic, or each value, of a merge a unique name. */
 internal class MergedNames {

@@ -4,15 +4,15 @@ import badlog.cli.output.Omissions
 import badlog.cli.output.newLog
 import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.record.RecordEntry
+import badlog.formats.wpilog.record.RecordLane
+import badlog.formats.wpilog.record.RecordLog
+import badlog.formats.wpilog.record.RecordMerge
+import badlog.formats.wpilog.record.RecordPiece
 import badlog.rules.PART_VALUE
 import badlog.terminal.Progress
-import badlog.wpilog.record.RecordEntry
-import badlog.wpilog.record.RecordLane
-import badlog.wpilog.record.RecordLog
-import badlog.wpilog.record.RecordMerge
-import badlog.wpilog.record.RecordPiece
 import java.nio.file.Path
 
 /**

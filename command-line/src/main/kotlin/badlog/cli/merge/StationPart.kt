@@ -1,16 +1,16 @@
 package badlog.cli.merge
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
 import badlog.cli.cut.samplePart
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
 import badlog.cli.station.StationLogs
-import badlog.recording.Value
-import badlog.rules.station.ClockFit
-import badlog.rules.station.ClockedLog
-import badlog.rules.station.START_VALUE
-import badlog.rules.station.loggedStart
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.recording.Value
+import badlog.signals.clock.ClockFit
+import badlog.signals.clock.ClockedLog
+import badlog.signals.clock.START_VALUE
+import badlog.signals.clock.loggedStart
 import java.nio.file.Path
 import java.time.LocalDateTime
 import java.time.ZoneOffset

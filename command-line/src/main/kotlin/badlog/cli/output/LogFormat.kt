@@ -3,9 +3,9 @@ package badlog.cli.output
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.topic.part
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.wpilog.WpilogWriter
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.formats.wpilog.WpilogWriter
 import java.nio.file.Path
 
 /**

@@ -3,7 +3,7 @@ package badlog.cli.output
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.wrapped
-import badlog.wpilog.Omission
+import badlog.formats.wpilog.Omission
 
 /**
  * What a written file cannot express, or contains differently than its source.

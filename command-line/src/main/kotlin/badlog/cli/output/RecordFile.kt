@@ -1,19 +1,19 @@
 package badlog.cli.output
 
-import badlog.recording.Recording
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.formats.wpilog.WpilogWriter
+import badlog.formats.wpilog.record.RecordCopy
+import badlog.formats.wpilog.record.RecordEntry
+import badlog.formats.wpilog.record.RecordLog
 import badlog.terminal.Progress
-import badlog.wpilog.WpilogWriter
-import badlog.wpilog.record.RecordCopy
-import badlog.wpilog.record.RecordEntry
-import badlog.wpilog.record.RecordLog
 import java.nio.file.Path
 
 /**
  * Returns the records of [log], a WPILOG, inflated if necessary.
  *
- * @throws badlog.file.UnreadableFileException if it cannot be read.
+ * @throws badlog.files.UnreadableFileException if it cannot be read.
  */
 internal fun recordsOf(log: Path): RecordLog = RecordLog.Reader().run {
     inflate(log) { bytes, size -> accept(bytes, 0, size) }

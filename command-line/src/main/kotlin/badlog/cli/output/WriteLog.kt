@@ -1,11 +1,11 @@
 package badlog.cli.output
 
 import badlog.cli.input.FileName
-import badlog.file.GzipReader
-import badlog.file.reading
-import badlog.file.unpacked
-import badlog.file.writeAtomically
-import badlog.recording.Recording
+import badlog.core.recording.Recording
+import badlog.files.GzipReader
+import badlog.files.reading
+import badlog.files.unpacked
+import badlog.files.writeAtomically
 import badlog.terminal.Progress
 import java.io.OutputStream
 import java.nio.file.Files
@@ -17,7 +17,7 @@ import java.util.zip.GZIPOutputStream
  *
  * @param changesOnly whether to skip samples that equal the previous ones.
  * @return what [format] cannot express.
- * @throws badlog.file.UnwritableFileException if it cannot be written.
+ * @throws badlog.files.UnwritableFileException if it cannot be written.
  * @throws badlog.cli.input.Failure if the format needs rows, and there are none.
  */
 internal fun writeLog(
@@ -37,7 +37,7 @@ internal fun writeLog(
 /**
  * Creates [target] with what [write] writes, atomically; gzipped if its name ends in `.gz`.
  *
- * @throws badlog.file.UnwritableFileException if it cannot be written.
+ * @throws badlog.files.UnwritableFileException if it cannot be written.
  */
 internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T = writeAtomically(target) { out ->
     val gzip = if (FileName.of(target).isGzip) GZIPOutputStream(out, 1 shl 16) else null
@@ -50,8 +50,8 @@ internal fun <T> newLog(target: Path, write: (OutputStream) -> T): T = writeAtom
  * Makes [target] an exact copy of [log], inflated and possibly compressed again, without its last [lostBytes].
  *
  * @param progress called with the number of bytes copied so far, and the total.
- * @throws badlog.file.UnwritableFileException if it cannot be written.
- * @throws badlog.file.UnreadableFileException if the log cannot be read.
+ * @throws badlog.files.UnwritableFileException if it cannot be written.
+ * @throws badlog.files.UnreadableFileException if the log cannot be read.
  */
 internal fun copyBeginning(log: Path, lostBytes: Long, target: Path, progress: Progress) {
     var size = -lostBytes

@@ -1,9 +1,9 @@
 package badlog.cli.output
 
-import badlog.analysis.Units
-import badlog.bag.RecordingWriter
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
+import badlog.core.analysis.Units
+import badlog.core.bag.RecordingWriter
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
 
 /** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that cannot express. */
 internal fun writeRows(

@@ -2,7 +2,7 @@ package badlog.cli.part
 
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
 import java.net.URLClassLoader
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,9 +1,9 @@
 package badlog.cli.part
 
-import badlog.analysis.LogView
-import badlog.file.LogFile
+import badlog.core.analysis.LogView
+import badlog.files.LogFile
 import badlog.rules.RuleSet
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 

@@ -7,11 +7,11 @@ import badlog.cli.text.ProblemJson
 import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
 import badlog.cli.text.problemLines
-import badlog.recording.Loss
-import badlog.recording.Problem
-import badlog.recording.ProblemKind
-import badlog.recording.Recording
-import badlog.recording.Severity
+import badlog.core.recording.Loss
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.core.recording.Severity
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 

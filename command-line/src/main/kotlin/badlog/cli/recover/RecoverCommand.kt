@@ -17,11 +17,11 @@ import badlog.cli.output.copyBeginning
 import badlog.cli.output.copyRecords
 import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
-import badlog.file.readRecording
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.Topic
 import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import java.nio.file.Path

@@ -1,6 +1,5 @@
 package badlog.cli.replay
 
-import badlog.analysis.LogView
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
@@ -20,15 +19,16 @@ import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
+import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
 import badlog.replay.LoggedTopic
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.replay.UnavailablePortException
 import badlog.report.UndefinedJson
-import badlog.rules.withSignals
-import badlog.rules.withVirtualTopics
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default

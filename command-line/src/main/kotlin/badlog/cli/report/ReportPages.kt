@@ -1,7 +1,7 @@
 package badlog.cli.report
 
 import badlog.cli.command.Outcomes
-import badlog.html.ExportException
+import badlog.exporter.ExportException
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome

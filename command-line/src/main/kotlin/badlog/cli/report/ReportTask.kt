@@ -12,8 +12,8 @@ import badlog.cli.search.SearchException
 import badlog.cli.search.rulesBeside
 import badlog.cli.station.StationsBeside
 import badlog.cli.text.jsonOf
-import badlog.html.ExportException
-import badlog.html.fieldFor
+import badlog.exporter.ExportException
+import badlog.exporter.fieldFor
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.report.ReportJson

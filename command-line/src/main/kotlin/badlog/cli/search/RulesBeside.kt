@@ -4,7 +4,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import java.nio.file.Files
 import java.nio.file.Path
 

@@ -1,8 +1,8 @@
 package badlog.cli.search
 
-import badlog.file.UnreadableFileException
-import badlog.file.reading
-import badlog.file.requireRegularFile
+import badlog.files.UnreadableFileException
+import badlog.files.reading
+import badlog.files.requireRegularFile
 import badlog.report.hook.HookRunner
 import badlog.rules.RulesException
 import badlog.rules.RulesFile

@@ -1,16 +1,16 @@
 package badlog.cli.station
 
 import badlog.cli.search.signalsBeside
-import badlog.driverstation.DriverStationFormat
-import badlog.file.LogFile
-import badlog.file.readStationLog
-import badlog.file.reading
-import badlog.file.startOfStationLog
-import badlog.file.stationLogsIn
+import badlog.files.LogFile
+import badlog.files.readStationLog
+import badlog.files.reading
+import badlog.files.startOfStationLog
+import badlog.files.stationLogsIn
 import badlog.formats.LOG_FORMATS
-import badlog.rules.station.ClockedLog
-import badlog.rules.station.FoundStation
-import badlog.rules.station.StationSearch
+import badlog.formats.driverstation.DriverStationFormat
+import badlog.signals.clock.ClockedLog
+import badlog.signals.clock.FoundStation
+import badlog.signals.clock.StationSearch
 import java.nio.file.Path
 
 /** The Driver Station logs below [folder]. Safe for several threads. */

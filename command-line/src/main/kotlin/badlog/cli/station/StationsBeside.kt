@@ -1,15 +1,15 @@
 package badlog.cli.station
 
-import badlog.analysis.LogView
 import badlog.cli.text.JsonNumber
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
-import badlog.file.LogFile
-import badlog.recording.RecordingFormat
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.station.ClockFit
-import badlog.rules.station.ClockedLog
-import badlog.rules.station.RobotBesideStation
+import badlog.core.analysis.LogView
+import badlog.core.recording.RecordingFormat
+import badlog.files.LogFile
+import badlog.signals.clock.ClockFit
+import badlog.signals.clock.ClockedLog
+import badlog.signals.clock.RobotBesideStation
+import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path

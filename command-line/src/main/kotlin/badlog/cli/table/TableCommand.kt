@@ -21,7 +21,7 @@ import badlog.report.table.TableRowJson
 import badlog.report.table.notesOf
 import badlog.report.table.tableCsv
 import badlog.report.table.tableText
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag

@@ -1,7 +1,7 @@
 package badlog.cli.text
 
-import badlog.recording.Loss
-import badlog.recording.Problem
+import badlog.core.recording.Loss
+import badlog.core.recording.Problem
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.descriptors.PrimitiveKind

@@ -1,6 +1,6 @@
 package badlog.cli.text
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.abs

@@ -1,8 +1,8 @@
 package badlog.cli.text
 
+import badlog.core.recording.Problem
+import badlog.core.recording.Severity
 import badlog.expression.ExpressionError
-import badlog.recording.Problem
-import badlog.recording.Severity
 
 /** Returns a line or more for each of [problems], the worst first, indented by [indent]. */
 internal fun problemLines(problems: List<Problem>, indent: String = ""): List<String> =

@@ -1,9 +1,9 @@
 package badlog.cli.topic
 
-import badlog.recording.CellCounts
-import badlog.recording.TextColumn
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.recording.CellCounts
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 
 /**
  * Builds a topic that is called [name] and is otherwise described as [like], sample by sample.

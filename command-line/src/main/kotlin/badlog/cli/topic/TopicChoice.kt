@@ -1,9 +1,9 @@
 package badlog.cli.topic
 
-import badlog.analysis.LogView
 import badlog.cli.input.Failure
-import badlog.recording.Recording
-import badlog.rules.signal.NamePattern
+import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
+import badlog.signals.vocabulary.NamePattern
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple

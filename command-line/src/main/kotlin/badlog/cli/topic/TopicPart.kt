@@ -1,7 +1,7 @@
 package badlog.cli.topic
 
-import badlog.recording.Recording
-import badlog.recording.Topic
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
 
 /** Returns the samples [indices] of this topic, in this order, at [times], or in rows if that is null. */
 internal fun Topic.part(indices: IntArray, times: DoubleArray? = null): Topic {

@@ -10,7 +10,7 @@ import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.sampleLog
 import badlog.cli.with
-import badlog.python.TestPython
+import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

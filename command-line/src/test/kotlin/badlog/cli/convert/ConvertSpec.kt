@@ -8,7 +8,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

@@ -10,10 +10,10 @@ import badlog.cli.names
 import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.cli.wpilog
-import badlog.file.readRecording
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain

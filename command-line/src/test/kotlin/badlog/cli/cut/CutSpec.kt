@@ -1,6 +1,5 @@
 package badlog.cli.cut
 
-import badlog.analysis.Span
 import badlog.cli.BAG
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
@@ -9,9 +8,10 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.with
-import badlog.file.readRecording
+import badlog.core.analysis.Span
+import badlog.core.recording.Value
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Value
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly

@@ -1,6 +1,5 @@
 package badlog.cli.cut
 
-import badlog.analysis.Span
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -8,10 +7,11 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.wpilog
-import badlog.file.readRecording
+import badlog.core.analysis.Span
+import badlog.core.recording.Recording
+import badlog.core.recording.TopicKind
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
-import badlog.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

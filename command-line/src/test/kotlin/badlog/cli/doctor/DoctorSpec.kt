@@ -7,10 +7,10 @@ import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
 import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.Patience
 import badlog.fetch.RobotAddress
-import badlog.file.UserFolders
-import badlog.html.BADLOG_VERSION
+import badlog.files.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

@@ -9,8 +9,8 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
-import badlog.html.additionsIn
-import badlog.python.HAS_PYTHON
+import badlog.core.python.HAS_PYTHON
+import badlog.exporter.additionsIn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

@@ -1,6 +1,5 @@
 package badlog.cli.info
 
-import badlog.analysis.LogView
 import badlog.cli.BAG
 import badlog.cli.Badlog
 import badlog.cli.CUT_BAG
@@ -14,9 +13,10 @@ import badlog.cli.inFolder
 import badlog.cli.text.jsonOf
 import badlog.cli.topic.TopicChoice
 import badlog.cli.with
-import badlog.file.readRecording
+import badlog.core.analysis.LogView
+import badlog.core.recording.NumberSinks
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.NumberSinks
 import badlog.report.NamedTopics
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -7,9 +7,9 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
-import badlog.file.readRecording
+import badlog.core.recording.Recording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus

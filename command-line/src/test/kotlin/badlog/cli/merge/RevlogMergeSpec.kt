@@ -5,7 +5,7 @@ import badlog.cli.badlog
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus

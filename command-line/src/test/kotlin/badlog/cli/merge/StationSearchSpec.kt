@@ -6,12 +6,12 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
-import badlog.driverstation.STATION_START
-import badlog.driverstation.Status
-import badlog.driverstation.TestDsevents
-import badlog.driverstation.TestDslog
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.driverstation.STATION_START
+import badlog.formats.driverstation.Status
+import badlog.formats.driverstation.TestDsevents
+import badlog.formats.driverstation.TestDslog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.plusOrMinus

@@ -9,7 +9,7 @@ import badlog.cli.computer.Computer
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
-import badlog.file.UserFolders
+import badlog.files.UserFolders
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

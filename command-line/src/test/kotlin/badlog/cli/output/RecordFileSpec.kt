@@ -6,7 +6,7 @@ import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.wpilog
-import badlog.wpilog.record.RecordEntry
+import badlog.formats.wpilog.record.RecordEntry
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldContain

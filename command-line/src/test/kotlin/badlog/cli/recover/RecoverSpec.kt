@@ -11,7 +11,7 @@ import badlog.cli.gzip
 import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

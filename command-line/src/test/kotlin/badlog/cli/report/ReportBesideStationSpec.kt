@@ -6,9 +6,9 @@ import badlog.cli.badlogJson
 import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
-import badlog.driverstation.STATION_START
-import badlog.driverstation.Status
-import badlog.driverstation.TestDslog
+import badlog.formats.driverstation.STATION_START
+import badlog.formats.driverstation.Status
+import badlog.formats.driverstation.TestDslog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

@@ -10,7 +10,7 @@ import badlog.cli.console.Console
 import badlog.cli.console.ResultStream
 import badlog.cli.inFolder
 import badlog.cli.with
-import badlog.python.HAS_PYTHON
+import badlog.core.python.HAS_PYTHON
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

@@ -8,11 +8,11 @@ private val NAME = Regex("`([^`]+)`")
  * A row of the table of modules in `docs/architecture.md`.
  *
  * @property module its folder; those in `libraries/` go without it.
- * @property sourceSets its source sets that the row is about; empty for all.
+ * @property packageName what the names of its packages begin with; empty for a module without packages.
  * @property mayUse the modules that its code may use.
  * @property testsMayUse those that only its tests may use.
  */
-internal class ModuleRow(val module: String, val sourceSets: List<String>, val mayUse: List<String>, val testsMayUse: List<String>)
+internal class ModuleRow(val module: String, val packageName: String, val mayUse: List<String>, val testsMayUse: List<String>)
 
 /** The rows of the one table of [file] whose first heading is “module”. */
 internal fun moduleTable(file: File): List<ModuleRow> = file.readLines()
@@ -21,6 +21,6 @@ internal fun moduleTable(file: File): List<ModuleRow> = file.readLines()
     .takeWhile { it.startsWith('|') }
     .map { line ->
         val cells = line.removeSurrounding("|").split('|').map { cell -> NAME.findAll(cell).map { it.groupValues[1] }.toList() }
-        check(cells.size == 4) { "${file.name} has a table of modules with four columns; this row has ${cells.size}: $line" }
-        ModuleRow(cells[0].first(), cells[0].drop(1), cells[2], cells[3])
+        check(cells.size == 5) { "${file.name} has a table of modules with five columns; this row has ${cells.size}: $line" }
+        ModuleRow(cells[0].single(), cells[1].singleOrNull().orEmpty(), cells[3], cells[4])
     }

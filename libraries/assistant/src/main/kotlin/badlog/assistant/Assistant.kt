@@ -16,7 +16,7 @@ import badlog.assistant.tool.TableOfLogs
 import badlog.cli.command.ExitCode
 import badlog.cli.part.McpService
 import badlog.cli.part.SeasonService
-import badlog.file.UnreadableFileException
+import badlog.files.UnreadableFileException
 import kotlinx.coroutines.runBlocking
 import java.io.InputStream
 import java.io.OutputStream

@@ -4,8 +4,8 @@ import badlog.assistant.call.AnswerText
 import badlog.assistant.call.Arguments
 import badlog.assistant.call.AssistantTool
 import badlog.assistant.call.ToolException
-import badlog.file.UnreadableFileException
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
+import badlog.files.UnreadableFileException
 import io.modelcontextprotocol.kotlin.sdk.server.Server
 import io.modelcontextprotocol.kotlin.sdk.server.ServerOptions
 import io.modelcontextprotocol.kotlin.sdk.server.StdioServerTransport

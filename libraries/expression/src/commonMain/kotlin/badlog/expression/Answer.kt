@@ -1,7 +1,7 @@
 package badlog.expression
 
-import badlog.analysis.Span
-import badlog.analysis.Units
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
 
 /**
  * The result of an [Expression] for one recording.
@@ -18,27 +18,27 @@ import badlog.analysis.Units
  * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
  * @property occurrences one for each of [spans], with the values just before, if the question asks for them; otherwise empty.
  */
-public class Answer internal constructor(
-    public val outcome: Outcome,
-    public val spans: List<Span>,
-    public val times: Int,
-    public val quantities: List<Quantity>,
-    public val timeUnit: String,
-    public val reason: String? = null,
-    public val occurrences: List<Occurrence> = emptyList(),
+class Answer internal constructor(
+    val outcome: Outcome,
+    val spans: List<Span>,
+    val times: Int,
+    val quantities: List<Quantity>,
+    val timeUnit: String,
+    val reason: String? = null,
+    val occurrences: List<Occurrence> = emptyList(),
     private val firstOver: (List<Span>) -> List<Quantity?> = { spans -> spans.map { null } },
 ) {
     /**
      * Returns the first of [quantities] for each of [some] of the [spans] alone, in order; null if it does not belong to a condition
      * over time, and if there is no sample.
      */
-    public fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
+    fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
 
     /** Whether the expression holds. */
-    public val matches: Boolean get() = outcome == Outcome.HOLDS
+    val matches: Boolean get() = outcome == Outcome.HOLDS
 
     /** Where to look first: the start of the first span, or else where the first quantity was found; NaN if neither exists. */
-    public val time: Double
+    val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
     /** Returns the answer in one line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
@@ -69,10 +69,10 @@ public class Answer internal constructor(
  * @property span when it happened.
  * @property before the values just before it: each requested expression as written, with its number and unit, or its text.
  */
-public class Occurrence(public val span: Span, public val before: List<Pair<String, String>>)
+class Occurrence(val span: Span, val before: List<Pair<String, String>>)
 
 /** The outcome of a question. */
-public enum class Outcome {
+enum class Outcome {
     /** Yes: it holds, or does at some time. */
     HOLDS,
 

@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import badlog.expression.checking.unitOf
 import badlog.expression.samples.Column
 import badlog.expression.samples.Scalar

@@ -1,7 +1,7 @@
 package badlog.expression
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.Series
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Series
 import badlog.expression.samples.Column
 import badlog.expression.samples.Operation
 import badlog.expression.samples.Scalar

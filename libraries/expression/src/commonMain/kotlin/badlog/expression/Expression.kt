@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import badlog.expression.checking.BoundsCheck
 import badlog.expression.checking.Checker
 import badlog.expression.checking.UnitChecker
@@ -27,35 +27,34 @@ import badlog.expression.syntax.printed
  * @property text its source text.
  * @property vocabulary the names it was read with.
  */
-public class Expression internal constructor(public val text: String, public val vocabulary: Vocabulary, internal val root: Node) :
-    ParsedExpression {
+class Expression internal constructor(val text: String, val vocabulary: Vocabulary, internal val root: Node) : ParsedExpression {
     /** The type of its result. */
-    public val type: ExpressionType = ExpressionType(root.type.kind == Kind.CONDITION, root.type.isOverTime)
+    val type: ExpressionType = ExpressionType(root.type.kind == Kind.CONDITION, root.type.isOverTime)
 
     /** The full names of the topics it uses, in order of first appearance. */
-    public val topics: List<String> = LinkedHashSet<String>().also { addTopics(root, it) }.toList()
+    val topics: List<String> = LinkedHashSet<String>().also { addTopics(root, it) }.toList()
 
     /** Returns whether it holds in the recording of [signals], when, and with which numbers. */
-    public fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
+    fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
      * Returns the same as [answer] if the condition holds in the recording of [signals], otherwise null. Of conditions joined by
      * `and`, the first that never holds decides, so rare and cheap ones should come first.
      */
-    public fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
+    fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
 
     /**
      * Returns whether the condition may hold if the samples of each topic are within [bounds], which returns null for a topic about which
      * nothing is known. If it returns false, there is no need to call [answer].
      */
-    public fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
+    fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
     /**
      * Returns its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from start to
      * end. Something that happens at moments has its value only there: in rows, if the recording has them, otherwise as a pulse without
      * width.
      */
-    public fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
+    fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
         is Column -> {
             val column = if (value.isMomentary) value.pulses(signals.rows, if (type.isCondition) 0.0 else Double.NaN) else value
             Series(column.stretches?.logged(column.x) ?: column.x, column.y)
@@ -78,9 +77,9 @@ public class Expression internal constructor(public val text: String, public val
         for (child in node.children) addTopics(child, names)
     }
 
-    public companion object {
+    companion object {
         /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
-        public fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
+        fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
 
         /** Reads [text], whose result may also be a text, such as a topic of states. */
         internal fun parseAny(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = true)
@@ -99,7 +98,7 @@ public class Expression internal constructor(public val text: String, public val
 }
 
 /** The result of parsing: an [Expression], or the [ExpressionError] that says why it failed. */
-public sealed interface ParsedExpression
+sealed interface ParsedExpression
 
 /**
  * The type of an expression's result.
@@ -107,4 +106,4 @@ public sealed interface ParsedExpression
  * @property isCondition whether it is true and false, rather than numbers.
  * @property isOverTime whether there is one for each moment, rather than one for the whole recording.
  */
-public data class ExpressionType(public val isCondition: Boolean, public val isOverTime: Boolean)
+data class ExpressionType(val isCondition: Boolean, val isOverTime: Boolean)

@@ -11,17 +11,17 @@ import badlog.expression.syntax.ExpressionErrorKind
  * @property kind what sort of mistake it is.
  * @property message what is wrong, as a sentence.
  */
-public class ExpressionError internal constructor(
-    public val text: String,
-    public val from: Int,
-    public val until: Int,
-    public val kind: ExpressionErrorKind,
-    public val message: String,
+class ExpressionError internal constructor(
+    val text: String,
+    val from: Int,
+    val until: Int,
+    val kind: ExpressionErrorKind,
+    val message: String,
 ) : ParsedExpression,
     ParsedQuestion,
     ParsedVirtualTopic {
     /** Returns the message, and below it the text's line with a line of carets that point at the mistake. */
-    public fun pointed(): String {
+    fun pointed(): String {
         // On Node, a search from -1 looks at index 0.
         val lineFrom = if (from == 0) 0 else text.lastIndexOf('\n', from - 1) + 1
         val lineUntil = text.indexOf('\n', lineFrom).let { if (it < 0) text.length else it }

@@ -1,25 +1,25 @@
 package badlog.expression
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.GraphSeries
-import badlog.analysis.LogView
-import badlog.analysis.Series
-import badlog.analysis.Span
-import badlog.analysis.Units
-import badlog.analysis.XAxis
-import badlog.analysis.enabledSpans
-import badlog.analysis.knowsAutonomous
-import badlog.analysis.knowsEnabled
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.core.analysis.enabledSpans
+import badlog.core.analysis.knowsAutonomous
+import badlog.core.analysis.knowsEnabled
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 import badlog.expression.samples.Stretches
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
-import badlog.recording.Topic
-import badlog.recording.TopicKind
 
 /** The topics of [view] as expressions see them. Not thread-safe. */
-public class LogViewSignals(private val view: LogView) : Signals {
+class LogViewSignals(private val view: LogView) : Signals {
     private val topics = view.recording.topics.associateBy { it.name }
     private val lines = HashMap<String, GraphSeries>()
     private val events = HashMap<String, Series>()
@@ -94,7 +94,7 @@ public class LogViewSignals(private val view: LogView) : Signals {
 }
 
 /** Returns [topic] as expressions see it. */
-public fun signalOf(topic: Topic): Signal = Signal(topic.name, kindOf(topic), topic.unit)
+fun signalOf(topic: Topic): Signal = Signal(topic.name, kindOf(topic), topic.unit)
 
 private fun kindOf(topic: Topic) = when (topic.kind) {
     TopicKind.EMPTY, TopicKind.NUMERIC -> SignalKind.NUMBER

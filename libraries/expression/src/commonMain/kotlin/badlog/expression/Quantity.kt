@@ -15,9 +15,9 @@ import kotlin.math.round
  * @property unit its unit if known, otherwise empty.
  * @property time where it was found, in the unit of the recording's x; NaN if it has no place.
  */
-public data class Quantity(public val name: String, public val value: Double, public val unit: String, public val time: Double) {
+data class Quantity(val name: String, val value: Double, val unit: String, val time: Double) {
     /** The number with its unit, in at most six digits: `6.7 V`. */
-    public val text: String get() = readable(value) + if (unit.isEmpty() || !value.isFinite()) "" else " $unit"
+    val text: String get() = readable(value) + if (unit.isEmpty() || !value.isFinite()) "" else " $unit"
 
     /** Returns text such as `min(Battery Voltage) = 6.7 V`. */
     override fun toString(): String = "$name = $text"

@@ -13,15 +13,15 @@ import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node
 
 /** The result of parsing: a [Question], or the [ExpressionError] that says why it failed. */
-public sealed interface ParsedQuestion
+sealed interface ParsedQuestion
 
 /**
  * What a person asks about a log: an [Expression]; one for each of several topics or states, such as `max("PDP/Current *") by
  * topic` and `total by State`; or each occurrence of something with the values just before, such as `each(Browned Out, State)`.
  */
-public sealed class Question : ParsedQuestion {
+sealed class Question : ParsedQuestion {
     /** Returns the answer for [signals]. */
-    public abstract fun answer(signals: Signals): Answer
+    abstract fun answer(signals: Signals): Answer
 
     private class Plain(val expression: Expression) : Question() {
         override fun answer(signals: Signals) = expression.answer(signals)
@@ -63,9 +63,9 @@ public sealed class Question : ParsedQuestion {
         }
     }
 
-    public companion object {
+    companion object {
         /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
-        public fun parse(text: String, vocabulary: Vocabulary): ParsedQuestion {
+        fun parse(text: String, vocabulary: Vocabulary): ParsedQuestion {
             val parsed = Expression.parse(text, vocabulary)
             if (parsed is Expression) return Plain(parsed)
             val error = parsed as ExpressionError

@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import badlog.expression.samples.Column
 
 /**

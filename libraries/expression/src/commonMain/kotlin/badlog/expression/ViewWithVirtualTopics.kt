@@ -1,16 +1,16 @@
 package badlog.expression
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.LogView
-import badlog.analysis.Series
-import badlog.analysis.Span
-import badlog.analysis.XAxis
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.analysis.XAxis
+import badlog.core.recording.CellCounts
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
 import badlog.expression.samples.Stretches
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
-import badlog.recording.CellCounts
-import badlog.recording.TextColumn
-import badlog.recording.Topic
 
 /**
  * A view with virtual topics.
@@ -19,22 +19,18 @@ import badlog.recording.Topic
  * @property topics the virtual topics, in the order of their definitions.
  * @property errors why other definitions failed, in order.
  */
-public class ViewWithVirtualTopics internal constructor(
-    public val view: LogView,
-    public val topics: List<VirtualTopic>,
-    public val errors: List<ExpressionError>,
-)
+class ViewWithVirtualTopics internal constructor(val view: LogView, val topics: List<VirtualTopic>, val errors: List<ExpressionError>)
 
 /**
  * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. Failures are
  * listed, and do not affect the others.
  *
- * The [metadata][badlog.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they
+ * The [metadata][badlog.core.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they
  * share the rows if they have a sample in each.
  *
  * @param names what the definitions may name: the topics of this view, possibly under additional names.
  */
-public fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics {
+fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics {
     val defined = DefinedTopics(names, definitions)
     if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
     val extended = recording.run {
@@ -45,10 +41,10 @@ public fun LogView.withVirtualTopics(definitions: List<String>, names: Signals =
 }
 
 /** Returns why some of [definitions] fail with the topics in [names], in order. Calculates nothing, so no samples are needed. */
-public fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors
+fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors
 
 /** Returns the vocabulary of [names] with the topics of [definitions]. Calculates nothing, so no samples are needed. */
-public fun vocabularyWith(names: Signals, definitions: List<String>): Vocabulary = DefinedTopics(names, definitions).signals.vocabulary
+fun vocabularyWith(names: Signals, definitions: List<String>): Vocabulary = DefinedTopics(names, definitions).signals.vocabulary
 
 private class DefinedTopics(names: Signals, definitions: List<String>) {
     val topics = ArrayList<VirtualTopic>()
@@ -74,7 +70,7 @@ private class DefinedTopics(names: Signals, definitions: List<String>) {
  * Returns these signals with the virtual [topic], which may have been parsed with this vocabulary or an earlier one that
  * it extends. So virtual topics can use others.
  */
-public fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this, topic)
+fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this, topic)
 
 private class SignalsWithVirtual(private val others: Signals, private val topic: VirtualTopic) : Signals {
     private val samples by lazy { topic.series(others) }

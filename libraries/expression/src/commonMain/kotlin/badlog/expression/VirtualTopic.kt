@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
@@ -17,14 +17,13 @@ import badlog.expression.syntax.Scanner
  * @property unit the unit; empty for none.
  * @property expression the expression that calculates it.
  */
-public class VirtualTopic private constructor(public val name: String, public val unit: String, public val expression: Expression) :
-    ParsedVirtualTopic {
+class VirtualTopic private constructor(val name: String, val unit: String, val expression: Expression) : ParsedVirtualTopic {
     /** Its signal, as expressions see it. */
-    public val signal: Signal
+    val signal: Signal
         get() = Signal(name, if (expression.type.isCondition) SignalKind.CONDITION else SignalKind.NUMBER, unit)
 
     /** Its samples over [signals], see [Expression.series]. */
-    public fun series(signals: Signals): Series = expression.series(signals)
+    fun series(signals: Signals): Series = expression.series(signals)
 
     override fun toString(): String {
         val isPlain = name.none { it in "\"=[]" } && name == name.trim()
@@ -32,12 +31,12 @@ public class VirtualTopic private constructor(public val name: String, public va
         return "$shownName ${if (unit.isEmpty()) "" else "[$unit] "}= $expression"
     }
 
-    public companion object {
+    companion object {
         /**
          * Reads a definition: the name, in double quotes if it contains one of `" = [ ]`; an optional unit in brackets; `=`;
          * and an expression with the names of [vocabulary]. Never throws, whatever the text.
          */
-        public fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
+        fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)
             val taken = vocabulary.signals.find { it.name == heading.name }
             if (taken != null && taken.name !in vocabulary.meanings) heading.fail("“${heading.name}” already exists; use another name.")
@@ -60,7 +59,7 @@ public class VirtualTopic private constructor(public val name: String, public va
 }
 
 /** The result of parsing a definition: a [VirtualTopic], or the [ExpressionError] that says why it failed. */
-public sealed interface ParsedVirtualTopic
+sealed interface ParsedVirtualTopic
 
 /** The part before the expression in the definition [text] of a virtual topic, including the `=`. */
 internal class VirtualTopicHeading(private val text: String) {

@@ -1,6 +1,6 @@
 package badlog.expression
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import io.kotest.core.spec.style.FunSpec

@@ -1,8 +1,8 @@
 package badlog.expression
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.Series
-import badlog.analysis.Span
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals

@@ -1,8 +1,8 @@
 package badlog.expression
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.bag.BagParser
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

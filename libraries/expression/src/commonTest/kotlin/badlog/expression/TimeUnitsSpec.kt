@@ -1,7 +1,7 @@
 package badlog.expression
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
 import badlog.expression.signals.Signals
 import badlog.expression.syntax.ExpressionErrorKind
 import io.kotest.core.spec.style.FunSpec

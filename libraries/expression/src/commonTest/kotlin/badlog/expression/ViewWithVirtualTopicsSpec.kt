@@ -1,9 +1,9 @@
 package badlog.expression
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.shouldBeNaN

@@ -1,11 +1,11 @@
 package badlog.expression
 
-import badlog.analysis.FlagReading
-import badlog.analysis.FlagTopic
-import badlog.analysis.LogView
-import badlog.analysis.ModeTopics
-import badlog.analysis.Span
-import badlog.bag.BagParser
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.FlagTopic
+import badlog.core.analysis.LogView
+import badlog.core.analysis.ModeTopics
+import badlog.core.analysis.Span
+import badlog.core.bag.BagParser
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary

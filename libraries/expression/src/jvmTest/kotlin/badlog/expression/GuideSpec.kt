@@ -1,11 +1,11 @@
 package badlog.expression
 
-import badlog.analysis.FlagReading
-import badlog.analysis.FlagTopic
-import badlog.analysis.LogView
-import badlog.analysis.ModeTopics
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.FlagTopic
+import badlog.core.analysis.LogView
+import badlog.core.analysis.ModeTopics
 import badlog.expression.signals.Signals
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,10 +1,10 @@
 package badlog.fetch
 
 /** Thrown if logs could not be fetched. The message is one sentence for the user: what, where, and what to do next. */
-public sealed class FetchException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+sealed class FetchException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /** No robot answers at any of its addresses. */
-public class NoRobotException internal constructor(addresses: List<RobotAddress>) :
+class NoRobotException internal constructor(addresses: List<RobotAddress>) :
     FetchException(
         "No robot answers at ${addresses.joinToString()}; connect to its network or by USB, or type its address.",
     )
@@ -14,13 +14,13 @@ public class NoRobotException internal constructor(addresses: List<RobotAddress>
  *
  * @property address where it answers.
  */
-public class LoginRefusedException internal constructor(public val address: RobotAddress, users: List<String>) :
+class LoginRefusedException internal constructor(val address: RobotAddress, users: List<String>) :
     FetchException(
         "$address refuses the password of ${users.distinct().joinToString(" and ")}; set BADLOG_ROBOT_PASSWORD, or use --user.",
     )
 
 /** The robot's host key is not trusted. */
-public class HostKeyRefusedException internal constructor(question: HostKeyQuestion) :
+class HostKeyRefusedException internal constructor(question: HostKeyQuestion) :
     FetchException(
         if (question.isChanged) {
             "The host key of ${question.address} has changed to ${question.fingerprint}; if the robot was " +
@@ -30,7 +30,7 @@ public class HostKeyRefusedException internal constructor(question: HostKeyQuest
         },
     ) {
     /** Where the robot answers. */
-    public val address: RobotAddress = question.address
+    val address: RobotAddress = question.address
 }
 
 /**
@@ -38,12 +38,12 @@ public class HostKeyRefusedException internal constructor(question: HostKeyQuest
  *
  * @property address where it answers.
  */
-public class UnknownStateException internal constructor(public val address: RobotAddress, reason: String) :
+class UnknownStateException internal constructor(val address: RobotAddress, reason: String) :
     FetchException("It is unknown whether the robot at $address is enabled: $reason. Start its program, or use --anyway.")
 
 /** The connection was lost and could not be restored. What was copied is kept for the next time. */
-public class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
+class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
     FetchException("The connection to $address was lost ($reason); fetch again to resume.", cause)
 
 /** There is not enough room on this computer. */
-public class NoRoomException internal constructor(message: String) : FetchException(message)
+class NoRoomException internal constructor(message: String) : FetchException(message)

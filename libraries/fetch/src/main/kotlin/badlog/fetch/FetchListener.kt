@@ -13,14 +13,14 @@ import java.nio.file.Path
  * @property isLog whether it can be read as a log.
  * @property isSalvaged whether some of its data is lost.
  */
-public class FetchedLog internal constructor(
-    public val path: String,
-    public val file: Path,
-    public val bytes: Long,
-    public val resumedAt: Long,
-    public val title: String?,
-    public val isLog: Boolean,
-    public val isSalvaged: Boolean,
+class FetchedLog internal constructor(
+    val path: String,
+    val file: Path,
+    val bytes: Long,
+    val resumedAt: Long,
+    val title: String?,
+    val isLog: Boolean,
+    val isSalvaged: Boolean,
 )
 
 /**
@@ -30,33 +30,33 @@ public class FetchedLog internal constructor(
  * @property newBytes their total size in bytes.
  * @property knownLogs the number of logs that are already here.
  */
-public class FoundLogs internal constructor(public val newLogs: Int, public val newBytes: Long, public val knownLogs: Int)
+class FoundLogs internal constructor(val newLogs: Int, val newBytes: Long, val knownLogs: Int)
 
 /** Receives the events of a fetch, on its thread. An exception from it ends the fetch. */
-public interface FetchListener {
+interface FetchListener {
     /** The robot at [address] accepted [user]. */
-    public fun connected(address: RobotAddress, user: String) {}
+    fun connected(address: RobotAddress, user: String) {}
 
     /** The robot is enabled: the fetch waits until it is disabled. */
-    public fun waiting(address: RobotAddress) {}
+    fun waiting(address: RobotAddress) {}
 
     /** The connection was lost because of [reason], and will be retried. */
-    public fun retrying(address: RobotAddress, reason: String) {}
+    fun retrying(address: RobotAddress, reason: String) {}
 
     /** The robot's folders were listed. */
-    public fun found(logs: FoundLogs) {}
+    fun found(logs: FoundLogs) {}
 
     /** [done] of the [total] bytes of the log [name] are here. */
-    public fun advanced(name: String, done: Long, total: Long) {}
+    fun advanced(name: String, done: Long, total: Long) {}
 
     /** A log was fetched. */
-    public fun fetched(log: FetchedLog) {}
+    fun fetched(log: FetchedLog) {}
 
     /** The robot's log at [path] was skipped because of [message]; [isGrowing] if a later fetch will include it. */
-    public fun skipped(path: String, message: String, isGrowing: Boolean) {}
+    fun skipped(path: String, message: String, isGrowing: Boolean) {}
 
     /** The log at [path] was removed from the robot. */
-    public fun deleted(path: String) {}
+    fun deleted(path: String) {}
 }
 
 /**
@@ -67,9 +67,4 @@ public interface FetchListener {
  * @property fetched the fetched logs, newest first.
  * @property known the number of logs that were already here.
  */
-public class FetchSummary internal constructor(
-    public val address: RobotAddress,
-    public val user: String,
-    public val fetched: List<FetchedLog>,
-    public val known: Int,
-)
+class FetchSummary internal constructor(val address: RobotAddress, val user: String, val fetched: List<FetchedLog>, val known: Int)

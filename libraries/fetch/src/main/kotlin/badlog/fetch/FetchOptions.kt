@@ -15,12 +15,12 @@ import java.time.Duration
  * @property acceptsNewHostKeys true to trust every robot without asking.
  * @property password the robot's password, tried before the known ones; or null.
  */
-public class FetchOptions(
-    public val folder: Path,
-    public val robotFolders: List<String>? = null,
-    public val anyway: Boolean = false,
-    public val bytesPerSecond: Long? = null,
-    public val deleteOlderThan: Duration? = null,
-    public val acceptsNewHostKeys: Boolean = false,
-    public val password: String? = null,
+class FetchOptions(
+    val folder: Path,
+    val robotFolders: List<String>? = null,
+    val anyway: Boolean = false,
+    val bytesPerSecond: Long? = null,
+    val deleteOlderThan: Duration? = null,
+    val acceptsNewHostKeys: Boolean = false,
+    val password: String? = null,
 )

@@ -8,23 +8,19 @@ package badlog.fetch
  * @property isChanged whether another key was trusted at this address: robots get a new one when they are reimaged, and two robots of
  *   a team share an address.
  */
-public class HostKeyQuestion internal constructor(
-    public val address: RobotAddress,
-    public val fingerprint: String,
-    public val isChanged: Boolean,
-)
+class HostKeyQuestion internal constructor(val address: RobotAddress, val fingerprint: String, val isChanged: Boolean)
 
 /** Questions to a person before logs can be fetched. Called on the fetching thread, which waits. */
-public interface FetchQuestions {
+interface FetchQuestions {
     /** Returns whether to trust the robot of [question], now and in the future. */
-    public fun trusts(question: HostKeyQuestion): Boolean
+    fun trusts(question: HostKeyQuestion): Boolean
 
     /** Returns the password of [user] at [address], after the known ones were refused; null for none. */
-    public fun password(user: String, address: RobotAddress): String?
+    fun password(user: String, address: RobotAddress): String?
 
-    public companion object {
+    companion object {
         /** For use without a person: no key is trusted, and no password is known. */
-        public val NOBODY: FetchQuestions = object : FetchQuestions {
+        val NOBODY: FetchQuestions = object : FetchQuestions {
             override fun trusts(question: HostKeyQuestion): Boolean = false
 
             override fun password(user: String, address: RobotAddress): String? = null

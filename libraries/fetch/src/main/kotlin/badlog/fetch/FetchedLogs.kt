@@ -1,6 +1,6 @@
 package badlog.fetch
 
-import badlog.file.writing
+import badlog.files.writing
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
@@ -85,7 +85,7 @@ internal class FetchedLogs private constructor(private val folder: Path, private
          * Opens the logs fetched into [folder], which is created if necessary.
          *
          * @throws NoRoomException while another program fetches into it.
-         * @throws badlog.file.UnwritableFileException if it cannot be written to.
+         * @throws badlog.files.UnwritableFileException if it cannot be written to.
          */
         fun open(folder: Path): FetchedLogs = writing(folder) {
             Files.createDirectories(folder)

@@ -1,7 +1,7 @@
 package badlog.fetch
 
-import badlog.file.reading
-import badlog.file.writeAtomically
+import badlog.files.reading
+import badlog.files.writeAtomically
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readLines
@@ -11,7 +11,7 @@ import kotlin.io.path.readLines
  * is trusted at all others, since only that robot has it: over USB, nobody is asked again. Several keys may be trusted at one address,
  * since the robots of a team share it.
  */
-public class KnownHosts(private val file: Path) {
+class KnownHosts(private val file: Path) {
     private class Line(val host: String, val key: String)
 
     /** Returns whether the robot with [key] is known. */
@@ -23,7 +23,7 @@ public class KnownHosts(private val file: Path) {
     /**
      * Trusts [key] at [address] from now on.
      *
-     * @throws badlog.file.UnwritableFileException if it cannot be stored.
+     * @throws badlog.files.UnwritableFileException if it cannot be stored.
      */
     internal fun trust(address: RobotAddress, key: String) {
         val all = texts() + "${hostOf(address)} $key"

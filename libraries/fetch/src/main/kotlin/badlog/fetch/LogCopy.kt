@@ -1,7 +1,7 @@
 package badlog.fetch
 
-import badlog.file.reading
-import badlog.file.writing
+import badlog.files.reading
+import badlog.files.writing
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel

@@ -1,7 +1,7 @@
 package badlog.fetch
 
-import badlog.file.UnreadableFileException
-import badlog.file.UnwritableFileException
+import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
 import java.io.IOException
 
 /**
@@ -14,9 +14,9 @@ import java.io.IOException
  * @property options what to fetch, and how.
  * @param hosts the robots that are trusted.
  */
-public class LogFetch(
+class LogFetch(
     private val addresses: List<RobotAddress>,
-    public val options: FetchOptions,
+    val options: FetchOptions,
     private val hosts: KnownHosts,
     private val questions: FetchQuestions = FetchQuestions.NOBODY,
     private val patience: Patience = Patience(),
@@ -25,10 +25,10 @@ public class LogFetch(
      * Fetches once. Blocks until everything is done; interrupting the thread ends it.
      *
      * @throws FetchException if logs cannot be fetched from the robot.
-     * @throws badlog.file.UnwritableFileException if the folder cannot be written to.
+     * @throws badlog.files.UnwritableFileException if the folder cannot be written to.
      * @throws InterruptedException if the thread was interrupted.
      */
-    public fun run(listener: FetchListener): FetchSummary = FetchedLogs.open(options.folder).use { here ->
+    fun run(listener: FetchListener): FetchSummary = FetchedLogs.open(options.folder).use { here ->
         RobotLogin(hosts, questions, options.acceptsNewHostKeys, options.password, patience).use { login ->
             Visit(login, here, listener).use(Visit::run)
         }

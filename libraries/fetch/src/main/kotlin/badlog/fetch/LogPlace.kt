@@ -1,9 +1,9 @@
 package badlog.fetch
 
-import badlog.analysis.matchTitle
-import badlog.file.LogName
-import badlog.file.matchInName
-import badlog.rules.signal.LoggedMatch
+import badlog.core.analysis.matchTitle
+import badlog.files.LogName
+import badlog.files.matchInName
+import badlog.signals.vocabulary.LoggedMatch
 
 /**
  * Where a log goes in the folder of fetched logs.

@@ -13,11 +13,11 @@ import java.time.Duration
  * @property retry before the next attempt after a connection was lost.
  * @property state for the robot to report whether it is enabled.
  */
-public class Patience(
-    public val connect: Duration = Duration.ofSeconds(3),
-    public val answer: Duration = Duration.ofSeconds(10),
-    public val silence: Duration = Duration.ofSeconds(10),
-    public val growth: Duration = Duration.ofMillis(1500),
-    public val retry: Duration = Duration.ofSeconds(1),
-    public val state: Duration = Duration.ofSeconds(3),
+class Patience(
+    val connect: Duration = Duration.ofSeconds(3),
+    val answer: Duration = Duration.ofSeconds(10),
+    val silence: Duration = Duration.ofSeconds(10),
+    val growth: Duration = Duration.ofMillis(1500),
+    val retry: Duration = Duration.ofSeconds(1),
+    val state: Duration = Duration.ofSeconds(3),
 )

@@ -6,7 +6,7 @@ package badlog.fetch
  * @property user the name.
  * @property password the computer's default password; empty for none.
  */
-public class Login(public val user: String, public val password: String) {
+class Login(val user: String, val password: String) {
     /** Returns only the name: passwords are never printed. */
     override fun toString(): String = user
 }
@@ -20,16 +20,16 @@ public class Login(public val user: String, public val password: String) {
  * @property networkTablesPort the port of its NetworkTables server, which reports whether it is enabled.
  * @property name its name for people.
  */
-public class RobotAddress(
-    public val host: String,
-    public val logins: List<Login>,
-    public val port: Int = SFTP_PORT,
-    public val networkTablesPort: Int = NETWORK_TABLES_PORT,
-    public val name: String = if (port == SFTP_PORT) host else "$host:$port",
+class RobotAddress(
+    val host: String,
+    val logins: List<Login>,
+    val port: Int = SFTP_PORT,
+    val networkTablesPort: Int = NETWORK_TABLES_PORT,
+    val name: String = if (port == SFTP_PORT) host else "$host:$port",
 ) {
     override fun toString(): String = name
 
-    public companion object {
+    companion object {
         private const val SFTP_PORT = 22
         private const val NETWORK_TABLES_PORT = 5810
         private const val MAX_PORT = 65_535
@@ -48,7 +48,7 @@ public class RobotAddress(
          * @param user the user to try in place of the known ones, or null.
          * @throws IllegalArgumentException if it is neither; the message is one sentence for the user.
          */
-        public fun of(robot: String, user: String? = null): List<RobotAddress> {
+        fun of(robot: String, user: String? = null): List<RobotAddress> {
             val team = robot.toIntOrNull()
             if (team != null) {
                 require(team in 1..MAX_TEAM) {

@@ -1,6 +1,6 @@
 package badlog.fetch
 
-import badlog.file.LogName
+import badlog.files.LogName
 import org.apache.sshd.client.session.ClientSession
 import org.apache.sshd.sftp.client.SftpClient
 import org.apache.sshd.sftp.client.SftpClient.OpenMode

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException
  * Returns those of [addresses] at which something answers, in order, each as soon as no earlier one can answer any more. All are
  * tried at the same time: most do not exist on the computer's network, and never answer.
  */
-public fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
+fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
     val end = System.nanoTime() + patience.toNanos()
     val answers = addresses.map { address -> trying(address, patience) }
     for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])

@@ -1,6 +1,6 @@
 package badlog.fetch
 
-import badlog.file.LogName
+import badlog.files.LogName
 
 /**
  * Returns [name], which comes from a robot or a log and may contain anything, as a name for a file or folder on any system: without

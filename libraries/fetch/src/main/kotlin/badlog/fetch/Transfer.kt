@@ -1,16 +1,16 @@
 package badlog.fetch
 
-import badlog.file.LogName
-import badlog.file.UnreadableFileException
-import badlog.file.readRecording
-import badlog.file.writing
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.text.freeName
+import badlog.files.LogName
+import badlog.files.UnreadableFileException
+import badlog.files.readRecording
+import badlog.files.writing
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.signal.matchOf
-import badlog.text.freeName
+import badlog.signals.vocabulary.matchOf
 import org.apache.sshd.sftp.common.SftpConstants
 import org.apache.sshd.sftp.common.SftpException
 import java.nio.file.Files

@@ -1,6 +1,6 @@
 package badlog.fetch
 
-import badlog.file.UnwritableFileException
+import badlog.files.UnwritableFileException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

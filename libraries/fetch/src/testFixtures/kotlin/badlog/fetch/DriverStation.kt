@@ -1,12 +1,12 @@
 package badlog.fetch
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.withSignals
+import badlog.signals.withSignals
 
 /** Enables and disables a robot whose NetworkTables answer at [port] of this computer. */
 class DriverStation : AutoCloseable {

@@ -1,19 +1,19 @@
 package badlog.formats
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.FlagReading
-import badlog.analysis.FlagTopic
-import badlog.analysis.LogView
-import badlog.analysis.ModeTopics
-import badlog.analysis.Span
-import badlog.analysis.enabledSpans
-import badlog.recording.ProblemKind
-import badlog.recording.Topic
-import badlog.wpilog.TestLog
-import badlog.wpilog.doubles
-import badlog.wpilog.number
-import badlog.wpilog.parseLog
-import badlog.wpilog.text
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.FlagTopic
+import badlog.core.analysis.LogView
+import badlog.core.analysis.ModeTopics
+import badlog.core.analysis.Span
+import badlog.core.analysis.enabledSpans
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Topic
+import badlog.formats.wpilog.TestLog
+import badlog.formats.wpilog.doubles
+import badlog.formats.wpilog.number
+import badlog.formats.wpilog.parseLog
+import badlog.formats.wpilog.text
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -85,7 +85,7 @@ class OwnTimesSpec : FunSpec({
 
     test("writing what cannot be rows is refused as the caller's mistake") {
         val recording = parseLog(TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0)).bytes)
-        val refused = runCatching { badlog.bag.RecordingWriter(recording).write { _, _ -> } }
+        val refused = runCatching { badlog.core.bag.RecordingWriter(recording).write { _, _ -> } }
         (refused.exceptionOrNull() is IllegalArgumentException) shouldBe true
         recording.problems.shouldBeEmpty()
     }

@@ -1,12 +1,12 @@
 package badlog.formats
 
-import badlog.bag.RecordingParser
-import badlog.bag.VARIED_BAG
-import badlog.bag.describe
-import badlog.bag.parse
-import badlog.wpilog.VARIED_LOG
-import badlog.wpilog.describeLog
-import badlog.wpilog.parseLog
+import badlog.core.bag.RecordingParser
+import badlog.core.bag.VARIED_BAG
+import badlog.core.bag.describe
+import badlog.core.bag.parse
+import badlog.formats.wpilog.VARIED_LOG
+import badlog.formats.wpilog.describeLog
+import badlog.formats.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

@@ -10,10 +10,4 @@ package badlog.replay
  * @property times when each value was logged, on the recording's x axis; ascending.
  * @property payload returns the bytes of a value, as in a record of a WPILOG; they have the size that the type requires.
  */
-public class LoggedTopic(
-    public val name: String,
-    public val type: String,
-    public val unit: String,
-    public val times: DoubleArray,
-    public val payload: (index: Int) -> ByteArray,
-)
+class LoggedTopic(val name: String, val type: String, val unit: String, val times: DoubleArray, val payload: (index: Int) -> ByteArray)

@@ -1,13 +1,13 @@
 package badlog.replay
 
-import badlog.analysis.LogView
-import badlog.analysis.Series
-import badlog.analysis.Units
-import badlog.analysis.XAxis
-import badlog.analysis.enabledSpans
-import badlog.recording.Topic
-import badlog.recording.TopicKind
-import badlog.text.UniqueNames
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.core.analysis.enabledSpans
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.core.text.UniqueNames
 
 /**
  * Returns the topics of [view]'s recording, then its values below `Values/`, in the form of NetworkTables, and when the robot was

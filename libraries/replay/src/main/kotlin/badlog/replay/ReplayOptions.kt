@@ -13,13 +13,13 @@ import java.net.InetAddress
  * @property prefix the prefix of each topic's name, such as `/badlog`; empty for the robot's own names.
  * @throws IllegalArgumentException if one of them is out of range.
  */
-public class ReplayOptions(
-    public val port: Int = DEFAULT_PORT,
-    public val address: InetAddress = InetAddress.getLoopbackAddress(),
-    public val speed: Double = 1.0,
-    public val isLooping: Boolean = false,
-    public val range: ClosedFloatingPointRange<Double>? = null,
-    public val prefix: String = "",
+class ReplayOptions(
+    val port: Int = DEFAULT_PORT,
+    val address: InetAddress = InetAddress.getLoopbackAddress(),
+    val speed: Double = 1.0,
+    val isLooping: Boolean = false,
+    val range: ClosedFloatingPointRange<Double>? = null,
+    val prefix: String = "",
 ) {
     init {
         require(port in 0..0xffff) { "A port is a number from 1 to 65535, or 0 for any that is free, not $port." }
@@ -29,8 +29,8 @@ public class ReplayOptions(
         }
     }
 
-    public companion object {
+    companion object {
         /** The port of NetworkTables 4. */
-        public const val DEFAULT_PORT: Int = 5810
+        const val DEFAULT_PORT: Int = 5810
     }
 }

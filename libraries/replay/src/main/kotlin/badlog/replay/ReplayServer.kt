@@ -1,6 +1,6 @@
 package badlog.replay
 
-import badlog.analysis.LogView
+import badlog.core.analysis.LogView
 import java.io.Closeable
 import java.net.InetSocketAddress
 import java.util.concurrent.Executors
@@ -17,8 +17,7 @@ import java.util.concurrent.TimeUnit
  * @param logged topics that are sent as logged, with their original types, instead of the recording's; of those, only calculated
  *   ones remain.
  */
-public class ReplayServer(view: LogView, public val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) :
-    Closeable {
+class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) : Closeable {
     private val signals = signalsOf(view, options.prefix, logged)
     private val startNanos = System.nanoTime()
     private val ignored = IgnoredMessages()
@@ -48,34 +47,34 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     private val lock = Any()
 
     /** The part of the x axis that is replayed. */
-    public val range: ClosedFloatingPointRange<Double> get() = playhead.range
+    val range: ClosedFloatingPointRange<Double> get() = playhead.range
 
     /** The current position on the x axis. */
-    public val position: Double get() = synchronized(lock) { playhead.position(serverNanos()) }
+    val position: Double get() = synchronized(lock) { playhead.position(serverNanos()) }
 
     /** Whether it is playing; at the end, it still is until [pause]. */
-    public val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
+    val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
 
     /** Whether there is nothing left to play. Dashboards still see the last values. Never while looping. */
-    public val isAtEnd: Boolean get() = synchronized(lock) { playhead.isAtEnd(serverNanos()) }
+    val isAtEnd: Boolean get() = synchronized(lock) { playhead.isAtEnd(serverNanos()) }
 
     /** The port at which dashboards connect. */
-    public val port: Int get() = sockets.port
+    val port: Int get() = sockets.port
 
     /** The names of the connected dashboards, in the order in which they connected. */
-    public val clientNames: List<String> get() = synchronized(lock) { clients.keys.map { it.name } }
+    val clientNames: List<String> get() = synchronized(lock) { clients.keys.map { it.name } }
 
     /** A sentence about messages of dashboards that were not understood; null if there were none. */
-    public val note: String? get() = ignored.note
+    val note: String? get() = ignored.note
 
     /** A sentence about the first dashboard that was refused because there were too many; null if there was none. */
-    public val refusal: String? get() = ignored.refusal
+    val refusal: String? get() = ignored.refusal
 
     /** The number of messages of dashboards that were not understood. */
-    public val ignoredMessages: Int get() = ignored.count
+    val ignoredMessages: Int get() = ignored.count
 
     /** The number of seconds of the recording that pass in a second; above 0. */
-    public var speed: Double
+    var speed: Double
         get() = synchronized(lock) { playhead.speed }
         set(value) = change { playhead.changeSpeed(value, it) }
 
@@ -85,7 +84,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
      * @throws UnavailablePortException if the port is in use or unavailable.
      * @throws IllegalStateException after [close].
      */
-    public fun open() {
+    fun open() {
         synchronized(lock) {
             check(!ticks.isShutdown) { "This replay is closed." }
             if (isBound) return
@@ -97,7 +96,7 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     }
 
     /** Continues from the current position, or from the start if it is at the end. Throws the same exceptions as [open]. */
-    public fun start() {
+    fun start() {
         open()
         change {
             if (playhead.isAtEnd(it)) playhead.seek(range.start, it)
@@ -106,14 +105,14 @@ public class ReplayServer(view: LogView, public val options: ReplayOptions = Rep
     }
 
     /** Pauses at the current position. */
-    public fun pause(): Unit = change { playhead.pause(it) }
+    fun pause(): Unit = change { playhead.pause(it) }
 
     /**
      * Jumps to [position], or to the nearer end of [range]; dashboards receive the values that hold there.
      *
      * @throws IllegalArgumentException if it is NaN.
      */
-    public fun seek(position: Double): Unit = change { playhead.seek(position, it) }
+    fun seek(position: Double): Unit = change { playhead.seek(position, it) }
 
     /** Ends all connections and frees the port. Waits for up to a second. */
     override fun close() {

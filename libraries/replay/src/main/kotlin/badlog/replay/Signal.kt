@@ -1,7 +1,7 @@
 package badlog.replay
 
-import badlog.analysis.Series
-import badlog.analysis.Units
+import badlog.core.analysis.Series
+import badlog.core.analysis.Units
 
 /**
  * One topic of NetworkTables.

@@ -144,7 +144,7 @@ internal interface Listener {
 }
 
 /** Thrown if the port of a replay cannot be opened. The message is one sentence that says why and what to do. */
-public class UnavailablePortException internal constructor(address: InetSocketAddress, cause: Exception) :
+class UnavailablePortException internal constructor(address: InetSocketAddress, cause: Exception) :
     IOException(
         if (cause is BindException && "in use" in cause.message.orEmpty()) {
             "Port ${address.port} is taken, by a robot simulation or another replay perhaps: " +

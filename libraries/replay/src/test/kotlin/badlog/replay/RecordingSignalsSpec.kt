@@ -1,8 +1,8 @@
 package badlog.replay
 
-import badlog.analysis.FlagReading
-import badlog.analysis.FlagTopic
-import badlog.analysis.ModeTopics
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.FlagTopic
+import badlog.core.analysis.ModeTopics
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

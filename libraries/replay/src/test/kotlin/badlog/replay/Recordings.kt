@@ -1,7 +1,7 @@
 package badlog.replay
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
 
 /** The view of a bag with this text. */
 internal fun viewOf(bag: String): LogView {

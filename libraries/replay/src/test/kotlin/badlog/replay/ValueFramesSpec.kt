@@ -1,6 +1,6 @@
 package badlog.replay
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

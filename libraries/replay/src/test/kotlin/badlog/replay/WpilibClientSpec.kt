@@ -1,8 +1,8 @@
 package badlog.replay
 
-import badlog.analysis.LogView
-import badlog.file.readRecording
-import badlog.python.TestPython
+import badlog.core.analysis.LogView
+import badlog.core.python.TestPython
+import badlog.files.readRecording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan

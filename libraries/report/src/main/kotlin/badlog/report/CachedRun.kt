@@ -1,7 +1,7 @@
 package badlog.report
 
-import badlog.file.FolderRun
-import badlog.file.LogFile
+import badlog.files.FolderRun
+import badlog.files.LogFile
 import badlog.report.hook.withShutdownHook
 
 /** A result for a file; [isLasting] says whether it stays valid until the file changes. */

@@ -4,13 +4,13 @@ import badlog.expression.Answer
 import badlog.expression.ExpressionError
 import badlog.expression.ParsedQuestion
 import badlog.expression.Question
-import badlog.file.LogFile
+import badlog.files.LogFile
 import badlog.rules.BUILT_IN
-import badlog.rules.LogShape
-import badlog.rules.QuestionNames
 import badlog.rules.RuleSet
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.toJson
+import badlog.signals.LogShape
+import badlog.signals.QuestionNames
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.toJson
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
@@ -23,7 +23,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
  * @param signals the names of topics that the question refers to by their meaning.
  */
-public class Find(
+class Find(
     private val question: String,
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
@@ -41,7 +41,7 @@ public class Find(
     }
 
     /** What is wrong with the question regardless of the log, such as an unclosed parenthesis; null if nothing seems wrong. */
-    public val mistake: Reply.NotAsked? =
+    val mistake: Reply.NotAsked? =
         listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
     @Serializable
@@ -62,7 +62,7 @@ public class Find(
      * @return all results, in the order of [files].
      * @throws InterruptedException if the thread was interrupted.
      */
-    public fun over(
+    fun over(
         files: List<LogFile>,
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
         each: (FindResult) -> Unit = {},

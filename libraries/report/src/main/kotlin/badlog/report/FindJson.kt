@@ -1,13 +1,13 @@
 package badlog.report
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import badlog.expression.ExpressionError
 import badlog.expression.Quantity
 import kotlinx.serialization.Serializable
 
 /** The result of a question for a readable log, in the form for other programs. Unknown and non-finite numbers are null. */
 @Serializable
-public class FindJson private constructor(
+class FindJson private constructor(
     private val match: String?,
     private val outcome: String,
     private val time: Double?,
@@ -36,7 +36,7 @@ public class FindJson private constructor(
         occurrences = answered?.occurrences.orEmpty().map(::OccurrenceJson),
     )
 
-    public constructor(result: FindResult) : this(result, result.reply as? Reply.Answered, result.reply as? Reply.NotAsked)
+    constructor(result: FindResult) : this(result, result.reply as? Reply.Answered, result.reply as? Reply.NotAsked)
 }
 
 @Serializable
@@ -62,10 +62,10 @@ internal class SpanJson(private val from: Double?, private val to: Double?) {
 
 /** A virtual topic that could not be calculated for a log, in the form for other programs. */
 @Serializable
-public class UndefinedJson private constructor(private val definition: String, private val message: String) {
-    public constructor(topic: UndefinedTopic) : this(topic.definition, topic.message)
+class UndefinedJson private constructor(private val definition: String, private val message: String) {
+    constructor(topic: UndefinedTopic) : this(topic.definition, topic.message)
 
-    public constructor(error: ExpressionError) : this(UndefinedTopic(error))
+    constructor(error: ExpressionError) : this(UndefinedTopic(error))
 }
 
 /** JSON has only finite numbers. */

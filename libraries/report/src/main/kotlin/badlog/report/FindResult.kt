@@ -1,10 +1,10 @@
 package badlog.report
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import badlog.expression.Outcome
 import badlog.expression.Quantity
 import badlog.expression.syntax.ExpressionErrorKind
-import badlog.file.LogFile
+import badlog.files.LogFile
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -17,19 +17,19 @@ import kotlinx.serialization.Serializable
  * @property undefined the virtual topics that could not be calculated.
  * @property isSalvaged whether data of the log is lost, so that the answer is about the rest.
  */
-public class FindResult internal constructor(
-    public val file: LogFile,
-    public val title: String?,
-    public val reply: Reply,
-    public val undefined: List<UndefinedTopic>,
-    public val isSalvaged: Boolean,
+class FindResult internal constructor(
+    val file: LogFile,
+    val title: String?,
+    val reply: Reply,
+    val undefined: List<UndefinedTopic>,
+    val isSalvaged: Boolean,
 )
 
 /**
  * Returns what is wrong with the question itself that led to [results]; a missing topic is not a mistake if another log has it. If the
  * question failed for several logs, the one that understood most of it decides.
  */
-public fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
+fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
     val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
     return refusals.filter { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC }.ifEmpty { refusals }.maxByOrNull { it.place }
@@ -37,7 +37,7 @@ public fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
 
 /** The possible replies to a question for a file. */
 @Serializable
-public sealed interface Reply {
+sealed interface Reply {
     /**
      * The log has an answer; see [badlog.expression.Answer].
      *
@@ -51,35 +51,35 @@ public sealed interface Reply {
      * @property occurrences each occurrence, with the values just before, if the question asks for them; at most the first hundred.
      */
     @Serializable
-    public class Answered internal constructor(
-        public val outcome: Outcome,
-        public val spans: List<
+    class Answered internal constructor(
+        val outcome: Outcome,
+        val spans: List<
             @Serializable(with = SpanSerializer::class)
             Span,
             >,
-        public val spanCount: Int,
+        val spanCount: Int,
         @SerialName("figures")
-        public val quantities: List<
+        val quantities: List<
             @Serializable(with = QuantitySerializer::class)
             Quantity,
             >,
-        public val time: Double,
-        public val timeUnit: String,
-        public val reason: String? = null,
-        public val occurrences: List<Occurrence> = emptyList(),
+        val time: Double,
+        val timeUnit: String,
+        val reason: String? = null,
+        val occurrences: List<Occurrence> = emptyList(),
     ) : Reply
 
     /** One occurrence of something, see [badlog.expression.Occurrence]. */
     @Serializable
-    public class Occurrence internal constructor(
+    class Occurrence internal constructor(
         @Serializable(with = SpanSerializer::class)
-        public val span: Span,
-        public val before: List<Pair<String, String>>,
+        val span: Span,
+        val before: List<Pair<String, String>>,
     )
 
     /** The question excludes the log, by its header values or its rank. */
     @Serializable
-    public object LeftOut : Reply
+    object LeftOut : Reply
 
     /**
      * The question could not be evaluated for this log.
@@ -91,12 +91,12 @@ public sealed interface Reply {
      * @property isOfHeader whether it concerns the header values, rather than topics.
      */
     @Serializable
-    public class NotAsked internal constructor(
-        public val kind: ExpressionErrorKind,
-        public val topic: String,
-        public val message: String,
-        public val pointed: String,
-        public val isOfHeader: Boolean = false,
+    class NotAsked internal constructor(
+        val kind: ExpressionErrorKind,
+        val topic: String,
+        val message: String,
+        val pointed: String,
+        val isOfHeader: Boolean = false,
     ) : Reply {
         /** How much of the question the log understood. */
         internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')
@@ -109,5 +109,5 @@ public sealed interface Reply {
      * @property isNoLog whether it is something other than a log.
      */
     @Serializable
-    public class Unreadable internal constructor(public val message: String, public val isNoLog: Boolean) : Reply
+    class Unreadable internal constructor(val message: String, val isNoLog: Boolean) : Reply
 }

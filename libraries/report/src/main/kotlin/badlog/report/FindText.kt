@@ -10,7 +10,7 @@ import badlog.terminal.TextTable
  * how many others there were and why, except for those that cannot be read. For a question that asks for a number, all logs that
  * have it.
  */
-public fun findText(results: List<FindResult>): String {
+fun findText(results: List<FindResult>): String {
     val found = results.filter(::isFound)
     val lines = ArrayList<String>()
     if (found.isNotEmpty()) {

@@ -1,16 +1,16 @@
 package badlog.report
 
-import badlog.analysis.LogView
-import badlog.file.LogFile
-import badlog.file.UnreadableFileException
-import badlog.file.readRecording
+import badlog.core.analysis.LogView
+import badlog.core.recording.NumberSinks
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.files.LogFile
+import badlog.files.UnreadableFileException
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.NumberSinks
-import badlog.recording.ProblemKind
-import badlog.recording.Recording
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.withSignals
-import badlog.rules.withVirtualTopics
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
 
 /** The content of a file. */
 internal sealed interface LogContent {

@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.recording.NumberSink
-import badlog.recording.NumberSinks
-import badlog.rules.signal.SignalVocabulary
+import badlog.core.recording.NumberSink
+import badlog.core.recording.NumberSinks
+import badlog.signals.vocabulary.SignalVocabulary
 
 /**
  * Drops the numbers of topics that none of some expressions can name, so that a question needs no memory for them. It keeps too
@@ -13,7 +13,7 @@ import badlog.rules.signal.SignalVocabulary
  * @param xTopic the topic to use as x axis, or null.
  * @param signals the signals that the expressions name, and those that show when the robot was enabled.
  */
-public class NamedTopics(
+class NamedTopics(
     expressions: List<String>,
     private val xTopic: String? = null,
     private val signals: SignalVocabulary = SignalVocabulary.NONE,

@@ -1,15 +1,15 @@
 package badlog.report
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.Series
-import badlog.analysis.Span
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.recording.Value
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
-import badlog.recording.Value
 
 /**
  * The clauses of a question that select logs: `min(battery) where Match Type = 'Playoff' lowest 3`.

@@ -1,27 +1,27 @@
 package badlog.report
 
-import badlog.analysis.LogView
-import badlog.file.FolderRun
-import badlog.file.LogFile
+import badlog.core.analysis.LogView
+import badlog.files.FolderRun
+import badlog.files.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding
-import badlog.rules.LogShape
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.comparison.compared
 import badlog.rules.comparison.figuresOf
-import badlog.rules.figure.FigureReader
-import badlog.rules.figure.FigureText
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.toText
 import badlog.rules.incident.incidentsIn
-import badlog.rules.signal.matchOf
+import badlog.rules.number.FigureReader
+import badlog.rules.number.FigureText
+import badlog.rules.number.LogFigures
+import badlog.rules.number.toText
 import badlog.rules.toJson
 import badlog.rules.worstFirst
+import badlog.signals.LogShape
+import badlog.signals.vocabulary.matchOf
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
@@ -38,7 +38,7 @@ import java.util.concurrent.ConcurrentHashMap
  * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
  *   threads; such findings are not cached.
  */
-public class Report(
+class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,
     private val hooks: List<HookRunner> = emptyList(),
     private val virtualTopics: List<String> = emptyList(),
@@ -76,7 +76,7 @@ public class Report(
      *   is not kept in memory afterwards. An exception from it or from [progress] stops the work and is passed on.
      * @throws InterruptedException if the thread was interrupted.
      */
-    public fun over(
+    fun over(
         files: List<LogFile>,
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
         each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },

@@ -10,7 +10,7 @@ import badlog.terminal.printable
  * finding is part of, and what to look at next. An incident has the rule `incident`, and comes before the findings of its log. A log that
  * cannot be read also has a line, with the rule `unreadable`; a file that is not a log has none.
  */
-public fun reportCsv(result: ReportResult): String {
+fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()
     fun line(cells: List<String>) {
         cells.joinTo(out, ",", transform = ::cell)

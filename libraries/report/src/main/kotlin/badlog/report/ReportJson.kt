@@ -7,7 +7,7 @@ import kotlinx.serialization.Serializable
 
 /** What was found in a readable log, and what was skipped, in the form for other programs. Unknown numbers are null. */
 @Serializable
-public class ReportJson private constructor(
+class ReportJson private constructor(
     private val match: String?,
     private val incidents: List<IncidentJson>,
     private val findings: List<FindingJson>,
@@ -16,7 +16,7 @@ public class ReportJson private constructor(
     private val hookFailures: List<HookFailureJson>,
     private val batteryResistance: ResistanceJson?,
 ) {
-    public constructor(log: LogReport) : this(
+    constructor(log: LogReport) : this(
         log.title,
         log.incidents.map(::IncidentJson),
         log.findings.map(::FindingJson),
@@ -99,10 +99,10 @@ internal class SentenceJson(
 
 /** A skipped rule, in the form for other programs. */
 @Serializable
-public class SkippedJson private constructor(private val rule: String, private val message: String, private val isMistake: Boolean) {
-    public constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
+class SkippedJson private constructor(private val rule: String, private val message: String, private val isMistake: Boolean) {
+    constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
 }
 
 /** A hook that failed for a log, and why, in the form for other programs. */
 @Serializable
-public class HookFailureJson(private val hook: String, private val message: String)
+class HookFailureJson(private val hook: String, private val message: String)

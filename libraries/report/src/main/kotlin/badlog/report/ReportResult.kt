@@ -1,12 +1,12 @@
 package badlog.report
 
-import badlog.file.LogFile
-import badlog.recording.Severity
+import badlog.core.recording.Severity
+import badlog.files.LogFile
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
-import badlog.rules.figure.LogFigures
 import badlog.rules.incident.Incident
+import badlog.rules.number.LogFigures
 
 /**
  * What was found in many logs.
@@ -14,9 +14,9 @@ import badlog.rules.incident.Incident
  * @property logs all files, in the given order.
  * @property skipped the rules that were skipped for some logs, in the order of the rules.
  */
-public class ReportResult internal constructor(public val logs: List<LogReport>, public val skipped: List<SkippedRule>) {
+class ReportResult internal constructor(val logs: List<LogReport>, val skipped: List<SkippedRule>) {
     /** Returns how many findings there are of [severity]. */
-    public fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
+    fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
 }
 
 /**
@@ -37,20 +37,20 @@ public class ReportResult internal constructor(public val logs: List<LogReport>,
  * @property figures numbers that summarize all of it, such as the resistance of its battery.
  * @property differences how it differs from the others of the report.
  */
-public class LogReport internal constructor(
-    public val file: LogFile,
-    public val title: String?,
-    public val matchType: String?,
-    public val findings: List<Finding>,
-    public val incidents: List<Incident>,
-    public val skipped: List<SkippedRule>,
-    public val unreadable: String?,
-    public val isNoLog: Boolean,
-    public val isSalvaged: Boolean,
-    public val undefined: List<UndefinedTopic>,
-    public val hookFailures: List<HookFailure>,
-    public val figures: LogFigures = LogFigures.NONE,
-    public val differences: LogDifferences = LogDifferences.NONE,
+class LogReport internal constructor(
+    val file: LogFile,
+    val title: String?,
+    val matchType: String?,
+    val findings: List<Finding>,
+    val incidents: List<Incident>,
+    val skipped: List<SkippedRule>,
+    val unreadable: String?,
+    val isNoLog: Boolean,
+    val isSalvaged: Boolean,
+    val undefined: List<UndefinedTopic>,
+    val hookFailures: List<HookFailure>,
+    val figures: LogFigures = LogFigures.NONE,
+    val differences: LogDifferences = LogDifferences.NONE,
 )
 
 /**
@@ -59,4 +59,4 @@ public class LogReport internal constructor(
  * @property hook its name.
  * @property message what went wrong, as a sentence.
  */
-public class HookFailure internal constructor(public val hook: String, public val message: String)
+class HookFailure internal constructor(val hook: String, val message: String)

@@ -1,7 +1,7 @@
 package badlog.report
 
-import badlog.file.LogFile
-import badlog.recording.Severity
+import badlog.core.recording.Severity
+import badlog.files.LogFile
 import badlog.rules.comparison.resistanceText
 import badlog.rules.incident.Incident
 import badlog.rules.timeText
@@ -13,7 +13,7 @@ import badlog.terminal.printable
  * Returns all incidents and findings, match by match, with time, severity and text, at most 100 columns wide, and below them what
  * was skipped. Logs that cannot be read are only counted; files that are not logs are not mentioned.
  */
-public fun reportText(result: ReportResult): String {
+fun reportText(result: ReportResult): String {
     val names = shortNames(result.logs.map { it.file })
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
@@ -47,7 +47,7 @@ private fun rowsOf(incident: Incident): List<List<String>> {
 }
 
 /** Returns what was skipped, and why: rules, virtual topics and hooks, each as a sentence or more. */
-public fun notesOf(result: ReportResult): List<String> {
+fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
     return listOfNotNull(builtInText(builtIn.size)) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +

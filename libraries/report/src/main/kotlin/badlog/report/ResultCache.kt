@@ -1,7 +1,7 @@
 package badlog.report
 
-import badlog.file.LogFile
-import badlog.html.BADLOG_VERSION
+import badlog.exporter.BADLOG_VERSION
+import badlog.files.LogFile
 import badlog.report.cache.CompactReader
 import badlog.report.cache.CompactWriter
 import kotlinx.serialization.KSerializer

@@ -1,6 +1,6 @@
 package badlog.report
 
-import badlog.file.LogFile
+import badlog.files.LogFile
 
 /**
  * Returns the name of each of [files] in a table: its file name or, if several have the same, its path in their common folder.
@@ -14,7 +14,7 @@ internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.grou
 }.toMap()
 
 /** Returns the longest beginning of [text] that takes at most [bytes] bytes, for a file name. */
-public fun startOfBytes(text: String, bytes: Int): String {
+fun startOfBytes(text: String, bytes: Int): String {
     var end = minOf(text.length, bytes)
     while (text.substring(0, end).encodeToByteArray().size > bytes || (end > 0 && text[end - 1].isHighSurrogate())) end--
     return text.substring(0, end)

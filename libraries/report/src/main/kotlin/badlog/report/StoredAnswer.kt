@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
 import badlog.expression.Quantity
-import badlog.recording.Severity
 import badlog.rules.Finding
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable

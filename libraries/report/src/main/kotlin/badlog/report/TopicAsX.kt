@@ -1,12 +1,12 @@
 package badlog.report
 
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.Topic
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
 import java.nio.file.Path
 
 /** Thrown if a log does not have the requested topic. The message is one sentence for the user. */
-public class TopicException internal constructor(override val message: String) : Exception(message)
+class TopicException internal constructor(override val message: String) : Exception(message)
 
 /**
  * Returns this recording with the topic [name] as its x axis, which plain CSV does not name.
@@ -14,7 +14,7 @@ public class TopicException internal constructor(override val message: String) :
  * @throws TopicException if it has no such topic, or has topics with times of their own; its message names [file], from
  * which it was read.
  */
-public fun Recording.withX(name: String, file: Path): Recording {
+fun Recording.withX(name: String, file: Path): Recording {
     if (!format.hasRows) {
         val what = if (format == RecordingFormat.WPILOG) "a WPILOG" else "a Driver Station log"
         throw TopicException("$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
@@ -28,7 +28,7 @@ public fun Recording.withX(name: String, file: Path): Recording {
  *
  * @throws TopicException if there is none; its message names [file], from which this was read, and [purpose].
  */
-public fun Recording.topicCalled(name: String, file: Path, purpose: () -> String): Topic =
+fun Recording.topicCalled(name: String, file: Path, purpose: () -> String): Topic =
     topics.find { it.name == name } ?: topics.singleOrNull { it.name.equals(name, ignoreCase = true) }
         ?: throw TopicException("$file has no topic “$name” ${purpose()}; its topics are ${listed(topics.map { it.name })}.")
 

@@ -14,14 +14,9 @@ import kotlinx.serialization.Serializable
  * @property pointed the message, the definition, and carets below it.
  */
 @Serializable
-public class UndefinedTopic internal constructor(
-    public val definition: String,
-    public val isMissing: Boolean,
-    public val message: String,
-    public val pointed: String,
-) {
+class UndefinedTopic internal constructor(val definition: String, val isMissing: Boolean, val message: String, val pointed: String) {
     /** The topic of a definition that has this [error]. */
-    public constructor(error: ExpressionError) :
+    constructor(error: ExpressionError) :
         this(error.text, error.kind in OF_THIS_LOG, error.message, error.pointed())
 
     private companion object {
@@ -34,7 +29,7 @@ public class UndefinedTopic internal constructor(
  * Returns the messages about the virtual topics in [undefined], listed per log: one for each definition, with all details
  * if it failed for every log.
  */
-public fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
+fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
     val ofDefinition = undefined.flatten().groupBy { it.definition }
     return ofDefinition.map { (definition, errors) ->
         val worst = errors.find { !it.isMissing } ?: errors[0]

@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.html.HtmlExporter
-import badlog.html.PageParts
-import badlog.html.additionsIn
+import badlog.exporter.HtmlExporter
+import badlog.exporter.PageParts
+import badlog.exporter.additionsIn
 import badlog.report.page.ReportFolder
 import badlog.report.page.reportPage
 import badlog.rules.BUILT_IN

@@ -1,6 +1,6 @@
 package badlog.report
 
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.string.shouldContain

@@ -1,15 +1,15 @@
 package badlog.report
 
-import badlog.analysis.LogView
+import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.Recording
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.withSignals
+import badlog.signals.withSignals
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe

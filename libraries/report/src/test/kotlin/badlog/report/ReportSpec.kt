@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.analysis.Span
-import badlog.python.HAS_PYTHON
-import badlog.recording.Severity
+import badlog.core.analysis.Span
+import badlog.core.python.HAS_PYTHON
+import badlog.core.recording.Severity
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN

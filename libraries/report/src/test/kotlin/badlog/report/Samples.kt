@@ -1,6 +1,6 @@
 package badlog.report
 
-import badlog.file.LogFile
+import badlog.files.LogFile
 import java.io.File
 import java.nio.file.Path
 

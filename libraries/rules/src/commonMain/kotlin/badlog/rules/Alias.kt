@@ -1,10 +1,12 @@
 package badlog.rules
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
-import badlog.rules.signal.NamePattern
-import badlog.rules.signal.unitScale
+import badlog.signals.NamedSignal
+import badlog.signals.ScaledSignal
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.unitScale
 
 /**
  * A name in a file of rules for a topic whose name differs from log to log.

@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 
 /**
  * A rule that compares the figures of a log with those of the team's other logs, instead of evaluating a condition; `docs/rules.md`
@@ -16,11 +16,11 @@ import badlog.recording.Severity
  * @property findings the maximum number of figures of a log that become findings, the farthest first.
  * @property others the minimum number of other logs with the figure.
  */
-public class Comparison internal constructor(
-    public val name: String,
-    public val severity: Severity,
-    public val group: String,
-    public val next: String,
+class Comparison internal constructor(
+    val name: String,
+    val severity: Severity,
+    val group: String,
+    val next: String,
     internal val text: RuleText,
     internal val signals: List<String>,
     internal val deviations: Double,

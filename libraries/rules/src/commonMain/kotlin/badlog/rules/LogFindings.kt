@@ -1,8 +1,10 @@
 package badlog.rules
 
-import badlog.analysis.LogView
+import badlog.core.analysis.LogView
 import badlog.expression.signals.Vocabulary
 import badlog.expression.vocabularyWith
+import badlog.signals.LogShape
+import badlog.signals.namesWith
 
 /**
  * The result of rules for one log.
@@ -10,9 +12,9 @@ import badlog.expression.vocabularyWith
  * @property findings the findings, in the order of the rules.
  * @property skipped the rules that were skipped, in order.
  */
-public class LogFindings(public val findings: List<Finding>, public val skipped: List<SkippedRule>) {
+class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>) {
     /** Returns these with the result of [asked]. */
-    public operator fun plus(asked: AskedRule): LogFindings =
+    operator fun plus(asked: AskedRule): LogFindings =
         LogFindings(findings + asked.findings, skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)))
 }
 
@@ -25,13 +27,7 @@ public class LogFindings(public val findings: List<Finding>, public val skipped:
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
  * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all of those.
  */
-public class SkippedRule(
-    public val rule: String,
-    public val logs: Int,
-    public val message: String,
-    public val isMistake: Boolean,
-    public val isBuiltIn: Boolean = false,
-) {
+class SkippedRule(val rule: String, val logs: Int, val message: String, val isMistake: Boolean, val isBuiltIn: Boolean = false) {
     /** Returns a sentence, or more if the rule is wrong. */
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"
@@ -47,7 +43,7 @@ public class SkippedRule(
  * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
  * @param beforeEach called before each rule; an exception from it stops the run and is passed on.
  */
-public fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, beforeEach: () -> Unit = {}): LogFindings {
+fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, beforeEach: () -> Unit = {}): LogFindings {
     var found = LogFindings(emptyList(), emptyList())
     beforeEach()
     for (asked in RuleProgram(this, LogShape.of(view)).run(view, file, isEverywhere)) {
@@ -58,7 +54,7 @@ public fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = fal
 }
 
 /** Returns the rules that would be skipped for [view], which needs no samples, with the virtual topics of [definitions]. */
-public fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
+fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
     val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->
         Vocabulary(all.signals.filter { it.name !in all.meanings }, all.hasTime)
     }

@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**

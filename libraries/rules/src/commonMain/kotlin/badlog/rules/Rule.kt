@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 
 /**
  * What to look for in every log; `docs/rules.md` explains each part.
@@ -13,24 +13,24 @@ import badlog.recording.Severity
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  */
-public class Rule internal constructor(
-    public val name: String,
-    public val severity: Severity,
-    public val condition: String,
+class Rule internal constructor(
+    val name: String,
+    val severity: Severity,
+    val condition: String,
     internal val text: RuleText,
-    public val only: List<String>,
+    val only: List<String>,
     internal val each: TopicChoice?,
     internal val place: RulePlace?,
-    public val group: String = "",
-    public val reason: String = "",
-    public val next: String = "",
+    val group: String = "",
+    val reason: String = "",
+    val next: String = "",
     internal val show: List<String> = emptyList(),
     internal val unless: List<String> = emptyList(),
     internal val isForEachText: Boolean = false,
     internal val isForWholeLogs: Boolean = false,
 ) {
     /** Whether it is a built-in rule, in which nobody needs to look for a mistake. */
-    public val isBuiltIn: Boolean get() = place == null
+    val isBuiltIn: Boolean get() = place == null
 
     /** Returns whether it applies to a match of the type [type]. */
     internal fun isFor(type: String?): Boolean = only.isEmpty() || (type != null && only.any { it.equals(type, ignoreCase = true) })

@@ -1,17 +1,26 @@
 package badlog.rules
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.recording.Recording
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
-import badlog.recording.Recording
-import badlog.rules.signal.NamePattern
-import badlog.rules.signal.SignalTopic
-import badlog.rules.signal.matchOf
+import badlog.signals.ACTIVE
+import badlog.signals.ACTIVITY
+import badlog.signals.CLOCK
+import badlog.signals.DEVIATION
+import badlog.signals.LogShape
+import badlog.signals.NamedSignal
+import badlog.signals.PLAN_DISTANCE
+import badlog.signals.ScaledSignal
+import badlog.signals.TIME
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.SignalTopic
+import badlog.signals.vocabulary.matchOf
 
 /**
  * The result of a rule for a log.
@@ -20,7 +29,7 @@ import badlog.rules.signal.matchOf
  * @property findings what it found; empty if it was skipped.
  * @property refusal why it was skipped; null if it was not.
  */
-public class AskedRule internal constructor(public val rule: Rule, public val findings: List<Finding>, public val refusal: Refusal?)
+class AskedRule internal constructor(val rule: Rule, val findings: List<Finding>, val refusal: Refusal?)
 
 /**
  * Why a rule is skipped for a log.
@@ -29,14 +38,14 @@ public class AskedRule internal constructor(public val rule: Rule, public val fi
  * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
  * otherwise null.
  */
-public class Refusal internal constructor(public val message: String, public val mistake: String? = null) {
+class Refusal internal constructor(val message: String, val mistake: String? = null) {
     /** Returns [rule] as skipped for this reason in [logs] logs. */
-    public fun of(rule: Rule, logs: Int): SkippedRule =
+    fun of(rule: Rule, logs: Int): SkippedRule =
         SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn)
 }
 
 /** [rules] prepared for all logs with an equal [shape]. Thread-safe. */
-public class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
+class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** The result of parsing an expression. */
     internal sealed interface Parsed
 
@@ -85,7 +94,8 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
             }
         }
         if (rules.signals.find(PLAN_DISTANCE) == null) {
-            if (shape.path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(shape.path)
+            val path = shape.path
+            if (path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(path)
         }
         val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
@@ -106,7 +116,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
     /** The names of the topics whose samples the rules need, besides those of time and of when the robot was enabled. */
-    public val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)
+    val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)
 
     /**
      * Runs the rules on [view], which was read from a file called [file] and must have the program's shape. Each rule runs when the
@@ -114,7 +124,7 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
      *
      * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
      */
-    public fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
+    fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
         val match = rules.signals.matchOf(view.recording)
         val run = RuleRun(view.identified(match.title, signals.modes), file, isEverywhere)
         val type = match.type
@@ -262,14 +272,6 @@ public class RuleProgram(private val rules: RuleSet, private val shape: LogShape
         /** The name of the second of two linked topics. */
         const val OTHER = "other"
 
-        /** The x axis. */
-        const val TIME = "time"
-
-        /** Whether the robot is enabled, or nothing shows it. */
-        const val ACTIVE = "active"
-
-        /** The distance of the robot from its planned place. */
-        const val PLAN_DISTANCE = "plan distance"
         private const val IS_PART = "the log is only part of a log (see its value “$PART_VALUE”)"
         private const val NO_AXIS = "the log has no x axis"
         private const val NO_PLAN = "no topics for the robot's pose and its planned pose"

@@ -1,13 +1,15 @@
 package badlog.rules
 
-import badlog.analysis.LogView
-import badlog.analysis.Span
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
 import badlog.expression.Answer
 import badlog.expression.LogViewSignals
 import badlog.expression.Quantity
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
-import badlog.rules.signal.FRACTION
+import badlog.signals.NamedSamples
+import badlog.signals.NamedSignals
+import badlog.signals.vocabulary.FRACTION
 
 /**
  * Runs the rules of a program on [view], which was read from a file called [file].

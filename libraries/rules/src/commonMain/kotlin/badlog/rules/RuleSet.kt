@@ -1,7 +1,7 @@
 package badlog.rules
 
 import badlog.rules.cause.CauseGraph
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 
 /**
  * Rules to run over logs, and the names they use. `docs/rules.md` has the format of the file that they are read from.
@@ -11,18 +11,18 @@ import badlog.rules.signal.SignalVocabulary
  * @property causes which findings lead to which.
  * @property comparisons rules that compare a log with the team's others, which pages do not do.
  */
-public class RuleSet internal constructor(
+class RuleSet internal constructor(
     internal val aliases: List<Alias>,
-    public val rules: List<Rule>,
-    public val signals: SignalVocabulary,
-    public val causes: CauseGraph,
-    public val comparisons: List<Comparison> = emptyList(),
+    val rules: List<Rule>,
+    val signals: SignalVocabulary,
+    val causes: CauseGraph,
+    val comparisons: List<Comparison> = emptyList(),
 ) {
     /** Returns these rules with [signals] as the names of topics. */
-    public fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons)
+    fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons)
 
-    public companion object {
+    companion object {
         /** No rules. */
-        public val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE)
+        val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE)
     }
 }

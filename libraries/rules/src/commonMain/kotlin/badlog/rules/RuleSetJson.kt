@@ -1,27 +1,27 @@
 package badlog.rules
 
-import badlog.json.JsonMember
-import badlog.json.JsonReader
-import badlog.json.JsonValue
-import badlog.json.quotedJson
-import badlog.recording.Severity
+import badlog.core.json.JsonMember
+import badlog.core.json.JsonReader
+import badlog.core.json.JsonValue
+import badlog.core.json.quotedJson
+import badlog.core.recording.Severity
 import badlog.rules.cause.CauseGraph
-import badlog.rules.json.JsonFields
-import badlog.rules.json.UnreadableJsonException
-import badlog.rules.json.jsonArray
-import badlog.rules.json.jsonList
-import badlog.rules.json.jsonObject
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.fromJson
-import badlog.rules.signal.patterns
-import badlog.rules.signal.patternsJson
-import badlog.rules.signal.toJson
+import badlog.signals.json.JsonFields
+import badlog.signals.json.UnreadableJsonException
+import badlog.signals.json.jsonArray
+import badlog.signals.json.jsonList
+import badlog.signals.json.jsonObject
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.fromJson
+import badlog.signals.vocabulary.patterns
+import badlog.signals.vocabulary.patternsJson
+import badlog.signals.vocabulary.toJson
 
 /**
  * Returns these rules as a line of JSON, with everything that decides what they find in a log. It is in every page, so reasons are
  * omitted, which are in the guide, and so are rules that compare logs.
  */
-public fun RuleSet.toJson(): String = jsonObject(
+fun RuleSet.toJson(): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
     "rules" to jsonArray(rules, ::ruleJson),
     "signals" to signals.toJson(),
@@ -29,10 +29,10 @@ public fun RuleSet.toJson(): String = jsonObject(
 )
 
 /** Returns the rules in [text], or null if [RuleSet.toJson] did not write it. */
-public fun RuleSet.Companion.fromJson(text: String): RuleSet? = fromJson(JsonReader.readObject(text))
+fun RuleSet.Companion.fromJson(text: String): RuleSet? = fromJson(JsonReader.readObject(text))
 
 /** Returns the rules in an object with [members], or null if [RuleSet.toJson] did not write it, or [members] is null. */
-public fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
+fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
     val json = JsonFields(members)
     val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it) } ?: throw UnreadableJsonException()
     val causes = json.find("causes")?.let(CauseGraph::fromJson) ?: CauseGraph.NONE

@@ -1,8 +1,8 @@
 package badlog.rules
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import badlog.expression.signals.Signal
-import badlog.rules.signal.NamePattern
+import badlog.signals.vocabulary.NamePattern
 
 /** The topics on which a rule is run one by one. */
 internal sealed interface TopicChoice

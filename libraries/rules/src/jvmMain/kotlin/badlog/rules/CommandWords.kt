@@ -6,7 +6,7 @@ package badlog.rules
  *
  * @throws IllegalArgumentException if a quote is never closed, or there is no word.
  */
-public fun commandWords(command: String): List<String> {
+fun commandWords(command: String): List<String> {
     val words = ArrayList<String>()
     val word = StringBuilder()
     var quote: Char? = null

@@ -1,13 +1,13 @@
 package badlog.rules
 
-import badlog.json.JsonReader
-import badlog.json.JsonValue
-import badlog.json.quotedJson
-import badlog.recording.Severity
-import badlog.rules.json.JsonFields
-import badlog.rules.json.jsonArray
-import badlog.rules.json.jsonList
-import badlog.rules.json.jsonObject
+import badlog.core.json.JsonReader
+import badlog.core.json.JsonValue
+import badlog.core.json.quotedJson
+import badlog.core.recording.Severity
+import badlog.signals.json.JsonFields
+import badlog.signals.json.jsonArray
+import badlog.signals.json.jsonList
+import badlog.signals.json.jsonObject
 
 // Separate from RuleSetJson, since a page contains all code that reads that.
 

@@ -11,14 +11,14 @@ import java.nio.file.Path
  * @property problem why an existing file is not used, as a sentence, with the line of the mistake below it if there is one;
  *   null if all is well.
  */
-public class FolderRules private constructor(public val rules: RuleSet, public val file: Path?, public val problem: String?) {
-    public companion object {
+class FolderRules private constructor(val rules: RuleSet, val file: Path?, val problem: String?) {
+    companion object {
         /**
          * Returns the rules for [log]: those of the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top],
          * which is null for only its own folder; otherwise the built-in ones, also if that file has a mistake. The nearest file called
          * [SignalsFile.NAME] has further names of topics. Hooks in these rules are never run, because they may have come with the logs.
          */
-        public fun of(log: Path, top: Path? = null): FolderRules {
+        fun of(log: Path, top: Path? = null): FolderRules {
             fun <T> nearest(name: String, parse: (String) -> T) =
                 NearestFile.of(log, top, { it.resolve(name).takeIf(Files::isRegularFile) }, parse)
             val signals = nearest(SignalsFile.NAME) { SignalsFile.parse(it) }

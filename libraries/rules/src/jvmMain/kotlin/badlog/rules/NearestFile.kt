@@ -13,15 +13,15 @@ import java.nio.file.Path
  * @property problem what is wrong with it and what to do, as a sentence, with the line of the mistake below it if there is one; null if all
  * is well.
  */
-public class NearestFile<T> internal constructor(public val file: Path?, public val found: T?, public val problem: String?) {
-    public companion object {
+class NearestFile<T> internal constructor(val file: Path?, val found: T?, val problem: String?) {
+    companion object {
         /**
          * Returns the nearest file for [log]: [inFolder] returns the file in a folder, or null for none, and is called for the log's own
          * folder, then for those above it up to [top], which is null for only the log's own folder.
          *
          * @param parse reads its text; throws an [IllegalArgumentException] that says what is wrong with it.
          */
-        public fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
+        fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
             val file = foldersOf(log.toAbsolutePath().normalize(), top?.toAbsolutePath()?.normalize()).firstNotNullOfOrNull(inFolder)
                 ?: return NearestFile(null, null, null)
             val problem = try {

@@ -6,5 +6,4 @@ package badlog.rules
  * @property lineNumber the line of the mistake, counted from 1.
  * @property message the line's number and what is wrong as a sentence, below it the line, and carets that point at the mistake.
  */
-public class RulesException internal constructor(public val lineNumber: Int, override val message: String) :
-    IllegalArgumentException(message)
+class RulesException internal constructor(val lineNumber: Int, override val message: String) : IllegalArgumentException(message)

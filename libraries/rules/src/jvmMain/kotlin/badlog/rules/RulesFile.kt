@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.time.Duration
 
 /**
@@ -11,10 +11,10 @@ import kotlin.time.Duration
  *   came with them.
  * @property source the whole text.
  */
-public class RulesFile internal constructor(public val rules: RuleSet, public val hooks: List<HookCommand>, public val source: String) {
-    public companion object {
+class RulesFile internal constructor(val rules: RuleSet, val hooks: List<HookCommand>, val source: String) {
+    companion object {
         /** The name of a file of rules among logs. */
-        public const val NAME: String = "badlog-rules.toml"
+        const val NAME: String = "badlog-rules.toml"
 
         /**
          * Reads [text], which is TOML. The expressions are checked for each log, because that decides what is a name.
@@ -22,20 +22,20 @@ public class RulesFile internal constructor(public val rules: RuleSet, public va
          * @param signals the names of topics.
          * @throws RulesException at the first mistake.
          */
-        public fun parse(text: String, signals: SignalVocabulary = RuleSet.BUILT_IN.signals): RulesFile = notTooDeep {
+        fun parse(text: String, signals: SignalVocabulary = RuleSet.BUILT_IN.signals): RulesFile = notTooDeep {
             RulesReader(text, signals).read()
         }
 
         /** No rules, no hooks. */
-        public val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")
+        val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")
 
         /** The built-in rules. */
-        public val BUILT_IN: RulesFile by lazy { RulesFile(RuleSet.BUILT_IN, emptyList(), resource(NAME)) }
+        val BUILT_IN: RulesFile by lazy { RulesFile(RuleSet.BUILT_IN, emptyList(), resource(NAME)) }
     }
 }
 
 /** The built-in rules, with the built-in vocabulary. */
-public val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
+val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
 // Reading TOML takes longer than exporting a small page, so these are also available as JSON.
 private val BUILT_IN_RULES by lazy {
@@ -53,4 +53,4 @@ internal fun resource(name: String): String =
  * @property name its name in the file, or null.
  * @property timeLimit how long it may take for a log; null for the default.
  */
-public class HookCommand internal constructor(public val command: List<String>, public val name: String?, public val timeLimit: Duration?)
+class HookCommand internal constructor(val command: List<String>, val name: String?, val timeLimit: Duration?)

@@ -1,12 +1,12 @@
 package badlog.rules
 
+import badlog.core.recording.Severity
 import badlog.expression.Expression
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
-import badlog.recording.Severity
-import badlog.rules.figure.ComparedSignal
-import badlog.rules.signal.SignalVocabulary
+import badlog.rules.number.ComparedSignal
+import badlog.signals.vocabulary.SignalVocabulary
 import org.tomlj.TomlTable
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds

@@ -1,29 +1,29 @@
 package badlog.rules
 
-import badlog.rules.signal.NamePattern
-import badlog.rules.signal.NamedUnit
-import badlog.rules.signal.SignalContent
-import badlog.rules.signal.SignalName
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.TopicPattern
-import badlog.rules.signal.flagReadingOf
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.NamedUnit
+import badlog.signals.vocabulary.SignalContent
+import badlog.signals.vocabulary.SignalName
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.TopicPattern
+import badlog.signals.vocabulary.flagReadingOf
 import org.tomlj.TomlArray
 import org.tomlj.TomlTable
 
 /** A file with the names of signals in logs; `docs/signals.md` describes its format. */
-public object SignalsFile {
+object SignalsFile {
     /** The name of such a file among logs. */
-    public const val NAME: String = "badlog-signals.toml"
+    const val NAME: String = "badlog-signals.toml"
 
     /** The source text of the built-in vocabulary. */
-    public val builtInSource: String by lazy { resource(NAME) }
+    val builtInSource: String by lazy { resource(NAME) }
 
     /**
      * Reads [text], which is TOML.
      *
      * @throws RulesException at the first mistake.
      */
-    public fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
+    fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
 }
 
 private class SignalsReader(private val toml: TomlText) {

@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.rules.signal.NamePattern
+import badlog.signals.vocabulary.NamePattern
 import org.tomlj.Toml
 import org.tomlj.TomlArray
 import org.tomlj.TomlPosition

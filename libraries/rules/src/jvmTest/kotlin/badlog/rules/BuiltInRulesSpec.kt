@@ -1,8 +1,8 @@
 package badlog.rules
 
-import badlog.analysis.LogView
-import badlog.rules.path.PLAN_LIMIT
-import badlog.rules.path.PLAN_PATIENCE
+import badlog.core.analysis.LogView
+import badlog.signals.pose.PLAN_LIMIT
+import badlog.signals.pose.PLAN_PATIENCE
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

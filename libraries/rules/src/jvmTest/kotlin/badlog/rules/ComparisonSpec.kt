@@ -1,10 +1,10 @@
 package badlog.rules
 
 import badlog.rules.comparison.compared
-import badlog.rules.figure.FigureKey
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.MatchKind
-import badlog.rules.figure.Measure
+import badlog.rules.number.FigureKey
+import badlog.rules.number.LogFigures
+import badlog.rules.number.MatchKind
+import badlog.rules.number.Measure
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

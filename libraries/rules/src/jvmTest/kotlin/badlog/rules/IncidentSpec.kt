@@ -1,7 +1,7 @@
 package badlog.rules
 
-import badlog.analysis.Span
-import badlog.recording.Severity
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.incidentsIn

@@ -1,12 +1,12 @@
 package badlog.rules
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
-import badlog.recording.CellCounts
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.TextColumn
-import badlog.recording.Topic
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

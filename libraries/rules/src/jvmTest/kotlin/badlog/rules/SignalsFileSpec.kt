@@ -3,7 +3,8 @@ package badlog.rules
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
-import badlog.rules.signal.SignalTopics
+import badlog.signals.LogShape
+import badlog.signals.vocabulary.SignalTopics
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

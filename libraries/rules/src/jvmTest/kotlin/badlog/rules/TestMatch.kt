@@ -1,8 +1,8 @@
 package badlog.rules
 
-import badlog.analysis.LogView
-import badlog.bag.BagParser
-import badlog.json.quotedJson
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagParser
+import badlog.core.json.quotedJson
 
 /**
  * A match of [seconds] at 50 rows a second, made of functions of time: a healthy one, in which [number], [flag] and [event] plant

@@ -1,11 +1,11 @@
 package badlog.season
 
-import badlog.bag.VARIED_BAG
+import badlog.core.bag.VARIED_BAG
+import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
-import badlog.wpilog.TestLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,16 +1,16 @@
 package badlog.season
 
-import badlog.analysis.LogView
-import badlog.file.readRecording
+import badlog.core.analysis.LogView
+import badlog.core.python.TestPython
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.python.TestPython
+import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import badlog.season.lake.LakeException
 import badlog.season.lake.ParquetFile
 import badlog.season.lake.ParquetWriter
-import badlog.wpilog.TestLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

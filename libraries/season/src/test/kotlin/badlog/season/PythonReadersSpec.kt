@@ -1,6 +1,6 @@
 package badlog.season
 
-import badlog.python.TestPython
+import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlinx.serialization.json.Json

@@ -1,7 +1,7 @@
 package badlog.terminal
 
 /** Returns how many columns of a terminal [text] takes: wide characters, such as Chinese ones, take two, and combining marks none. */
-public fun displayWidth(text: String): Int {
+fun displayWidth(text: String): Int {
     var width = 0
     var at = 0
     while (at < text.length) {
@@ -13,7 +13,7 @@ public fun displayWidth(text: String): Int {
 }
 
 /** Returns the longest beginning of [text] that takes at most [width] columns; no character is separated from its marks. */
-public fun startOf(text: String, width: Int): String {
+fun startOf(text: String, width: Int): String {
     var room = width
     var end = 0
     while (end < text.length) {
@@ -26,7 +26,7 @@ public fun startOf(text: String, width: Int): String {
 }
 
 /** Returns the longest end of [text] that takes at most [width] columns. */
-public fun endOf(text: String, width: Int): String {
+fun endOf(text: String, width: Int): String {
     var room = width
     var start = text.length
     while (start > 0) {

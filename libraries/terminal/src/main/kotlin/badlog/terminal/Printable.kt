@@ -4,7 +4,7 @@ package badlog.terminal
  * Returns [text] on one line, without anything that would move a terminal's cursor, change its colors or the text direction, since
  * names and texts come from files. Control characters become spaces. Invisible characters, such as those without width, become `�`.
  */
-public fun printable(text: String): String {
+fun printable(text: String): String {
     if (isPrintable(text)) return text
     return buildString {
         text.codePoints().forEach { character ->

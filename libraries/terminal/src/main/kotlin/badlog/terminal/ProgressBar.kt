@@ -8,9 +8,9 @@ import kotlin.math.roundToInt
  * Receives the progress of a piece of work. Called on the working thread; an exception from it stops the work, which then leaves
  * nothing behind and passes the exception on.
  */
-public fun interface Progress {
+fun interface Progress {
     /** Called when [done] of [total] bytes, or other units, are done; [total] is an estimate if the input is still being written. */
-    public fun advanced(done: Long, total: Long)
+    fun advanced(done: Long, total: Long)
 }
 
 /**
@@ -21,7 +21,7 @@ public fun interface Progress {
  * @param delay nanoseconds before the bar appears.
  * @param clock returns nanoseconds since an arbitrary moment.
  */
-public class ProgressBar(
+class ProgressBar(
     label: String,
     err: PrintStream,
     private val isShown: Boolean,

@@ -8,7 +8,7 @@ package badlog.terminal
  *   too narrow, the widest others are shortened.
  * @param shortens false for readers that need all of each cell, such as other programs: columns are then never shortened.
  */
-public class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE, private val shortens: Boolean = true) {
+class TextTable(private val columns: List<Column>, private val width: Int = Int.MAX_VALUE, private val shortens: Boolean = true) {
     /**
      * The format of a column.
      *
@@ -16,10 +16,10 @@ public class TextTable(private val columns: List<Column>, private val width: Int
      * @property most its maximum width; longer cells lose their middle.
      * @property isNumber whether it is aligned to the right.
      */
-    public class Column(public val title: String, public val most: Int = Int.MAX_VALUE, public val isNumber: Boolean = false)
+    class Column(val title: String, val most: Int = Int.MAX_VALUE, val isNumber: Boolean = false)
 
     /** Returns the titles, then the lines of each of [rows]; columns are as wide as their widest cell. */
-    public fun lines(rows: List<List<String>>): List<List<String>> {
+    fun lines(rows: List<List<String>>): List<List<String>> {
         val titles = columns.map { it.title }
         val all = (if (titles.all { it.isEmpty() }) emptyList() else listOf(titles)) + rows.map { cells -> cells.map(::printable) }
         val widest = columns.indices.map { i -> all.maxOfOrNull { displayWidth(it[i]) } ?: 0 }
@@ -28,10 +28,10 @@ public class TextTable(private val columns: List<Column>, private val width: Int
     }
 
     /** Returns a single line when the others are not known yet: columns have their maximum width. */
-    public fun line(cells: List<String>): String = lines(cells.map(::printable), columns.map { it.most }).single()
+    fun line(cells: List<String>): String = lines(cells.map(::printable), columns.map { it.most }).single()
 
     /** Returns the titles, for lines made by [line]. */
-    public fun titles(): String = line(columns.map { it.title })
+    fun titles(): String = line(columns.map { it.title })
 
     private fun fitting(wanted: List<Int>): List<Int> {
         if (width == Int.MAX_VALUE) return wanted
@@ -59,9 +59,9 @@ public class TextTable(private val columns: List<Column>, private val width: Int
         return if (columns[column].isNumber) blanks + text else text + blanks
     }
 
-    public companion object {
+    companion object {
         /** Returns [text] shortened in the middle so that it takes [most] columns of a terminal. */
-        public fun shortened(text: String, most: Int): String {
+        fun shortened(text: String, most: Int): String {
             if (displayWidth(text) <= most) return text
             val end = (most - 1) * 3 / 4
             return startOf(text, most - 1 - end) + "…" + endOf(text, end)

@@ -1,10 +1,10 @@
 package badlog.samples.bag
 
-import badlog.bag.BagHeader
-import badlog.bag.BagTopic
-import badlog.bag.BagValue
-import badlog.bag.RowWriter
-import badlog.recording.Value
+import badlog.core.bag.BagHeader
+import badlog.core.bag.BagTopic
+import badlog.core.bag.BagValue
+import badlog.core.bag.RowWriter
+import badlog.core.recording.Value
 
 /**
  * A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier.

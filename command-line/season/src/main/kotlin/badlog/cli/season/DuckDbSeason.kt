@@ -1,6 +1,5 @@
 package badlog.cli.season
 
-import badlog.analysis.LogView
 import badlog.cli.part.LakeReport
 import badlog.cli.part.LakeState
 import badlog.cli.part.ParquetSession
@@ -9,15 +8,16 @@ import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlColumn
 import badlog.cli.part.SqlSession
 import badlog.cli.part.SqlTable
-import badlog.file.LogFile
+import badlog.core.analysis.LogView
+import badlog.files.LogFile
 import badlog.rules.RuleSet
-import badlog.rules.signal.SignalVocabulary
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
 import badlog.season.lake.LakeLog
 import badlog.season.lake.ParquetWriter
 import badlog.season.sql.LakeDatabase
 import badlog.season.sql.SqlException
+import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 

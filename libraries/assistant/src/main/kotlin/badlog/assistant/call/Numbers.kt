@@ -1,6 +1,6 @@
 package badlog.assistant.call
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive

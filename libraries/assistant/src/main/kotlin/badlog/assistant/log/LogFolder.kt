@@ -1,17 +1,17 @@
 package badlog.assistant.log
 
 import badlog.assistant.call.ToolException
-import badlog.file.FolderScan
-import badlog.file.LogFile
-import badlog.file.NaturalOrder
-import badlog.file.partsOfLog
-import badlog.file.reading
+import badlog.files.FolderScan
+import badlog.files.LogFile
+import badlog.files.NaturalOrder
+import badlog.files.partsOfLog
+import badlog.files.reading
 import badlog.rules.BUILT_IN
 import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import badlog.rules.SignalsFile
-import badlog.rules.signal.SignalVocabulary
+import badlog.signals.vocabulary.SignalVocabulary
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -20,7 +20,7 @@ import java.nio.file.Path
  * The accessible logs: those below one folder. They are identified by their names in it. A name is only compared with those of
  * existing logs, so that no name leads out of the folder; nor does a link.
  *
- * @throws badlog.file.UnreadableFileException if the folder cannot be read.
+ * @throws badlog.files.UnreadableFileException if the folder cannot be read.
  */
 internal class LogFolder(folder: Path) {
     /** Its real path, with links resolved. */

@@ -1,8 +1,5 @@
 package badlog.assistant.tool
 
-import badlog.analysis.Span
-import badlog.analysis.sampleRateOf
-import badlog.analysis.statisticsOf
 import badlog.assistant.call.Answer
 import badlog.assistant.call.Arguments
 import badlog.assistant.call.AssistantTool
@@ -13,10 +10,13 @@ import badlog.assistant.call.number
 import badlog.assistant.call.unitOf
 import badlog.assistant.log.OpenLog
 import badlog.assistant.log.OpenLogs
-import badlog.plot.timeline.ModeTimeline
-import badlog.recording.Topic
-import badlog.recording.TopicKind
-import badlog.rules.signal.NamePattern
+import badlog.core.analysis.Span
+import badlog.core.analysis.sampleRateOf
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.signals.vocabulary.NamePattern
+import badlog.viewer.draw.mark.ModeTimeline
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.add

@@ -9,7 +9,7 @@ import badlog.assistant.call.ParameterType
 import badlog.assistant.call.ToolException
 import badlog.assistant.call.number
 import badlog.assistant.log.LogFolder
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.rules.BUILT_IN

@@ -9,7 +9,7 @@ import badlog.assistant.call.ToolException
 import badlog.assistant.call.unitOf
 import badlog.assistant.log.OpenLogs
 import badlog.assistant.picture.GraphPicture
-import badlog.recording.TopicKind
+import badlog.core.recording.TopicKind
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put

@@ -7,7 +7,7 @@ import badlog.assistant.call.Page
 import badlog.assistant.call.Parameter
 import badlog.assistant.call.ParameterType
 import badlog.assistant.log.LogFolder
-import badlog.file.LogFile
+import badlog.files.LogFile
 import badlog.report.table.MatchTable
 import badlog.report.table.TableRow
 import kotlinx.serialization.json.JsonObject

@@ -1,12 +1,5 @@
 package badlog.assistant.tool
 
-import badlog.analysis.Downsampling
-import badlog.analysis.GraphSeries
-import badlog.analysis.LogView
-import badlog.analysis.PixelColumns
-import badlog.analysis.Series
-import badlog.analysis.Span
-import badlog.analysis.StateRuns
 import badlog.assistant.call.Answer
 import badlog.assistant.call.Arguments
 import badlog.assistant.call.AssistantTool
@@ -15,7 +8,14 @@ import badlog.assistant.call.ParameterType
 import badlog.assistant.call.number
 import badlog.assistant.call.unitOf
 import badlog.assistant.log.OpenLogs
-import badlog.recording.TopicKind
+import badlog.core.analysis.Downsampling
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.PixelColumns
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.analysis.StateRuns
+import badlog.core.recording.TopicKind
 import kotlinx.serialization.json.JsonArrayBuilder
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder

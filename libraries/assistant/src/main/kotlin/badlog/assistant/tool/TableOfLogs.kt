@@ -10,11 +10,11 @@ import badlog.assistant.call.ToolException
 import badlog.assistant.call.number
 import badlog.assistant.call.unitOf
 import badlog.assistant.log.LogFolder
-import badlog.plot.text.exactText
-import badlog.plot.text.withUnit
 import badlog.report.table.MatchTable
 import badlog.report.table.TableCell
 import badlog.report.table.TableRow
+import badlog.viewer.text.exactText
+import badlog.viewer.text.withUnit
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull

@@ -1,6 +1,6 @@
 package badlog.expression.checking
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
 import badlog.expression.syntax.Node

@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 
 // When and how often a condition becomes true. One that is true at the start becomes true there.
 

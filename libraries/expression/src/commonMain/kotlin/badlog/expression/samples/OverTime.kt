@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.AreaSum
+import badlog.core.analysis.AreaSum
 
 // Functions of a value and those before or after it. A value that is logged again and again is one that holds: the results
 // do not depend on how often it was logged. Next to a gap, the result is a gap.

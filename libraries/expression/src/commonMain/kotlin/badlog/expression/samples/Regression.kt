@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import kotlin.math.sqrt
 
 /** The regression of [y] on [x] while both are known, weighted by time; moments have equal weights. */

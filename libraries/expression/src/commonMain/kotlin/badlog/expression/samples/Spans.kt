@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 
 /**
  * Spans of time, in chronological order.

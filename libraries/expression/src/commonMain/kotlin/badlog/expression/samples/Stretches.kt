@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Series
+import badlog.core.analysis.Series
 import kotlin.math.ulp
 
 /**
@@ -10,7 +10,7 @@ import kotlin.math.ulp
  *
  * @param positions the x of each row; may hold gaps.
  */
-public class Stretches internal constructor(positions: DoubleArray) {
+class Stretches internal constructor(positions: DoubleArray) {
     private val rows = if (positions.all { it.isFinite() }) positions else positions.filter { it.isFinite() }.toDoubleArray()
 
     // For each stretch: its first row, how far its times are ahead of the continuous clock, and that clock's first and last time in it.

@@ -1,10 +1,10 @@
 package badlog.expression.samples
 
-import badlog.analysis.AreaSum
-import badlog.analysis.Moments
-import badlog.analysis.Span
-import badlog.analysis.select
-import badlog.analysis.weightedPercentile
+import badlog.core.analysis.AreaSum
+import badlog.core.analysis.Moments
+import badlog.core.analysis.Span
+import badlog.core.analysis.select
+import badlog.core.analysis.weightedPercentile
 
 // Functions that reduce a whole recording to one number. Samples without a finite value are ignored; if there are no others, there is no
 // number.

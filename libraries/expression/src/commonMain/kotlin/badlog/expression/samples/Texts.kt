@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.text.isLetterOrDigit
+import badlog.core.text.isLetterOrDigit
 
 /** Returns 1 where [holds] is true for the text of [column], 0 where it is false, and a gap where there is no text. */
 internal fun whereText(column: Column, holds: (String) -> Boolean): Column {

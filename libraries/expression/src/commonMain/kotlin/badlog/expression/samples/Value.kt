@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 
 /** The result of a part of an expression. */
 internal sealed interface Value

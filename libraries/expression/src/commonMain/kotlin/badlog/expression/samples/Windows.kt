@@ -1,6 +1,6 @@
 package badlog.expression.samples
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import kotlin.math.abs
 import kotlin.math.round
 

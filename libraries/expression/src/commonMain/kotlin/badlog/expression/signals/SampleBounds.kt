@@ -1,7 +1,7 @@
 package badlog.expression.signals
 
 /** The bounds of [samples], each calculated on demand; NaN if there are none. */
-public class SampleBounds(private val samples: DoubleArray) {
+class SampleBounds(private val samples: DoubleArray) {
     /** The smallest and the largest of some numbers, and whether some are not finite. */
     private class Bounds(val low: Double, val high: Double, val hasGaps: Boolean)
 
@@ -9,19 +9,19 @@ public class SampleBounds(private val samples: DoubleArray) {
     private val steps by lazy { bounds(1) { samples[it] - samples[it - 1] } }
 
     /** The smallest. */
-    public val low: Double get() = own.low
+    val low: Double get() = own.low
 
     /** The largest. */
-    public val high: Double get() = own.high
+    val high: Double get() = own.high
 
     /** The smallest difference from one to the next. */
-    public val minStep: Double get() = steps.low
+    val minStep: Double get() = steps.low
 
     /** The largest difference from one to the next. */
-    public val maxStep: Double get() = steps.high
+    val maxStep: Double get() = steps.high
 
     /** Whether some are not finite. */
-    public val hasGaps: Boolean get() = own.hasGaps
+    val hasGaps: Boolean get() = own.hasGaps
 
     private inline fun bounds(from: Int, value: (Int) -> Double): Bounds {
         var low = Double.POSITIVE_INFINITY

@@ -7,10 +7,10 @@ package badlog.expression.signals
  * @property kind what its samples are.
  * @property unit the unit; `ul` or empty for none.
  */
-public data class Signal(public val name: String, public val kind: SignalKind, public val unit: String = "")
+data class Signal(val name: String, val kind: SignalKind, val unit: String = "")
 
 /** What the samples of a [Signal] are. */
-public enum class SignalKind {
+enum class SignalKind {
     /** Numbers. */
     NUMBER,
 

@@ -1,42 +1,42 @@
 package badlog.expression.signals
 
-import badlog.analysis.EnabledSpan
-import badlog.analysis.Series
-import badlog.analysis.Span
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
 import badlog.expression.samples.Stretches
 
 /** The named signals of one recording, as expressions see them. Implementations should cache their results, since they are called often. */
-public interface Signals {
+interface Signals {
     /** The names of the signals. */
-    public val vocabulary: Vocabulary
+    val vocabulary: Vocabulary
 
     /**
      * Returns the samples of the signal called [name], one of [vocabulary]: numbers, 0 and 1, or indices into [states].
      * NaN is a gap. Signals with the same times should share the same array of them, which makes combining them cheap.
      */
-    public fun series(name: String): Series
+    fun series(name: String): Series
 
     /** Returns the texts that the samples of the state or event signal [name] stand for. */
-    public fun states(name: String): List<String>
+    fun states(name: String): List<String>
 
     /** When the robot was enabled, in the order of time; null if the recording does not show it. */
-    public val enabled: List<EnabledSpan>?
+    val enabled: List<EnabledSpan>?
 
     /** Whether [enabled] distinguishes autonomous and teleop. */
-    public val knowsAutonomous: Boolean get() = enabled != null
+    val knowsAutonomous: Boolean get() = enabled != null
 
     /** The x axis as a signal: a sample at each of its positions, which is that position. */
-    public val axis: Series
+    val axis: Series
 
     /** The x of each row of the recording, the same array that the series of topics in rows have; null if there are no rows. */
-    public val rows: DoubleArray?
+    val rows: DoubleArray?
 
     /** From the first sample of the recording to the last, or null if there are none. */
-    public val range: Span?
+    val range: Span?
 
     /** The unit of x; `ul` or empty for none. If the [vocabulary] has time, no unit means seconds. */
-    public val timeUnit: String
+    val timeUnit: String
 
     /** How time ran if the clock of the rows was set back; null if it never was, or if the samples alone show it. */
-    public val stretches: Stretches? get() = null
+    val stretches: Stretches? get() = null
 }

@@ -1,6 +1,6 @@
 package badlog.expression.signals
 
-import badlog.text.isLetterOrDigit
+import badlog.core.text.isLetterOrDigit
 
 /**
  * The names that expressions over one recording may use. Equal vocabularies have equal signals in the same order, so that an expression
@@ -16,15 +16,15 @@ import badlog.text.isLetterOrDigit
  * @property thing what messages call a signal.
  * @property several names that mean several signals in this recording, at least two; they cannot refer to one of them alone.
  */
-public class Vocabulary(
-    public val signals: List<Signal>,
-    public val hasTime: Boolean,
-    public val meanings: Set<String> = emptySet(),
-    public val thing: String = "topic",
-    public val several: Map<String, List<String>> = emptyMap(),
+class Vocabulary(
+    val signals: List<Signal>,
+    val hasTime: Boolean,
+    val meanings: Set<String> = emptySet(),
+    val thing: String = "topic",
+    val several: Map<String, List<String>> = emptyMap(),
 ) {
     /** Creates the vocabulary of a recording over time. */
-    public constructor(signals: List<Signal>) : this(signals, hasTime = true)
+    constructor(signals: List<Signal>) : this(signals, hasTime = true)
 
     private val entries by lazy { Entries(signals) }
 
@@ -34,11 +34,11 @@ public class Vocabulary(
     override fun hashCode(): Int = signals.hashCode()
 
     /** Returns these names with [topic], which takes precedence over a meaning of the same name. */
-    public fun with(topic: Signal): Vocabulary =
+    fun with(topic: Signal): Vocabulary =
         Vocabulary(signals.filter { it.name != topic.name } + topic, hasTime, meanings - topic.name, thing, several - topic.name)
 
     /** Returns whether [name] means one of the signals, or several. */
-    public fun knows(name: String): Boolean = find(name).isNotEmpty()
+    fun knows(name: String): Boolean = find(name).isNotEmpty()
 
     /** Returns the signals that [name] may mean: none, one, or several if it is ambiguous. */
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)

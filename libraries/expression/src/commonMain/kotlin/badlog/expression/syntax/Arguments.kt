@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import badlog.expression.samples.Column
 import badlog.expression.samples.Operation
 import badlog.expression.samples.Regression

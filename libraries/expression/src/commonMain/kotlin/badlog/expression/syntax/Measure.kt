@@ -1,8 +1,8 @@
 package badlog.expression.syntax
 
-import badlog.analysis.Units
-import badlog.text.isLetter
-import badlog.text.isLetterOrDigit
+import badlog.core.analysis.Units
+import badlog.core.text.isLetter
+import badlog.core.text.isLetterOrDigit
 import kotlin.math.abs
 import kotlin.math.round
 

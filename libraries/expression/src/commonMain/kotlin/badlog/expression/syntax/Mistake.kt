@@ -6,7 +6,7 @@ internal class Mistake(val from: Int, val until: Int, val kind: ExpressionErrorK
 internal fun mistake(node: Node, message: String): Nothing = throw Mistake(node.from, node.until, ExpressionErrorKind.TYPE, message)
 
 /** What sort of mistake an [badlog.expression.ExpressionError] is. */
-public enum class ExpressionErrorKind {
+enum class ExpressionErrorKind {
     /** It cannot be read as an expression. */
     SYNTAX,
 

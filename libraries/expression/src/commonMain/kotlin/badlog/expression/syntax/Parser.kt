@@ -1,9 +1,9 @@
 package badlog.expression.syntax
 
+import badlog.core.text.isLetter
 import badlog.expression.signals.MAX_EXPRESSION_LENGTH
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
-import badlog.text.isLetter
 
 /**
  * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since the vocabulary and the

@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-import badlog.analysis.Units
+import badlog.core.analysis.Units
 import badlog.expression.signals.isWordCharacter
 import badlog.expression.signals.isWordEnd
 

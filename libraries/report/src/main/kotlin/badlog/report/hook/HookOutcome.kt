@@ -1,7 +1,7 @@
 package badlog.report.hook
 
-import badlog.analysis.Span
-import badlog.recording.Recording
+import badlog.core.analysis.Span
+import badlog.core.recording.Recording
 import badlog.rules.Finding
 import java.io.IOException
 
@@ -12,20 +12,20 @@ import java.io.IOException
  * @property result what it returned; null if it failed.
  * @property failure what went wrong; null if nothing did.
  */
-public class HookOutcome private constructor(public val hook: String, public val result: HookResult?, public val failure: HookException?) {
+class HookOutcome private constructor(val hook: String, val result: HookResult?, val failure: HookException?) {
     /** Returns what the program found; x has the unit [timeUnit]. */
-    public fun findings(timeUnit: String): List<Finding> = result?.findings.orEmpty().map { found ->
+    fun findings(timeUnit: String): List<Finding> = result?.findings.orEmpty().map { found ->
         val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
         Finding(hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
     }
 
-    public companion object {
+    companion object {
         /**
          * Runs [hook] for [recording], like [HookRunner.run].
          *
          * @throws InterruptedException if the thread was interrupted.
          */
-        public fun of(hook: HookRunner, recording: Recording): HookOutcome = try {
+        fun of(hook: HookRunner, recording: Recording): HookOutcome = try {
             HookOutcome(hook.name, hook.run(recording), null)
         } catch (e: HookException) {
             HookOutcome(hook.name, null, e)
@@ -37,4 +37,4 @@ public class HookOutcome private constructor(public val hook: String, public val
  * Thrown if a hook returned nothing usable. The message says what went wrong and what to do, with the end of the program's standard
  * error.
  */
-public class HookException internal constructor(override val message: String, cause: Throwable? = null) : IOException(message, cause)
+class HookException internal constructor(override val message: String, cause: Throwable? = null) : IOException(message, cause)

@@ -1,7 +1,7 @@
 package badlog.report.hook
 
-import badlog.analysis.Series
-import badlog.recording.Severity
+import badlog.core.analysis.Series
+import badlog.core.recording.Severity
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray

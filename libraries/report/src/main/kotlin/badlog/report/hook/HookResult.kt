@@ -1,7 +1,7 @@
 package badlog.report.hook
 
-import badlog.analysis.Series
-import badlog.recording.Severity
+import badlog.core.analysis.Series
+import badlog.core.recording.Severity
 
 /**
  * What a hook returned about a recording, checked.
@@ -11,11 +11,11 @@ import badlog.recording.Severity
  * @property series lines over the recording's x.
  * @property figures pictures.
  */
-public class HookResult internal constructor(
-    public val values: Map<String, String>,
-    public val findings: List<HookFinding>,
-    public val series: List<HookSeries>,
-    public val figures: List<HookFigure>,
+class HookResult internal constructor(
+    val values: Map<String, String>,
+    val findings: List<HookFinding>,
+    val series: List<HookSeries>,
+    val figures: List<HookFigure>,
 )
 
 /**
@@ -24,12 +24,7 @@ public class HookResult internal constructor(
  * @property time its place, in the unit of the recording's x; NaN if it is about the whole recording.
  * @property until where it ends; NaN if it is a moment, or about the whole recording.
  */
-public class HookFinding internal constructor(
-    public val severity: Severity,
-    public val text: String,
-    public val time: Double,
-    public val until: Double,
-)
+class HookFinding internal constructor(val severity: Severity, val text: String, val time: Double, val until: Double)
 
 /**
  * A line that a hook calculated.
@@ -37,7 +32,7 @@ public class HookFinding internal constructor(
  * @property unit its unit; empty if it has none.
  * @property data its samples; x never decreases, and y may be NaN.
  */
-public class HookSeries internal constructor(public val name: String, public val unit: String, public val data: Series)
+class HookSeries internal constructor(val name: String, val unit: String, val data: Series)
 
 /**
  * A picture that a hook drew.
@@ -46,4 +41,4 @@ public class HookSeries internal constructor(public val name: String, public val
  * @property mediaType `image/svg+xml` or `image/png`.
  * @property bytes the picture. Embed an SVG in a page as an image, not as elements, since it may contain scripts.
  */
-public class HookFigure internal constructor(public val title: String, public val mediaType: String, public val bytes: ByteArray)
+class HookFigure internal constructor(val title: String, val mediaType: String, val bytes: ByteArray)

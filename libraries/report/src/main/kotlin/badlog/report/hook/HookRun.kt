@@ -1,8 +1,8 @@
 package badlog.report.hook
 
-import badlog.bag.RecordingWriter
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
+import badlog.core.bag.RecordingWriter
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
 import java.io.IOException
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit

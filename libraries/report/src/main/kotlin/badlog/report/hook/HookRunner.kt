@@ -1,12 +1,12 @@
 package badlog.report.hook
 
-import badlog.analysis.periodicTimes
-import badlog.analysis.resampled
-import badlog.bag.BagHeader
-import badlog.bag.BagTopic
-import badlog.bag.BagValue
-import badlog.bag.headerText
-import badlog.recording.Recording
+import badlog.core.analysis.periodicTimes
+import badlog.core.analysis.resampled
+import badlog.core.bag.BagHeader
+import badlog.core.bag.BagTopic
+import badlog.core.bag.BagValue
+import badlog.core.bag.headerText
+import badlog.core.recording.Recording
 import badlog.rules.HookCommand
 import java.io.File
 import java.io.IOException
@@ -27,11 +27,11 @@ import kotlin.time.Duration.Companion.seconds
  * @property name its name; usually the script, or the program if no script is among its arguments.
  * @property folder its working directory; null for that of this program.
  */
-public class HookRunner(
-    public val command: List<String>,
-    public val timeLimit: Duration = DEFAULT_TIME_LIMIT,
-    public val name: String = nameOf(command),
-    public val folder: Path? = null,
+class HookRunner(
+    val command: List<String>,
+    val timeLimit: Duration = DEFAULT_TIME_LIMIT,
+    val name: String = nameOf(command),
+    val folder: Path? = null,
 ) {
     init {
         require(command.isNotEmpty()) { "The command of the hook is empty." }
@@ -45,7 +45,7 @@ public class HookRunner(
      * @throws HookException if it cannot be started, takes too long, fails, or returns something invalid.
      * @throws InterruptedException if the thread was interrupted; the program is then killed.
      */
-    public fun run(recording: Recording): HookResult {
+    fun run(recording: Recording): HookResult {
         val header = try {
             Files.createTempFile("badlog-header-", ".json")
         } catch (e: IOException) {
@@ -98,12 +98,12 @@ public class HookRunner(
         }
     }
 
-    public companion object {
+    companion object {
         /** The default of [timeLimit]. */
-        public val DEFAULT_TIME_LIMIT: Duration = 30.seconds
+        val DEFAULT_TIME_LIMIT: Duration = 30.seconds
 
         /** Returns the runner of [hook], which a file of rules in [folder] names. */
-        public fun of(hook: HookCommand, folder: Path?): HookRunner =
+        fun of(hook: HookCommand, folder: Path?): HookRunner =
             HookRunner(hook.command, hook.timeLimit ?: DEFAULT_TIME_LIMIT, hook.name ?: nameOf(hook.command), folder)
 
         // Returns the name: the first argument that looks like a file name is the script, as in `python3 -u tools/analyze.py`.

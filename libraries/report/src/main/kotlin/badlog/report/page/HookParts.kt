@@ -1,14 +1,14 @@
 package badlog.report.page
 
-import badlog.html.protocol.HookPart
-import badlog.html.protocol.PageFigure
-import badlog.html.protocol.PageSeries
-import badlog.recording.Value
+import badlog.core.recording.Value
+import badlog.protocol.HookPart
+import badlog.protocol.PageFigure
+import badlog.protocol.PageSeries
 import badlog.report.hook.HookOutcome
 import java.util.Base64
 
 /** Returns what the page of a log shows of the outcomes of [hooks]. */
-public fun hookParts(hooks: List<HookOutcome>): List<HookPart> = hooks.map { outcome ->
+fun hookParts(hooks: List<HookOutcome>): List<HookPart> = hooks.map { outcome ->
     val result = outcome.result ?: return@map HookPart(outcome.hook, error = outcome.failure?.message)
     HookPart(
         outcome.hook,

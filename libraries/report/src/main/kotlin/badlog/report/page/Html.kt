@@ -1,10 +1,10 @@
 package badlog.report.page
 
-import badlog.plot.address.FindingName
-import badlog.plot.address.PageAddress
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.terminal.printable
+import badlog.viewer.session.link.FindingName
+import badlog.viewer.session.link.PageAddress
 import java.net.URLEncoder
 import java.security.MessageDigest
 import java.util.Base64

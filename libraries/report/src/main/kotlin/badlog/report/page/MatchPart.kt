@@ -1,13 +1,13 @@
 package badlog.report.page
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.rules.Finding
 import badlog.rules.comparison.figureText
 import badlog.rules.comparison.resistanceText
-import badlog.rules.figure.Measure
 import badlog.rules.incident.Incident
+import badlog.rules.number.Measure
 import badlog.rules.timeText
 
 /** A log of the index page. */

@@ -1,11 +1,11 @@
 package badlog.report.page
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.report.LogReport
 import badlog.rules.Finding
 import badlog.rules.comparison.figureText
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.Measure
+import badlog.rules.number.LogFigures
+import badlog.rules.number.Measure
 
 /**
  * Returns all readable logs in a table, the worst first: the number of findings in each, the first finding, and the state of its battery.

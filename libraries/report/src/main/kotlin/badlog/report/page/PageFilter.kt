@@ -1,6 +1,6 @@
 package badlog.report.page
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 
 /** Returns the fields that filter the page; hidden until the page's script shows them. */
 internal fun filterForm(logs: List<IndexedLog>): String {

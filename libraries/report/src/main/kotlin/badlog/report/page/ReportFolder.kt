@@ -1,20 +1,20 @@
 package badlog.report.page
 
-import badlog.file.LogFile
-import badlog.file.LogName
-import badlog.file.UnwritableFileException
-import badlog.file.writeAtomically
-import badlog.html.ExportException
-import badlog.html.HtmlExporter
-import badlog.html.fieldFor
-import badlog.html.layoutFor
-import badlog.html.protocol.PageAdditions
+import badlog.core.text.freeName
+import badlog.exporter.ExportException
+import badlog.exporter.HtmlExporter
+import badlog.exporter.fieldFor
+import badlog.exporter.layoutFor
+import badlog.files.LogFile
+import badlog.files.LogName
+import badlog.files.UnwritableFileException
+import badlog.files.writeAtomically
+import badlog.protocol.PageAdditions
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
 import badlog.report.startOfBytes
 import badlog.rules.RuleSet
-import badlog.text.freeName
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -30,7 +30,7 @@ import java.nio.file.Path
  * @param field the file of the field on which the pages draw paths; null for the one beside each log, if any.
  * @param exporter makes the pages of the logs.
  */
-public class ReportFolder(
+class ReportFolder(
     private val folder: Path,
     logs: List<LogFile>,
     private val rules: RuleSet,
@@ -46,14 +46,14 @@ public class ReportFolder(
     private val problems = LinkedHashSet<String>()
 
     /** A sentence for each mistake in the layouts and fields beside the logs whose pages were made. */
-    public val problemsBeside: Set<String> get() = problems
+    val problemsBeside: Set<String> get() = problems
 
     /**
      * Checks that the index can be written, so that nobody waits in vain.
      *
      * @throws ExportException if another file is in its place.
      */
-    public fun checkIndex(): Unit = check(index)
+    fun checkIndex(): Unit = check(index)
 
     /**
      * Makes the page of [log], unless it cannot be read, with the rules and the outcomes of [hooks].
@@ -63,7 +63,7 @@ public class ReportFolder(
      * be made.
      * @throws InterruptedException if the thread was interrupted.
      */
-    public fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()): Path? {
+    fun add(log: LogReport, hooks: List<HookOutcome> = emptyList()): Path? {
         if (log.unreadable != null) return null
         val name = pageName(log)
         val page = folder.resolve(name)
@@ -94,7 +94,7 @@ public class ReportFolder(
      * @return its path.
      * @throws ExportException if it cannot be written, or another file is in its place.
      */
-    public fun writeIndex(result: ReportResult, title: String = "Report"): Path {
+    fun writeIndex(result: ReportResult, title: String = "Report"): Path {
         check(index)
         try {
             writeAtomically(index) { it.write(reportPage(result, title) { log -> pages[log] }.encodeToByteArray()) }

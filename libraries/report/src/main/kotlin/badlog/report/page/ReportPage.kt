@@ -1,13 +1,13 @@
 package badlog.report.page
 
-import badlog.html.BADLOG_VERSION
-import badlog.plot.color.Shade
-import badlog.plot.color.cssColor
+import badlog.exporter.BADLOG_VERSION
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.notesOf
 import badlog.report.shortNames
 import badlog.report.summary
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.color.cssColor
 
 /**
  * Returns a page that shows all incidents and findings and needs nothing else: no network, no library, and a script only for filtering and
@@ -19,7 +19,7 @@ import badlog.report.summary
  * @param title the heading of the page.
  * @param pageOf returns where the page of a log is, as a path with `/` relative to this page, or null if there is none.
  */
-public fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
+fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
     val names = shortNames(result.logs.map { it.file })
     val readable = result.logs.filter { it.unreadable == null }
     val event = eventOf(readable.mapNotNull { it.title })

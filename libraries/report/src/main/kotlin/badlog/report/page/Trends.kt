@@ -1,8 +1,8 @@
 package badlog.report.page
 
-import badlog.rules.figure.FigureKey
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.Measure
+import badlog.rules.number.FigureKey
+import badlog.rules.number.LogFigures
+import badlog.rules.number.Measure
 
 /** Returns small plots of the battery, the loop and the figures that differed most, over [logs], in order; empty for none. */
 internal fun trends(logs: List<IndexedLog>): String {

@@ -1,7 +1,7 @@
 package badlog.report.table
 
-import badlog.recording.PathName
-import badlog.recording.Value
+import badlog.core.recording.PathName
+import badlog.core.recording.Value
 
 /** Returns the value called [name], or whose name ends like that, regardless of case; empty if there is none. */
 internal fun headerOf(values: List<Value>, name: String): String {

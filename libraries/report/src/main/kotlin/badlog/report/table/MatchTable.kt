@@ -1,13 +1,13 @@
 package badlog.report.table
 
+import badlog.core.recording.NumberSinks
 import badlog.expression.ExpressionError
 import badlog.expression.Outcome
 import badlog.expression.ParsedQuestion
 import badlog.expression.Question
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
-import badlog.file.LogFile
-import badlog.recording.NumberSinks
+import badlog.files.LogFile
 import badlog.report.CachedResult
 import badlog.report.HookFailure
 import badlog.report.LogContent
@@ -23,12 +23,12 @@ import badlog.report.hook.HookRunner
 import badlog.report.notAsked
 import badlog.report.runCached
 import badlog.rules.BUILT_IN
-import badlog.rules.LogShape
-import badlog.rules.QuestionNames
 import badlog.rules.RuleSet
-import badlog.rules.signal.NamePattern
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.toJson
+import badlog.signals.LogShape
+import badlog.signals.QuestionNames
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.toJson
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
 import java.nio.file.Path
@@ -46,9 +46,9 @@ import java.nio.file.Path
  * @param signals the names of topics that the questions refer to by their meaning.
  * @param only the topics whose lowest, mean and highest values are in the table.
  */
-public class MatchTable(
-    public val questions: List<String>,
-    public val by: List<String> = emptyList(),
+class MatchTable(
+    val questions: List<String>,
+    val by: List<String> = emptyList(),
     private val hooks: List<HookRunner> = emptyList(),
     private val condition: String? = null,
     private val virtualTopics: List<String> = emptyList(),
@@ -77,7 +77,7 @@ public class MatchTable(
     }
 
     /** What is wrong with a question, or the condition, regardless of the log; null if nothing seems wrong. */
-    public val mistake: Reply.NotAsked? =
+    val mistake: Reply.NotAsked? =
         (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
     @Serializable
@@ -101,7 +101,7 @@ public class MatchTable(
      * @param progress called on this thread with the number of files done.
      * @return a row for each file, sorted.
      */
-    public fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
+    fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
         val rows = ArrayList<TableRow>(files.size)
         val parts =
             listOf(
@@ -125,7 +125,7 @@ public class MatchTable(
     }
 
     /** Returns what is wrong with a question that failed for all [rows]. */
-    public fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
+    fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
         val wrong = rows.mapNotNull { it.mistake }
         if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return wrong.maxBy { it.place }
         val cells = rows.filter { it.isWanted }.map { it.cells }.filter { it.isNotEmpty() }

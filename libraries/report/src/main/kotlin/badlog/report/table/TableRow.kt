@@ -1,6 +1,6 @@
 package badlog.report.table
 
-import badlog.file.LogFile
+import badlog.files.LogFile
 import badlog.report.HookFailure
 import badlog.report.Reply
 import badlog.report.UndefinedTopic
@@ -20,19 +20,19 @@ import kotlinx.serialization.Serializable
  * @property isWanted whether the log meets the table's condition.
  * @property undefined the virtual topics that could not be calculated.
  */
-public class TableRow internal constructor(
-    public val file: LogFile,
-    public val title: String?,
-    public val headers: List<String>,
-    public val cells: List<TableCell>,
-    public val topics: List<TopicCell>,
-    public val hookValues: List<HookValue>,
-    public val hookFailures: List<HookFailure>,
-    public val unreadable: String?,
-    public val isNoLog: Boolean,
-    public val isSalvaged: Boolean,
-    public val isWanted: Boolean,
-    public val undefined: List<UndefinedTopic>,
+class TableRow internal constructor(
+    val file: LogFile,
+    val title: String?,
+    val headers: List<String>,
+    val cells: List<TableCell>,
+    val topics: List<TopicCell>,
+    val hookValues: List<HookValue>,
+    val hookFailures: List<HookFailure>,
+    val unreadable: String?,
+    val isNoLog: Boolean,
+    val isSalvaged: Boolean,
+    val isWanted: Boolean,
+    val undefined: List<UndefinedTopic>,
     internal val mistake: Reply.NotAsked?,
 )
 
@@ -45,12 +45,7 @@ public class TableRow internal constructor(
  * @property refusal why the question failed; null if it did not.
  */
 @Serializable
-public class TableCell internal constructor(
-    public val value: Double,
-    public val unit: String,
-    public val word: String,
-    public val refusal: Reply.NotAsked?,
-)
+class TableCell internal constructor(val value: Double, val unit: String, val word: String, val refusal: Reply.NotAsked?)
 
 /**
  * A value that a hook returned for a log.
@@ -59,7 +54,7 @@ public class TableCell internal constructor(
  * @property name the name of the value.
  * @property text the text, or the number as text.
  */
-public class HookValue internal constructor(public val hook: String, public val name: String, public val text: String)
+class HookValue internal constructor(val hook: String, val name: String, val text: String)
 
 /**
  * A column of the values of a hook.

@@ -7,7 +7,7 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /** A row of a [MatchTable] in the form for other programs. Unknown numbers are null. */
 @Serializable
-public class TableRowJson private constructor(
+class TableRowJson private constructor(
     private val match: String?,
     private val by: Map<String, String>,
     private val values: Map<String, Double?>,
@@ -16,7 +16,7 @@ public class TableRowJson private constructor(
     private val hooks: Map<String, Map<String, JsonPrimitive>>,
     private val hookFailures: List<HookFailureJson>,
 ) {
-    public constructor(table: MatchTable, row: TableRow) : this(
+    constructor(table: MatchTable, row: TableRow) : this(
         match = row.title,
         by = table.by.zip(row.headers).toMap(),
         values =

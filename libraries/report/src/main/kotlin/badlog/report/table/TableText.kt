@@ -9,7 +9,7 @@ import badlog.report.undefinedTexts
 import badlog.terminal.TextTable
 
 /** Returns [rows] of [table] for a terminal: a line for each included log. */
-public fun tableText(table: MatchTable, rows: List<TableRow>): String {
+fun tableText(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val names = shortNames(asked.map { it.file })
     val units = unitsOf(table, asked)
@@ -30,7 +30,7 @@ public fun tableText(table: MatchTable, rows: List<TableRow>): String {
 }
 
 /** Returns [rows] of [table] as CSV (RFC 4180): exact numbers, and an empty cell for none. */
-public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
+fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
     val asked = askedOf(rows)
     val units = unitsOf(table, asked)
     val topics = TopicColumn.of(asked)
@@ -46,7 +46,7 @@ public fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
 }
 
 /** Returns what failed, and why: virtual topics and hooks, each as a sentence or more. */
-public fun notesOf(rows: List<TableRow>): List<String> =
+fun notesOf(rows: List<TableRow>): List<String> =
     undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
 
 private fun askedOf(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }

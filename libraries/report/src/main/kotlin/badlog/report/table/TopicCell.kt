@@ -13,9 +13,9 @@ import kotlinx.serialization.Serializable
  * @property cell the result.
  */
 @Serializable
-public class TopicCell internal constructor(public val topic: String, public val statistic: String, public val cell: TableCell) {
+class TopicCell internal constructor(val topic: String, val statistic: String, val cell: TableCell) {
     /** The title of its column, such as `max(PDP/Current 0)`. */
-    public val title: String get() = "$statistic($topic)"
+    val title: String get() = "$statistic($topic)"
 }
 
 /** A question for the [statistic] of [topic]. */

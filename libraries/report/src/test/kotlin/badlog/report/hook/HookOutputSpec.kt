@@ -1,6 +1,6 @@
 package badlog.report.hook
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -1,13 +1,13 @@
 package badlog.report.hook
 
-import badlog.file.readRecording
+import badlog.core.python.HAS_PYTHON
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.python.HAS_PYTHON
-import badlog.recording.CellCounts
-import badlog.recording.Recording
-import badlog.recording.RecordingFormat
-import badlog.recording.TextColumn
-import badlog.recording.Topic
 import badlog.report.ROOT
 import badlog.report.sample
 import badlog.rules.commandWords

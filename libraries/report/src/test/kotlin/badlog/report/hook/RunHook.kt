@@ -1,6 +1,6 @@
 package badlog.report.hook
 
-import badlog.file.readRecording
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import java.nio.file.Path
 

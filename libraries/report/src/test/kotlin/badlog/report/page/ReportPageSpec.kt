@@ -1,9 +1,9 @@
 package badlog.report.page
 
-import badlog.file.LogFile
-import badlog.html.ExportException
-import badlog.html.HtmlExporter
-import badlog.html.PageParts
+import badlog.exporter.ExportException
+import badlog.exporter.HtmlExporter
+import badlog.exporter.PageParts
+import badlog.files.LogFile
 import badlog.report.Report
 import badlog.report.bag
 import badlog.report.batteryBag

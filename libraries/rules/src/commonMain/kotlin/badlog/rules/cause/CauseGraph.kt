@@ -1,16 +1,16 @@
 package badlog.rules.cause
 
-import badlog.json.JsonValue
-import badlog.json.quotedJson
-import badlog.rules.json.JsonFields
-import badlog.rules.json.itemsOf
-import badlog.rules.json.jsonArray
-import badlog.rules.json.jsonList
-import badlog.rules.json.jsonObject
-import badlog.rules.json.stringOf
-import badlog.rules.signal.NamePattern
-import badlog.rules.signal.patterns
-import badlog.rules.signal.patternsJson
+import badlog.core.json.JsonValue
+import badlog.core.json.quotedJson
+import badlog.signals.json.JsonFields
+import badlog.signals.json.itemsOf
+import badlog.signals.json.jsonArray
+import badlog.signals.json.jsonList
+import badlog.signals.json.jsonObject
+import badlog.signals.json.stringOf
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.patterns
+import badlog.signals.vocabulary.patternsJson
 
 /**
  * What rules know about cause and effect: which findings show that something happened, and which findings may follow from
@@ -19,7 +19,7 @@ import badlog.rules.signal.patternsJson
  * @property causes what may have happened; of two that explain the same, the earlier one counts.
  * @property effects for the name of each rule, the rules whose findings may follow from its findings.
  */
-public class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
+class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
     /** Returns the rules whose findings may follow from those of [rules], directly or indirectly. */
     internal fun reachedFrom(rules: Collection<String>): Set<String> {
         val reached = LinkedHashSet<String>()
@@ -35,9 +35,9 @@ public class CauseGraph internal constructor(internal val causes: List<Cause>, i
         return CauseGraph(own.causes + causes.filter { it.name !in names }, all)
     }
 
-    public companion object {
+    companion object {
         /** No causes and no effects. */
-        public val NONE: CauseGraph = CauseGraph(emptyList(), emptyMap())
+        val NONE: CauseGraph = CauseGraph(emptyList(), emptyMap())
 
         internal fun fromJson(value: JsonValue): CauseGraph {
             val json = JsonFields(value.members)

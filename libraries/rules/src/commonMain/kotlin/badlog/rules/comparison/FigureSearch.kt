@@ -1,33 +1,33 @@
 package badlog.rules.comparison
 
-import badlog.analysis.LogView
-import badlog.analysis.Series
-import badlog.analysis.Span
-import badlog.analysis.StateRuns
-import badlog.analysis.Units
-import badlog.analysis.enabledSpans
-import badlog.analysis.knowsAutonomous
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.analysis.StateRuns
+import badlog.core.analysis.Units
+import badlog.core.analysis.enabledSpans
+import badlog.core.analysis.knowsAutonomous
 import badlog.expression.LogViewSignals
-import badlog.rules.LogShape
-import badlog.rules.NamedSamples
-import badlog.rules.NamedSignal
-import badlog.rules.figure.ComparedSignal
-import badlog.rules.figure.FigureKey
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.MatchKind
-import badlog.rules.figure.Measure
-import badlog.rules.figure.Resistance
-import badlog.rules.figure.common
-import badlog.rules.figure.meanOf
-import badlog.rules.figure.percentileOf
-import badlog.rules.figure.resistanceOf
-import badlog.rules.figure.timeWithin
-import badlog.rules.figure.united
-import badlog.rules.signal.SignalTopic
-import badlog.rules.signal.SignalTopics
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.matchOf
-import badlog.rules.withSignals
+import badlog.rules.number.ComparedSignal
+import badlog.rules.number.FigureKey
+import badlog.rules.number.LogFigures
+import badlog.rules.number.MatchKind
+import badlog.rules.number.Measure
+import badlog.rules.number.Resistance
+import badlog.rules.number.common
+import badlog.rules.number.meanOf
+import badlog.rules.number.percentileOf
+import badlog.rules.number.resistanceOf
+import badlog.rules.number.timeWithin
+import badlog.rules.number.united
+import badlog.signals.LogShape
+import badlog.signals.NamedSamples
+import badlog.signals.NamedSignal
+import badlog.signals.vocabulary.SignalTopic
+import badlog.signals.vocabulary.SignalTopics
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.matchOf
+import badlog.signals.withSignals
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.log10
@@ -38,7 +38,7 @@ import kotlin.math.round
  * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
  * time was too short.
  */
-public fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
+fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
     val shape = LogShape.of(view)
     if (!shape.vocabulary.hasTime) return LogFigures.NONE
     return FigureSearch(view.withSignals(vocabulary), shape.topicsOf(vocabulary), vocabulary.matchOf(view.recording).type).figures()

@@ -3,12 +3,12 @@ package badlog.rules.comparison
 import badlog.rules.Comparison
 import badlog.rules.Finding
 import badlog.rules.RuleSet
-import badlog.rules.figure.Baseline
-import badlog.rules.figure.ComparedSignal
-import badlog.rules.figure.FigureKey
-import badlog.rules.figure.LogFigures
-import badlog.rules.figure.MatchKind
-import badlog.rules.figure.Measure
+import badlog.rules.number.Baseline
+import badlog.rules.number.ComparedSignal
+import badlog.rules.number.FigureKey
+import badlog.rules.number.LogFigures
+import badlog.rules.number.MatchKind
+import badlog.rules.number.Measure
 import badlog.rules.timeText
 import kotlin.math.abs
 import kotlin.math.round
@@ -20,14 +20,10 @@ import kotlin.math.round
  * @property figures the figure of each of [findings].
  * @property differences the differences that are large enough to be mentioned in a related incident; [findings] first.
  */
-public class LogDifferences internal constructor(
-    public val findings: List<Finding>,
-    public val figures: List<FigureKey>,
-    public val differences: List<Finding>,
-) {
-    public companion object {
+class LogDifferences internal constructor(val findings: List<Finding>, val figures: List<FigureKey>, val differences: List<Finding>) {
+    companion object {
         /** No differences. */
-        public val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
+        val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
     }
 }
 
@@ -37,7 +33,7 @@ public class LogDifferences internal constructor(
  *
  * @return a result for each log.
  */
-public fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
+fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
     val found = arrayOfNulls<LogDifferences>(logs.size)
     if (comparisons.isNotEmpty()) {
         for (kind in MatchKind.entries) {
@@ -176,7 +172,7 @@ private class LogComparison(private val rules: List<Comparison>, private val log
 }
 
 /** Returns the resistance of a log's battery with its uncertainty: `24.8 ± 0.9 mΩ`. Empty if the log does not show it. */
-public fun resistanceText(log: LogFigures): String =
+fun resistanceText(log: LogFigures): String =
     if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_TOLD))} mΩ"
 
 private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
@@ -190,7 +186,7 @@ private fun LogFigures.evidenceOf(key: FigureKey): List<String> {
 }
 
 /** Returns a figure with its unit, in three digits: `23.1 A`. */
-public fun figureText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
+fun figureText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
 
 private fun threeDigits(value: Double): Double {
     var scale = 1.0

@@ -1,6 +1,6 @@
 package badlog.rules.incident
 
-import badlog.recording.Severity
+import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.timeText
 
@@ -14,29 +14,29 @@ import badlog.rules.timeText
  * @property next what to look at next, as a sentence; empty if not given.
  * @property difference how it differed from the team's other matches; null if nothing is known.
  */
-public class Incident internal constructor(
-    public val name: String,
-    public val causes: List<Finding>,
-    public val effects: List<Finding>,
-    public val next: String,
-    public val difference: Finding? = null,
+class Incident internal constructor(
+    val name: String,
+    val causes: List<Finding>,
+    val effects: List<Finding>,
+    val next: String,
+    val difference: Finding? = null,
 ) {
-    public val severity: Severity = (causes + effects).maxOf { it.severity }
+    val severity: Severity = (causes + effects).maxOf { it.severity }
 
     /** Its beginning: its first cause, or the first effect if the cause is about the whole log. */
-    public val first: Finding = causes[0].takeUnless { it.time.isNaN() } ?: effects.firstOrNull() ?: causes[0]
+    val first: Finding = causes[0].takeUnless { it.time.isNaN() } ?: effects.firstOrNull() ?: causes[0]
 
     /** When it began, in the unit of x; NaN if its cause is about the whole log and no effect has a time. */
-    public val time: Double get() = first.time
+    val time: Double get() = first.time
 
     /** The unit of [time]. */
-    public val timeUnit: String get() = causes[0].timeUnit
+    val timeUnit: String get() = causes[0].timeUnit
 
     /**
      * Its description: first the likely cause, then the worst of what followed, and how it differed from other matches; each with the
      * finding that shows it.
      */
-    public val sentences: List<Sentence>
+    val sentences: List<Sentence>
         get() {
             val told = effects.filter {
                 it.severity != Severity.NOTE && !isSaidByCause(it)
@@ -47,13 +47,13 @@ public class Incident internal constructor(
         }
 
     /** The effects that [sentences] omit. */
-    public val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
+    val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
 
     /** The full names of the topics that show what [sentences] say, in order. */
-    public val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()
+    val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()
 
     /** Returns whether [finding] is a part of it. */
-    public operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
+    operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
 
     /** Returns whether it is the same as a cause at the same moment: a stalled loop, for example, need not be mentioned twice. */
     private fun isSaidByCause(effect: Finding) =
@@ -72,7 +72,7 @@ public class Incident internal constructor(
      * @property text one or two sentences.
      * @property finding what shows it: its time and its topics.
      */
-    public class Sentence internal constructor(public val text: String, public val finding: Finding)
+    class Sentence internal constructor(val text: String, val finding: Finding)
 
     private companion object {
         const val MAX_TOLD = 2
@@ -83,16 +83,16 @@ public class Incident internal constructor(
 }
 
 /** Returns the full names of the topics that show [finding], then of those that show this incident, if it is part of one. */
-public fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
+fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
 
 /**
  * Returns the full names of the topics that show the first of [incidents], or else the first of [worstFirst] that is more than a note.
  * Empty if there is neither.
  */
-public fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<String> =
+fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<String> =
     incidents.firstOrNull()?.evidence ?: worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
 /**
  * Returns what to look at next for [finding]: the advice of this incident, if it is part of one, or else that of the finding; may be empty.
  */
-public fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }
+fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }

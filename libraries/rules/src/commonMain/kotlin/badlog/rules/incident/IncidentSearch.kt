@@ -1,6 +1,6 @@
 package badlog.rules.incident
 
-import badlog.analysis.Span
+import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.cause.Cause
@@ -12,7 +12,7 @@ import badlog.rules.cause.Cause
  * @param differences how the log differs from the team's other matches, greatest difference first; an incident mentions the first
  *   one about its own topics.
  */
-public fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
+fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
     val ofRules = findings.filter { !it.isOfHook }
     val explained = HashSet<Finding>()
     val found = ArrayList<Incident>()

@@ -1,7 +1,7 @@
 package badlog.season.lake
 
-import badlog.file.FolderRun
-import badlog.file.LogFile
+import badlog.files.FolderRun
+import badlog.files.LogFile
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import java.io.IOException
@@ -18,7 +18,7 @@ import kotlin.concurrent.read
 import kotlin.concurrent.write
 
 /** Thrown if a lake cannot be made or read. The message is one sentence for the user: what, where, and what to do. */
-public class LakeException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+class LakeException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
  * A log for a lake.
@@ -27,7 +27,7 @@ public class LakeException(override val message: String, cause: Throwable? = nul
  * @property name its name in the lake, with slashes, usually its path below the folder of logs; if another file has that name in the
  *   lake, a number is added.
  */
-public class LakeLog(public val file: LogFile, public val name: String) {
+class LakeLog(val file: LogFile, val name: String) {
     internal val source: LogSource get() = LogSource(pathOf(file.path), file.name, name, file.size, file.modified)
 }
 
@@ -39,12 +39,12 @@ public class LakeLog(public val file: LogFile, public val name: String) {
  * @property isSalvaged whether data of the log is lost; only known if it was written.
  * @property isWritten whether it was written; otherwise it was already in the lake.
  */
-public class LakeOutcome internal constructor(
-    public val log: LakeLog,
-    public val message: String?,
-    public val isNoLog: Boolean,
-    public val isSalvaged: Boolean,
-    public val isWritten: Boolean,
+class LakeOutcome internal constructor(
+    val log: LakeLog,
+    val message: String?,
+    val isNoLog: Boolean,
+    val isSalvaged: Boolean,
+    val isWritten: Boolean,
 )
 
 /**
@@ -53,12 +53,12 @@ public class LakeOutcome internal constructor(
  * @property outcomes the outcome for each file, in the order of the files.
  * @property removed the number of logs removed from the lake because their files are gone.
  */
-public class LakeResult internal constructor(public val outcomes: List<LakeOutcome>, public val removed: Int) {
+class LakeResult internal constructor(val outcomes: List<LakeOutcome>, val removed: Int) {
     /** The number of logs written. */
-    public val written: Int get() = outcomes.count { it.isWritten }
+    val written: Int get() = outcomes.count { it.isWritten }
 
     /** The number of logs that were already in the lake. */
-    public val unchanged: Int get() = outcomes.count { it.message == null && !it.isWritten }
+    val unchanged: Int get() = outcomes.count { it.message == null && !it.isWritten }
 }
 
 /**
@@ -66,7 +66,7 @@ public class LakeResult internal constructor(public val outcomes: List<LakeOutco
  *
  * @property folder its folder.
  */
-public class Lake(public val folder: Path) {
+class Lake(val folder: Path) {
     /**
      * Updates the lake to the current state of [logs]. Only changed logs are read and written. Logs below [roots] that are not among
      * [logs] are removed. Each file is written atomically, so an interrupted run leaves a readable lake, and the next run continues.
@@ -83,7 +83,7 @@ public class Lake(public val folder: Path) {
      * @throws LakeException if [folder] is something else, is being written to, or cannot be written to.
      * @throws InterruptedException if the thread was interrupted.
      */
-    public fun refresh(
+    fun refresh(
         logs: List<LakeLog>,
         roots: List<Path>,
         rules: RuleSet,
@@ -130,12 +130,12 @@ public class Lake(public val folder: Path) {
         if (!isEmpty) throw LakeException("$folder has other files in it; name an empty folder, or a new one.")
     }
 
-    public companion object {
+    companion object {
         /** Returns whether [folder] is a lake, of any version. */
-        public fun isLake(folder: Path): Boolean = Files.isRegularFile(folder.resolve(LakeLayout.MARK))
+        fun isLake(folder: Path): Boolean = Files.isRegularFile(folder.resolve(LakeLayout.MARK))
 
         /** The version of the layout that is written, see `docs/season.md`; other versions are not read. */
-        public const val LAYOUT_VERSION: Int = LakeLayout.VERSION
+        const val LAYOUT_VERSION: Int = LakeLayout.VERSION
 
         private const val DEFAULT_BATCH = 500
 

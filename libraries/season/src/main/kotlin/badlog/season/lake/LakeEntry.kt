@@ -9,15 +9,15 @@ import java.io.Serializable
  * @property files the files of its samples, seen from the lake.
  * @property isSalvaged whether the log lost something.
  */
-public class LakeEntry internal constructor(
-    public val log: String,
+class LakeEntry internal constructor(
+    val log: String,
     internal val partition: Partition,
-    public val files: List<String>,
-    public val isSalvaged: Boolean,
+    val files: List<String>,
+    val isSalvaged: Boolean,
     internal val records: Map<LakeTable, List<List<Any?>>>,
 ) : Serializable {
     /** Where its records are in each table: the folders of season and event, with a slash between. */
-    public val place: String get() = partition.path
+    val place: String get() = partition.path
 
     private companion object {
         const val serialVersionUID = 1L
@@ -25,12 +25,12 @@ public class LakeEntry internal constructor(
 }
 
 /** A change to the tables of a lake. */
-public sealed interface LakeChange : Serializable {
+sealed interface LakeChange : Serializable {
     /** In the tables of which place. */
-    public val place: String
+    val place: String
 
     /** [entry] is to be there, instead of what was there of that log. */
-    public class Put(public val entry: LakeEntry) : LakeChange {
+    class Put(val entry: LakeEntry) : LakeChange {
         override val place: String get() = entry.place
 
         private companion object {
@@ -39,7 +39,7 @@ public sealed interface LakeChange : Serializable {
     }
 
     /** [log] is not to be there any longer. */
-    public class Remove(public val log: RegisteredLog) : LakeChange {
+    class Remove(val log: RegisteredLog) : LakeChange {
         override val place: String get() = log.place
 
         private companion object {

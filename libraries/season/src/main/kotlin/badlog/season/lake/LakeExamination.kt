@@ -1,29 +1,29 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.file.UnreadableFileException
-import badlog.file.readRecording
+import badlog.core.analysis.LogView
+import badlog.core.recording.ProblemKind
+import badlog.files.UnreadableFileException
+import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.recording.ProblemKind
 import badlog.rules.Finding
-import badlog.rules.LogShape
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.toJson
-import badlog.rules.withSignals
 import badlog.season.engine.Engine
+import badlog.signals.LogShape
+import badlog.signals.withSignals
 import java.nio.file.Path
 import java.sql.SQLException
 import java.util.concurrent.ConcurrentHashMap
 import java.util.zip.CRC32
 
 /** What a file for a lake turned out to be. */
-public sealed interface ExaminedLog {
+sealed interface ExaminedLog {
     /** A log, whose files are written; [entry] is for the tables. */
-    public class Written internal constructor(public val entry: LakeEntry) : ExaminedLog
+    class Written internal constructor(val entry: LakeEntry) : ExaminedLog
 
     /** Something other than a log, or a log that cannot be read; [message] says why. */
-    public class None internal constructor(public val message: String, public val isNoLog: Boolean) : ExaminedLog
+    class None internal constructor(val message: String, val isNoLog: Boolean) : ExaminedLog
 }
 
 /** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe. */

@@ -1,6 +1,6 @@
 package badlog.season.lake
 
-import badlog.text.freeName
+import badlog.core.text.freeName
 import java.io.Serializable
 
 /**
@@ -9,8 +9,7 @@ import java.io.Serializable
  * @property log what the lake calls it.
  * @property former what the lake has of it; null for nothing.
  */
-public class PlannedLog internal constructor(public val source: LogSource, public val log: String, public val former: RegisteredLog?) :
-    Serializable {
+class PlannedLog internal constructor(val source: LogSource, val log: String, val former: RegisteredLog?) : Serializable {
     private companion object {
         const val serialVersionUID = 1L
     }
@@ -23,14 +22,10 @@ public class PlannedLog internal constructor(public val source: LogSource, publi
  * @property gone what is to be removed: logs whose files are gone.
  * @property ignored the files that are known not to be logs, and why.
  */
-public class LakePlan internal constructor(
-    public val changed: List<PlannedLog>,
-    public val gone: List<RegisteredLog>,
-    public val ignored: Map<LogSource, String>,
-)
+class LakePlan internal constructor(val changed: List<PlannedLog>, val gone: List<RegisteredLog>, val ignored: Map<LogSource, String>)
 
 /** What is known of a lake before a run. */
-public class LakeInventory internal constructor(private val mark: LakeMark, registered: List<RegisteredLog>) {
+class LakeInventory internal constructor(private val mark: LakeMark, registered: List<RegisteredLog>) {
     private val registered = registered.associateBy { it.path }
 
     /**
@@ -39,7 +34,7 @@ public class LakeInventory internal constructor(private val mark: LakeMark, regi
      * @param isWanted of the path of a log that the lake has, whether its folder was looked at, so that it is gone unless it is among [logs].
      * @param isThere whether the lake has the file that is called so, seen from its folder.
      */
-    public fun plan(logs: List<LogSource>, maker: String, isWanted: (String) -> Boolean, isThere: (String) -> Boolean): LakePlan {
+    fun plan(logs: List<LogSource>, maker: String, isWanted: (String) -> Boolean, isThere: (String) -> Boolean): LakePlan {
         val marked = mark.ignored.associateBy { it.path }
         val ignored = LinkedHashMap<LogSource, String>()
         val changed = logs.filter { log ->
@@ -62,15 +57,15 @@ public class LakeInventory internal constructor(private val mark: LakeMark, regi
     }
 
     /** Returns what the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are no logs, and why. */
-    public fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
+    fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 
-    public companion object {
+    companion object {
         /**
          * That of the lake [folder], which has [registered] and says [mark] of itself; null for a lake to be.
          *
          * @throws LakeException when another version of badlog wrote it, or [mark] cannot be understood.
          */
-        public fun of(folder: String, mark: String?, registered: List<RegisteredLog>): LakeInventory =
+        fun of(folder: String, mark: String?, registered: List<RegisteredLog>): LakeInventory =
             LakeInventory(mark?.let { LakeMark.of(it, folder) } ?: LakeMark(), registered)
     }
 }

@@ -5,37 +5,37 @@ import java.nio.file.Path
 import java.util.zip.CRC32
 
 /** The layout of a lake; `docs/season.md` specifies it. */
-public object LakeLayout {
+object LakeLayout {
     /** Increase it if a reader of the previous layout would misunderstand the new one. */
     internal const val VERSION = 1
 
     /** The file that marks a folder as a lake, with its version. */
-    public const val MARK: String = "lake.json"
+    const val MARK: String = "lake.json"
 
     /** The file that only one program can have open. */
     internal const val LOCK = ".lock"
 
     /** The folder of the files with a row for each row of a log. */
-    public const val SAMPLES: String = "samples"
+    const val SAMPLES: String = "samples"
 
     /** The folder of the files with the samples of topics that have times of their own. */
-    public const val SERIES: String = "series"
+    const val SERIES: String = "series"
 
     /** The beginning of the names of unfinished files, which readers ignore. */
-    public const val DRAFT: String = ".badlog-"
+    const val DRAFT: String = ".badlog-"
 
     /** How the names of all files of tables end. */
-    public const val ENDING: String = ".parquet"
+    const val ENDING: String = ".parquet"
 
     /** The folders of the tables that have records of many logs, in the order in which they are written. */
-    public val TABLES: List<String> = LakeTable.entries.map { it.table }
+    val TABLES: List<String> = LakeTable.entries.map { it.table }
 
     /** Returns the columns of [table], one of [TABLES], and their types as DuckDB calls them. */
-    public fun columnsOf(table: String): List<Pair<String, String>> =
+    fun columnsOf(table: String): List<Pair<String, String>> =
         LakeTable.entries.first { it.table == table }.fields.map { (name, type) -> name to type.type }
 
     /** The folder of the table that says which logs a lake has. */
-    public val MATCHES: String = LakeTable.MATCHES.table
+    val MATCHES: String = LakeTable.MATCHES.table
 
     /** Returns the path of the table [name] of [partition] in the lake [folder]. */
     internal fun tableFile(folder: Path, name: String, partition: Partition): Path =

@@ -1,6 +1,6 @@
 package badlog.season.lake
 
-import badlog.file.writeAtomically
+import badlog.files.writeAtomically
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json

@@ -11,12 +11,12 @@ import java.nio.file.Path
  * @param rules what findings are looked for, and what topics are called.
  * @param hasSamples false to leave out the files of single logs, so that the lake has the tables of all logs alone.
  */
-public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
+class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
     private val examination = LakeExamination(rules, engine, hasSamples)
 
     /** What decides what becomes of a log besides its file: the version of the layout, the rules, and whether there are samples. */
-    public val maker: String get() = examination.maker
+    val maker: String get() = examination.maker
 
     /**
      * Reads [file], a copy of the log that is planned as [log], runs the rules over it, and writes the files of its samples into [folder],
@@ -24,7 +24,7 @@ public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoClosea
      *
      * @throws LakeException when [folder] cannot be written to.
      */
-    public fun write(file: Path, log: PlannedLog, folder: Path): ExaminedLog =
+    fun write(file: Path, log: PlannedLog, folder: Path): ExaminedLog =
         writing(folder) { examination.write(file, cores = 1, log.source, log.log, folder) }
 
     /**
@@ -33,7 +33,7 @@ public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoClosea
      *
      * @throws LakeException when [folder] cannot be written to.
      */
-    public fun merge(folder: Path, changes: Iterator<LakeChange>): Unit = writing(folder) {
+    fun merge(folder: Path, changes: Iterator<LakeChange>): Unit = writing(folder) {
         Engine(Engine.WRITING_MEGABYTES, threads = 1).use { own ->
             val stage = LakeStage(folder, own)
             for (change in changes) {
@@ -47,7 +47,7 @@ public class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoClosea
     }
 
     /** Returns the logs that the tables in [folder] have. */
-    public fun registered(folder: Path): List<RegisteredLog> = writing(folder) { registeredIn(folder, engine) }
+    fun registered(folder: Path): List<RegisteredLog> = writing(folder) { registeredIn(folder, engine) }
 
     override fun close(): Unit = engine.close()
 }

@@ -13,17 +13,17 @@ import java.nio.file.Path
  * @property path the log's file.
  * @property files the files of its samples, relative to the lake.
  */
-public class RegisteredLog internal constructor(
-    public val log: String,
-    public val path: String,
+class RegisteredLog internal constructor(
+    val log: String,
+    val path: String,
     private val size: Long,
     private val modified: Long,
     private val maker: String,
     internal val partition: Partition,
-    public val files: List<String>,
+    val files: List<String>,
 ) : Serializable {
     /** Where in each table its records stand: the folders of season and event, with a slash between. */
-    public val place: String get() = partition.path
+    val place: String get() = partition.path
 
     /** Returns whether it is what [maker] would make of [source] as it is now. */
     internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker

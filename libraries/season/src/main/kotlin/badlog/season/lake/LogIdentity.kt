@@ -1,15 +1,15 @@
 package badlog.season.lake
 
-import badlog.analysis.meant
-import badlog.file.dateInName
-import badlog.file.dateInText
-import badlog.file.matchInName
-import badlog.recording.Recording
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.signal.matchOf
-import badlog.rules.station.ClockedLog
-import badlog.rules.station.START_VALUE
-import badlog.rules.station.loggedStart
+import badlog.core.analysis.meant
+import badlog.core.recording.Recording
+import badlog.files.dateInName
+import badlog.files.dateInText
+import badlog.files.matchInName
+import badlog.signals.clock.ClockedLog
+import badlog.signals.clock.START_VALUE
+import badlog.signals.clock.loggedStart
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.matchOf
 import java.time.Instant
 import java.time.ZoneOffset
 

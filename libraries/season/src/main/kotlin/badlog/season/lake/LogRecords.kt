@@ -1,14 +1,14 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
-import badlog.analysis.sampleRateOf
-import badlog.analysis.statisticsOf
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.analysis.sampleRateOf
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.core.text.UniqueNames
 import badlog.rules.Finding
 import badlog.season.engine.microsOf
-import badlog.text.UniqueNames
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

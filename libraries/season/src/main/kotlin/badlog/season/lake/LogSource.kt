@@ -12,13 +12,7 @@ import java.io.Serializable
  * @property size in bytes, of all its files.
  * @property modified when it was written last, in milliseconds since 1970.
  */
-public data class LogSource(
-    public val path: String,
-    public val file: String,
-    public val name: String,
-    public val size: Long,
-    public val modified: Long,
-) : Serializable {
+data class LogSource(val path: String, val file: String, val name: String, val size: Long, val modified: Long) : Serializable {
     private companion object {
         const val serialVersionUID = 1L
     }

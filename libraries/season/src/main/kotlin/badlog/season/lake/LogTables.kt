@@ -1,7 +1,7 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.recording.Topic
+import badlog.core.analysis.LogView
+import badlog.core.recording.Topic
 import badlog.season.engine.Engine
 import badlog.season.engine.Table
 import java.nio.file.Path

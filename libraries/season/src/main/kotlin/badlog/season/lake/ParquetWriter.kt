@@ -1,9 +1,9 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.rules.signal.SignalVocabulary
-import badlog.rules.withSignals
+import badlog.core.analysis.LogView
 import badlog.season.engine.Engine
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withSignals
 import java.io.IOException
 import java.nio.file.Path
 import java.sql.SQLException
@@ -13,10 +13,10 @@ import java.sql.SQLException
  *
  * @property rows how many rows it has.
  */
-public class ParquetFile internal constructor(public val path: Path, public val rows: Long)
+class ParquetFile internal constructor(val path: Path, val rows: Long)
 
 /** Writes single logs as Parquet files, with the columns that a [Lake] has for them; `docs/season.md` specifies these. Safe for several threads. */
-public class ParquetWriter : AutoCloseable {
+class ParquetWriter : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
 
     /**
@@ -29,7 +29,7 @@ public class ParquetWriter : AutoCloseable {
      * @return what was written; nothing where the log has no samples.
      * @throws LakeException when a file cannot be written.
      */
-    public fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
+    fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
         val tables = LogTables(view.withSignals(signals), log, LogIdentity.of(file, view.recording, signals))
         val samples = tables.samples
         val series = tables.series

@@ -1,9 +1,10 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.analysis.Units
-import badlog.recording.Topic
-import badlog.recording.TopicKind
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.core.text.freeName
 import badlog.season.engine.Column
 import badlog.season.engine.FlagColumn
 import badlog.season.engine.MomentColumn
@@ -11,7 +12,6 @@ import badlog.season.engine.NumberColumn
 import badlog.season.engine.Table
 import badlog.season.engine.TextColumn
 import badlog.season.engine.literalOrNull
-import badlog.text.freeName
 
 /** The first columns of each file of samples; a topic with one of these names gets another column name. Engines ignore case. */
 internal object FixedColumns {

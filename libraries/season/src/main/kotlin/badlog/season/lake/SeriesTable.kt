@@ -1,7 +1,7 @@
 package badlog.season.lake
 
-import badlog.analysis.LogView
-import badlog.recording.Topic
+import badlog.core.analysis.LogView
+import badlog.core.recording.Topic
 import badlog.season.engine.FieldType
 import badlog.season.engine.MomentColumn
 import badlog.season.engine.NumberColumn

@@ -1,6 +1,6 @@
 package badlog.season.lake
 
-import badlog.recording.Topic
+import badlog.core.recording.Topic
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

@@ -17,16 +17,16 @@ import java.sql.ResultSet
 import java.sql.SQLException
 
 /** Thrown if a query cannot be answered. The message is for its author: what is wrong, and where. */
-public class SqlException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+class SqlException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
  * A column of an answer.
  *
  * @property type its SQL type.
  */
-public class SqlColumn internal constructor(public val name: String, public val type: String) {
+class SqlColumn internal constructor(val name: String, val type: String) {
     /** Whether it has numbers, which are aligned to the right. */
-    public val isNumeric: Boolean get() = NUMERIC.any { type.startsWith(it) }
+    val isNumeric: Boolean get() = NUMERIC.any { type.startsWith(it) }
 
     private companion object {
         val NUMERIC = listOf("DOUBLE", "FLOAT", "DECIMAL", "BIGINT", "INTEGER", "SMALLINT", "TINYINT", "HUGEINT", "UBIGINT", "UINTEGER")
@@ -37,7 +37,7 @@ public class SqlColumn internal constructor(public val name: String, public val 
  * SQL over a lake, by DuckDB in this process. A query can only read the lake: it cannot change anything, see other files, or reach a
  * network. Not thread-safe, except for [cancel].
  */
-public class LakeDatabase private constructor(
+class LakeDatabase private constructor(
     private val folder: Path,
     private val output: Path?,
     private val isConfined: Boolean,
@@ -57,7 +57,7 @@ public class LakeDatabase private constructor(
      * ends the answer.
      * @throws SqlException if it is not a query, or cannot be answered.
      */
-    public fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean): Unit = asking(sql) {
+    fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean): Unit = asking(sql) {
         connection.createStatement().use { statement ->
             running = statement
             try {
@@ -74,14 +74,14 @@ public class LakeDatabase private constructor(
      * @return the number of rows.
      * @throws SqlException if it is not a query, cannot be answered, or the file cannot be written.
      */
-    public fun writeParquet(sql: String): Long = asking(sql) {
+    fun writeParquet(sql: String): Long = asking(sql) {
         val target = checkNotNull(output) { "No file was named." }
         connection.run("CREATE OR REPLACE TEMP VIEW badlog_answer AS $sql")
         connection.run("COPY (SELECT * FROM badlog_answer) TO ${literal("$target")} (FORMAT parquet, COMPRESSION zstd)")
     }
 
     /** Returns what queries can use: for each table its name, the meaning of a row, and its columns. */
-    public fun tables(): List<SqlTable> = LakeView.entries.map { view ->
+    fun tables(): List<SqlTable> = LakeView.entries.map { view ->
         views.make(view)
         var found = emptyList<SqlColumn>()
         query("SELECT * FROM ${view.sqlName} LIMIT 0", { found = it }) { true }
@@ -89,7 +89,7 @@ public class LakeDatabase private constructor(
     }
 
     /** Cancels the query that is running on another thread, which then throws. */
-    public fun cancel() {
+    fun cancel() {
         running?.cancel()
     }
 
@@ -130,7 +130,7 @@ public class LakeDatabase private constructor(
         engine.close()
     }
 
-    public companion object {
+    companion object {
         /**
          * Opens [lake].
          *
@@ -139,7 +139,7 @@ public class LakeDatabase private constructor(
          *   [tables] then, which do not tell it.
          * @throws LakeException if it is not a lake.
          */
-        public fun open(lake: Lake, output: Path? = null, isConfined: Boolean = false): LakeDatabase {
+        fun open(lake: Lake, output: Path? = null, isConfined: Boolean = false): LakeDatabase {
             LakeMark.of(lake.folder) ?: throw LakeException("${lake.folder} is not a lake; make one with badlog lake.")
             // Queries could not access it by another path.
             val folder = lake.folder.toRealPath()
@@ -165,4 +165,4 @@ public class LakeDatabase private constructor(
  *
  * @property meaning the meaning of a row.
  */
-public class SqlTable internal constructor(public val name: String, public val meaning: String, public val columns: List<SqlColumn>)
+class SqlTable internal constructor(val name: String, val meaning: String, val columns: List<SqlColumn>)

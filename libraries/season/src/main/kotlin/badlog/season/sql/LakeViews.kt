@@ -1,12 +1,12 @@
 package badlog.season.sql
 
+import badlog.core.text.freeName
 import badlog.season.engine.literal
 import badlog.season.engine.quoted
 import badlog.season.engine.run
 import badlog.season.lake.LakeTable
 import badlog.season.lake.scanOf
 import badlog.season.lake.tableFiles
-import badlog.text.freeName
 import org.duckdb.DuckDBConnection
 import java.nio.file.Path
 

@@ -1,8 +1,8 @@
 package badlog.spark.sql
 
+import badlog.core.text.freeName
 import badlog.season.lake.LakeLayout
 import badlog.spark.storage.RemoteFolder
-import badlog.text.freeName
 import org.apache.spark.sql.Dataset
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.SparkSession

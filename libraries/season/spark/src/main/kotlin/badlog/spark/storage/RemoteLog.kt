@@ -1,9 +1,9 @@
 package badlog.spark.storage
 
-import badlog.file.LogName
-import badlog.file.NaturalOrder
-import badlog.file.firstPartOf
-import badlog.file.wholeLogs
+import badlog.files.LogName
+import badlog.files.NaturalOrder
+import badlog.files.firstPartOf
+import badlog.files.wholeLogs
 import badlog.season.lake.LogSource
 import org.apache.hadoop.conf.Configuration
 import org.apache.hadoop.fs.FileStatus

@@ -1,6 +1,7 @@
 package badlog.spark.lake
 
-import badlog.bag.VARIED_BAG
+import badlog.core.bag.VARIED_BAG
+import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.SAMPLE_LOGS
@@ -14,7 +15,6 @@ import badlog.season.written
 import badlog.spark.LocalSpark
 import badlog.spark.SPARK_IS_HERE
 import badlog.spark.shouldBeTheLake
-import badlog.wpilog.TestLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,5 +1,6 @@
 package badlog.spark.sql
 
+import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.answerOf
@@ -14,7 +15,6 @@ import badlog.spark.SPARK_IS_HERE
 import badlog.spark.lake.SparkLake
 import badlog.spark.program.Jobs
 import badlog.spark.program.UsageException
-import badlog.wpilog.TestLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec

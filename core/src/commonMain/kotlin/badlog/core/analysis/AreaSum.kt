@@ -1,0 +1,37 @@
+package badlog.core.analysis
+
+import kotlin.math.abs
+
+/**
+ * The area under samples that come one by one, each of which holds until the next, summed with Neumaier's compensation (1974), so
+ * that a million small steps lose nothing.
+ */
+public class AreaSum {
+    private var sum = 0.0
+    private var compensation = 0.0
+    private var lastX = Double.NaN
+    private var lastY = Double.NaN
+
+    /** The area so far. */
+    public val value: Double get() = sum + compensation
+
+    /** Adds the sample ([x], [y]). The area before it counts if the previous sample has a value and is not later. */
+    public fun add(x: Double, y: Double) {
+        holdUntil(x)
+        lastX = x
+        lastY = y
+    }
+
+    /** Ends the area at [x]: the last sample holds until there, and no longer. */
+    public fun holdUntil(x: Double) {
+        if (x >= lastX) addArea((x - lastX) * lastY)
+        lastX = Double.NaN
+    }
+
+    internal fun addArea(area: Double) {
+        if (!area.isFinite()) return
+        val next = sum + area
+        compensation += if (abs(sum) >= abs(area)) (sum - next) + area else (area - next) + sum
+        sum = next
+    }
+}

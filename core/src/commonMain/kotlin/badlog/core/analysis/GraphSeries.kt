@@ -1,0 +1,28 @@
+package badlog.core.analysis
+
+import badlog.core.recording.Topic
+
+/**
+ * One line of a graph.
+ *
+ * @property name what the legend calls it.
+ * @property unit its unit, `ul` for none.
+ * @property topic the topic it comes from.
+ * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
+ * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
+ * null.
+ */
+public class GraphSeries internal constructor(
+    public val name: String,
+    public val unit: String,
+    public val topic: Topic,
+    public val states: List<String>?,
+    public val isDerived: Boolean = false,
+    compute: () -> Series,
+) {
+    /** Its samples, computed on first use. */
+    public val data: Series by lazy(compute)
+
+    /** Whether a sample's value holds until the next one: true for a topic with times of its own, which is logged when it changes. */
+    public val holds: Boolean get() = topic.times != null && !isDerived
+}

@@ -1,0 +1,57 @@
+package badlog.core.analysis
+
+import badlog.core.recording.Problem
+import badlog.core.recording.Recording
+import badlog.core.recording.Severity
+import badlog.core.recording.Topic
+import badlog.core.recording.Value
+
+/**
+ * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
+ *
+ * @property recording what it was made from.
+ * @property title the match, such as `OHCL Qualification 42`, from the event and match values; null if there are
+ * none.
+ * @property xAxis the common x of its graphs.
+ * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
+ * @property problems the recording's problems, then those of its attributes.
+ * @property modes the topics that show when the robot was enabled.
+ */
+public class LogView internal constructor(
+    public val recording: Recording,
+    public val title: String?,
+    public val xAxis: XAxis,
+    public val folders: List<Folder>,
+    public val problems: List<Problem>,
+    public val modes: ModeTopics = ModeTopics.NONE,
+) {
+    /** Returns this view with another match [title] and other [modes], the topics that show when the robot was enabled. */
+    public fun identified(title: String?, modes: ModeTopics): LogView = LogView(recording, title, xAxis, folders, problems, modes)
+
+    /** Returns [topic], one of the recording's, as a line by itself, whether or not a graph shows it. */
+    public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
+
+    /** Returns the texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
+    public fun eventsOf(topic: Topic): EventLog = EventLog(topic, xAxis)
+
+    /** Returns how many of [problems] have [severity]. */
+    public fun count(severity: Severity): Int = problems.count { it.severity == severity }
+
+    public companion object {
+        /** Applies the attributes of [recording] as [registry] understands them. */
+        public fun of(recording: Recording, registry: AttributeRegistry = AttributeRegistry.STANDARD): LogView =
+            LogViewBuilder(recording, registry).build()
+    }
+}
+
+/**
+ * All values, event logs and graphs whose names begin with the same path. They keep the order of the file.
+ *
+ * @property name the path, without slashes at its ends; empty for the root folder.
+ */
+public class Folder(
+    public val name: String,
+    public val values: List<Value>,
+    public val eventLogs: List<EventLog>,
+    public val graphs: List<Graph>,
+)

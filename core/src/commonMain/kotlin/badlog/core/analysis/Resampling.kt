@@ -1,0 +1,192 @@
+package badlog.core.analysis
+
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.core.text.freeName
+import kotlin.math.abs
+import kotlin.math.ceil
+import kotlin.math.round
+
+/**
+ * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
+ * that time, and nothing before its first sample. An event is in the first row that is not before it; several events of one
+ * row are joined by `; `. The first topic is `Time`, with these times, as the x axis. If the recording was made from rows, the
+ * topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
+ *
+ * @param times ascending and finite, in the unit of the recording's x axis.
+ * @throws IllegalArgumentException if they are not.
+ */
+public fun resampled(recording: Recording, times: DoubleArray): Recording {
+    for (i in times.indices) {
+        val isAscending = i == 0 || times[i] > times[i - 1]
+        require(times[i].isFinite() && isAscending) { "Times must ascend, but ${times[i]} is at $i." }
+    }
+    val xAxis = LogView.of(recording).xAxis
+    val formerX = recording.topics.find { it.wasXAxis && it.samples.isNotEmpty() }
+    val topics = recording.topics.filter { it !== xAxis.topic }.map { topic ->
+        val held = held(topic, xAxis, times)
+        if (topic === formerX) xAxisAgain(held, times) else held
+    }
+    return recording.copy(
+        format = RecordingFormat.BAG,
+        headerLine = null,
+        topics = if (formerX == null) listOf(newXAxis(recording, xAxis.unit, times)) + topics else topics,
+        rowCount = times.size,
+    )
+}
+
+private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): Topic {
+    val names = recording.topics.mapTo(HashSet()) { it.name }
+    val name = freeName("Time") { it !in names }
+    return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
+}
+
+/** Returns the topic [former] with its own numbers, if they hold the times more precisely than [times] does. */
+private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
+    val inSeconds = Units.microsIn(former.unit) / 1e6
+    val x = DoubleArray(times.size) { row ->
+        val own = former.samples[row]
+        if (abs(own * inSeconds - times[row]) <= MICROSECOND) own else times[row] / inSeconds
+    }
+    return Topic(former.name, former.unit, listOf("xaxis") + former.attributes, x, TextColumn.EMPTY, xCounts(times))
+}
+
+private fun xCounts(times: DoubleArray) = CellCounts(times.size, 0, 0, 0, 0, 0)
+
+/**
+ * Returns times that are [period] apart, from the first sample of [recording] on; the last one is not before the
+ * last sample.
+ *
+ * @param period in the unit of the x axis, above 0.
+ * @throws IllegalArgumentException if it is not, or if there would be more than 100 million times.
+ */
+public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
+    require(period > 0) { "A period must be above 0, but is $period." }
+    val range = LogView.of(recording).xAxis.range ?: return DoubleArray(0)
+    val steps = ceil((range.endInclusive - range.start) / period - ROUNDING)
+    require(steps < MAX_ROWS) { "A period of $period gives $steps rows, which are too many." }
+    return periodicTimes(range.start, period, steps.toInt() + 1)
+}
+
+/** Returns [count] times from [from] on, [period] apart, without the stray last digits of sums of binary fractions. */
+public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
+    val time = from + it * period
+    if (period >= MICROSECOND) round(time * PLACES) / PLACES else time
+}
+
+/** Returns the times at which [topic], one of [recording]'s, has samples: each once, in ascending order. */
+public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
+    val positions = positionsOf(topic, LogView.of(recording).xAxis).filter { it.isFinite() }.toDoubleArray()
+    positions.sort()
+    var size = 0
+    for (position in positions) if (size == 0 || position > positions[size - 1]) positions[size++] = position
+    return positions.copyOf(size)
+}
+
+private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
+    val positions = positionsOf(topic, xAxis)
+    val isOrdered = Series(positions, positions).isOrdered
+    // If a clock was set back, samples out of order would be found by none of the times.
+    val order = if (isOrdered) {
+        null
+    } else {
+        stableOrder(positions, positions.indices.filter { positions[it].isFinite() }.toIntArray())
+    }
+    val sampler = LastValueSampler(topic, times.size)
+    var next = 0
+    val count = order?.size ?: topic.size
+    for (row in times.indices) {
+        while (next < count) {
+            val index = order?.get(next) ?: next
+            if (positions[index] > times[row]) break
+            sampler.meet(index)
+            next++
+        }
+        sampler.hold(row)
+    }
+    return sampler.build()
+}
+
+/** Walks through the samples of a topic, and puts the last one at each time into its row. */
+private class LastValueSampler(private val topic: Topic, rows: Int) {
+    private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
+    private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
+    private val textOf = IntArray(topic.size) { -1 }
+    private val dictionary = ArrayList(topic.texts.dictionary)
+    private val idOfJoined = HashMap<String, Int>()
+    private val textIds = IntArray(rows) { -1 }
+    private var last = -1
+    private var text = -1
+
+    init {
+        for (i in 0 until topic.texts.size) textOf[topic.texts.rows[i]] = topic.texts.ids[i]
+    }
+
+    fun meet(index: Int) {
+        // Empty cells of a sparse topic are not samples.
+        if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
+        last = index
+        val met = textOf[index]
+        text = if (isEvent && text >= 0 && met >= 0) {
+            joined(text, met)
+        } else if (isEvent && met < 0) {
+            text
+        } else {
+            met
+        }
+    }
+
+    private fun joined(one: Int, other: Int): Int {
+        val joined = dictionary[one] + "; " + dictionary[other]
+        return idOfJoined.getOrPut(joined) {
+            dictionary += joined
+            dictionary.lastIndex
+        }
+    }
+
+    fun hold(row: Int) {
+        if (last < 0) return
+        textIds[row] = text
+        if (samples.isNotEmpty() && textOf[last] < 0) samples[row] = topic.samples[last]
+        if (isEvent) text = -1
+    }
+
+    fun build(): Topic {
+        val rows = textIds.indices.filter { textIds[it] >= 0 }.toIntArray()
+        val texts = TextColumn(rows, IntArray(rows.size) { textIds[rows[it]] }, dictionary)
+        return Topic(topic.name, topic.unit, attributes(), samples, texts, counts(rows.size))
+    }
+
+    // Without the attribute, a reader could take a topic with an event in few of many rows for a state.
+    private fun attributes() = if (isEvent && "log" !in topic.attributes) topic.attributes + "log" else topic.attributes
+
+    private fun counts(texts: Int): CellCounts {
+        val total = textIds.size
+        val finite = samples.count { it.isFinite() }
+        val unfit = samples.count { it.isInfinite() }
+        val gaps = textIds.indices.count { row -> isGap(row) && (row == 0 || !isGap(row - 1)) }
+        val isTruth = topic.counts.truthValues > 0 && topic.counts.numbers == 0
+        return CellCounts(
+            numbers = if (isTruth) 0 else finite,
+            notFinite = unfit,
+            truthValues = if (isTruth) finite else 0,
+            texts = texts,
+            empty = total - finite - unfit - texts,
+            gaps = gaps,
+        )
+    }
+
+    private fun isGap(row: Int) = samples.isEmpty() || samples[row].isNaN()
+}
+
+// The tolerance, in periods, for the last step of a period that divides the range.
+private const val ROUNDING = 1e-9
+private const val MICROSECOND = 1e-6
+private const val MAX_ROWS = 1e8
+
+/** Times are rounded to this fraction of a unit of x. */
+private const val PLACES = 1e9

@@ -1,0 +1,19 @@
+package badlog.core.analysis
+
+import badlog.core.recording.Topic
+import kotlin.math.abs
+
+/**
+ * The samples per second of [topic], one of this view's, gaps included, on average from its first to its last. NaN if it has fewer than
+ * two, or the x axis has another unit than one of time. An axis without a unit counts as seconds, the row index does not.
+ */
+public fun LogView.sampleRateOf(topic: Topic): Double {
+    val ownTimes = topic.times
+    val positions = ownTimes ?: if (topic.size == recording.rowCount) xAxis.positions else return Double.NaN
+    val secondsPerX = if (ownTimes != null || Units.isNone(xAxis.unit)) 1.0 else Units.secondsIn(xAxis.unit) ?: return Double.NaN
+    if (ownTimes == null && xAxis.isIndex) return Double.NaN
+    val first = positions.firstOrNull { it.isFinite() } ?: return Double.NaN
+    val last = positions.last { it.isFinite() }
+    val seconds = abs(last - first) * secondsPerX
+    return if (seconds > 0) (positions.size - 1) / seconds else Double.NaN
+}

@@ -1,0 +1,212 @@
+package badlog.core.analysis
+
+import kotlin.math.sqrt
+
+/**
+ * Statistics of a series over a range of x. Each sample holds until the next: mean, standard deviation and percentiles are
+ * weighted by x, so that they are the same whether a value was logged again and again or only when it changed. Gaps have no
+ * weight. Everything but the counts is NaN if there is no value in the range.
+ *
+ * @property count the number of samples in the range that have a finite value.
+ * @property gaps the number of those that have none.
+ * @property min the smallest value, including one that still holds from before the range.
+ * @property max the largest value, likewise.
+ * @property mean the mean, with each value weighted by how long it holds.
+ * @property standardDeviation the root mean square of the distances from [mean], weighted likewise.
+ * @property percentile5 the value below which the series lies for 5 % of the time; see [weightedPercentile].
+ * @property median the same for 50 %.
+ * @property percentile95 the same for 95 %.
+ * @property first the first finite value.
+ * @property last the last finite value.
+ * @property integral the area under the values, each for as long as it holds.
+ */
+public data class SeriesStatistics(
+    public val count: Int,
+    public val gaps: Int,
+    public val min: Double,
+    public val max: Double,
+    public val mean: Double,
+    public val standardDeviation: Double,
+    public val percentile5: Double,
+    public val median: Double,
+    public val percentile95: Double,
+    public val first: Double,
+    public val last: Double,
+    public val integral: Double,
+)
+
+/**
+ * Returns the statistics from [from] to [to]: of the samples there, both ends included, and of the value that still holds at
+ * [from]. In an ordered series only these samples are visited; two arrays are allocated for them.
+ *
+ * @param end until where the last sample holds, such as the end of its recording; NaN for no farther than its own x.
+ */
+public fun Series.statistics(
+    from: Double = Double.NEGATIVE_INFINITY,
+    to: Double = Double.POSITIVE_INFINITY,
+    end: Double = Double.NaN,
+): SeriesStatistics = statistics(listOf(Span(from, to)), end)
+
+/**
+ * Returns the statistics of several [parts] together, without what lies between them: for example, of the time in which a
+ * robot was enabled.
+ *
+ * @param parts in the order of x; they do not touch.
+ * @param end see the statistics of a single part.
+ */
+public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
+    val pieces = parts.map { Piece(this, it) }
+    val figures = WeighedFigures(pieces.sumOf { maxOf(0, it.stop - it.held) })
+    val isOrdered = isOrdered
+    for (piece in pieces) {
+        val (from, to) = piece.part
+        for (i in piece.held until piece.stop) {
+            if (i >= piece.begin && x[i] !in from..to) continue
+            val until = when {
+                i + 1 == size -> if (end > x[i]) end else x[i]
+                isOrdered || x[i + 1] in from..to -> x[i + 1]
+                else -> x[i]
+            }
+            figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
+        }
+    }
+    return figures.statistics()
+}
+
+/** The samples of [series] within [part]. */
+private class Piece(series: Series, val part: Span) {
+    val begin = if (series.isOrdered) series.firstAtOrAfter(part.from) else 0
+    val stop = if (series.isOrdered) series.firstAfter(part.to) else series.size
+
+    /** A value still holds from before the part, unless there is a sample exactly at its start. */
+    val held = if (series.isOrdered && part.from <= part.to && begin in 1..series.size &&
+        !(begin < series.size && series.x[begin] == part.from)
+    ) {
+        begin - 1
+    } else {
+        begin
+    }
+}
+
+/** Returns the statistics of [line], one of this view's. If its values hold, the last one holds until the end of the recording. */
+public fun LogView.statisticsOf(
+    line: GraphSeries,
+    from: Double = Double.NEGATIVE_INFINITY,
+    to: Double = Double.POSITIVE_INFINITY,
+): SeriesStatistics = statisticsOf(line, listOf(Span(from, to)))
+
+/** Returns the same for several [parts] together, which are in the order of x and do not touch. */
+public fun LogView.statisticsOf(line: GraphSeries, parts: List<Span>): SeriesStatistics =
+    line.data.statistics(parts, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
+
+private class WeighedFigures(most: Int) {
+    private val values = DoubleArray(most)
+    private val weights = DoubleArray(most)
+    private var size = 0
+    private var count = 0
+    private var gaps = 0
+    private var min = Double.NaN
+    private var max = Double.NaN
+    private var first = Double.NaN
+    private var last = Double.NaN
+    private val area = AreaSum()
+
+    fun add(from: Double, until: Double, value: Double, isCounted: Boolean) {
+        area.add(from, value)
+        area.holdUntil(until)
+        if (!value.isFinite()) {
+            if (isCounted) gaps++
+            return
+        }
+        if (isCounted) count++
+        if (first.isNaN()) first = value
+        last = value
+        min = if (min.isNaN()) value else minOf(min, value)
+        max = if (max.isNaN()) value else maxOf(max, value)
+        values[size] = value
+        weights[size++] = maxOf(0.0, until - from)
+    }
+
+    fun statistics(): SeriesStatistics {
+        keepWeighty()
+        val (mean, standardDeviation) = moments()
+        val percentiles = WeightedPercentiles(values, weights, size)
+        return SeriesStatistics(
+            count = count,
+            gaps = gaps,
+            min = min,
+            max = max,
+            mean = mean,
+            standardDeviation = standardDeviation,
+            percentile5 = percentiles.of(LOW),
+            median = percentiles.of(MEDIAN),
+            percentile95 = percentiles.of(HIGH),
+            first = first,
+            last = last,
+            integral = if (first.isNaN()) Double.NaN else area.value,
+        )
+    }
+
+    /**
+     * The weighted mean and standard deviation. The second pass tells by how much rounding put the mean of the first one off, so that
+     * neither suffers where all values are far from 0, or one is far from the others.
+     */
+    private fun moments(): Pair<Double, Double> {
+        var weight = 0.0
+        var sum = 0.0
+        for (i in 0 until size) {
+            weight += weights[i]
+            sum += weights[i] * (values[i] - values[0])
+        }
+        val near = if (size == 0) Double.NaN else values[0] + sum / weight
+        var squares = 0.0
+        var error = 0.0
+        for (i in 0 until size) {
+            val distance = values[i] - near
+            squares += weights[i] * distance * distance
+            error += weights[i] * distance
+        }
+        return near + error / weight to sqrt(maxOf(0.0, squares - error * error / weight) / weight)
+    }
+
+    /** Drops values that hold for no time; if none holds for any time, all have the same weight. */
+    private fun keepWeighty() {
+        var kept = 0
+        for (i in 0 until size) {
+            if (weights[i] <= 0) continue
+            values[kept] = values[i]
+            weights[kept++] = weights[i]
+        }
+        if (kept > 0) size = kept else weights.fill(1.0)
+    }
+
+    private companion object {
+        const val LOW = 0.05
+        const val MEDIAN = 0.5
+        const val HIGH = 0.95
+    }
+}
+
+/** Mean and standard deviation of weighted values, by West's recurrence (1979), which avoids the cancellation of sums of squares. */
+public class Moments {
+    private var weight = 0.0
+    private var center = 0.0
+    private var squares = 0.0
+
+    /** Adds [value], which is finite, with [weight] above 0. */
+    public fun add(value: Double, weight: Double) {
+        this.weight += weight
+        val distance = value - center
+        center += distance * (weight / this.weight)
+        squares += weight * distance * (value - center)
+    }
+
+    /** The mean; NaN if there are no values. */
+    public val mean: Double get() = if (weight > 0) center else Double.NaN
+
+    /** The root mean square of the distances from [mean]; NaN if there are no values. */
+    public val standardDeviation: Double get() = if (weight > 0) sqrt(squares / weight) else Double.NaN
+
+    /** The standard deviation of a sample whose weights are all 1, dividing by one less than their number; NaN for fewer than two. */
+    public val sampleStandardDeviation: Double get() = if (weight > 1) sqrt(squares / (weight - 1)) else Double.NaN
+}

@@ -1,0 +1,82 @@
+package badlog.core.analysis
+
+/**
+ * The range in which some positions lie, without a few outliers that would make the others too small to see. Outliers are a hundred times
+ * as far away as the others are from one another, and at most one in a hundred. Positions that are not finite are ignored.
+ *
+ * @property range the range; null if there are no positions.
+ * @property wildCount the number of outliers.
+ * @property wildest the outlier that is farthest away; NaN if there are none.
+ */
+internal class UsualRange(positions: DoubleArray) {
+    var range: ClosedFloatingPointRange<Double>? = null
+        private set
+    var wildCount: Int = 0
+        private set
+    var wildest: Double = Double.NaN
+        private set
+
+    init {
+        val all = rangeOf(positions) { true }
+        range = all
+        if (all != null) {
+            val bounds = boundsOf(positions)
+            if (bounds != null && (all.start < bounds.start || all.endInclusive > bounds.endInclusive)) leaveOut(positions, bounds)
+        }
+    }
+
+    private fun leaveOut(positions: DoubleArray, bounds: ClosedFloatingPointRange<Double>) {
+        var count = 0
+        var farthest = Double.NaN
+        for (position in positions) {
+            if (!position.isFinite() || position in bounds) continue
+            count++
+            if (!(distance(position, bounds) <= distance(farthest, bounds))) farthest = position
+        }
+        if (count > positions.size / FEW) return
+        wildCount = count
+        wildest = farthest
+        range = rangeOf(positions) { it in bounds }
+    }
+
+    private fun distance(position: Double, bounds: ClosedFloatingPointRange<Double>) =
+        maxOf(bounds.start - position, position - bounds.endInclusive)
+
+    /** Returns the bounds beyond which a position is an outlier; null if that cannot be decided. Uses a sample of the positions. */
+    private fun boundsOf(positions: DoubleArray): ClosedFloatingPointRange<Double>? {
+        val step = maxOf(1, positions.size / LOOKED_AT)
+        val some = (positions.indices step step).map { positions[it] }.filter { it.isFinite() }.sorted()
+        if (some.size < FEWEST) return null
+        val cut = some.size / PART
+        val from = some[cut]
+        val to = some[some.lastIndex - cut]
+        val reach = (to - from) * FAR
+        return if (reach > 0 && reach.isFinite()) from - reach..to + reach else null
+    }
+
+    private inline fun rangeOf(positions: DoubleArray, isUsual: (Double) -> Boolean): ClosedFloatingPointRange<Double>? {
+        var from = Double.POSITIVE_INFINITY
+        var to = Double.NEGATIVE_INFINITY
+        for (position in positions) {
+            if (!position.isFinite() || !isUsual(position)) continue
+            if (position < from) from = position
+            if (position > to) to = position
+        }
+        return if (from <= to) from..to else null
+    }
+
+    private companion object {
+        /** An outlier is this many times as far away as the others are from one another. */
+        const val FAR = 100.0
+
+        /** At most one in this many positions may be an outlier. */
+        const val FEW = 100
+
+        /** One in this many is ignored at each end when the distances of the others are measured. */
+        const val PART = 20
+
+        /** With fewer positions than this, there is no usual range. */
+        const val FEWEST = 100
+        const val LOOKED_AT = 2000
+    }
+}

@@ -1,0 +1,26 @@
+package badlog.core.recording
+
+/**
+ * Receives the numbers of one topic while its file is read, in place of the recording: the topic then has no samples, but is
+ * complete otherwise.
+ */
+public fun interface NumberSink {
+    /** Receives the [number] of the next row, or NaN for a cell without one; [row] counts from 0. */
+    public fun add(row: Int, number: Double)
+
+    public companion object {
+        /** Drops the numbers. */
+        public val NONE: NumberSink = NumberSink { _, _ -> }
+    }
+}
+
+/** Decides where the numbers of a file's topics go. Called once for each topic, before its first row. */
+public fun interface NumberSinks {
+    /** Returns where the numbers of the topic [name] with [attributes] go; null for the recording. */
+    public fun of(name: String, attributes: List<String>): NumberSink?
+
+    public companion object {
+        /** Sends all numbers to the recording. */
+        public val RECORDING: NumberSinks = NumberSinks { _, _ -> null }
+    }
+}

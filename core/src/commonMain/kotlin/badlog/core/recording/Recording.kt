@@ -1,0 +1,67 @@
+package badlog.core.recording
+
+/**
+ * What was read from one file: everything that could be kept, and the problems found on the way.
+ *
+ * @property format the format that the content turned out to have.
+ * @property headerLine the JSON of the file's first line exactly as in the file, or null if it has none.
+ * @property values the values, in the order of the file.
+ * @property topics the topics, in the order of the file's header.
+ * @property rowCount the number of samples of each topic that shares rows with the others; 0 if all topics have
+ *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts both.
+ * @property problems what was wrong, in the order in which it was found.
+ */
+public class Recording(
+    public val format: RecordingFormat,
+    public val headerLine: String?,
+    public val values: List<Value>,
+    public val topics: List<Topic>,
+    public val rowCount: Int,
+    public val problems: List<Problem>,
+) {
+    /** Returns this recording with some of its parts replaced. */
+    public fun copy(
+        format: RecordingFormat = this.format,
+        headerLine: String? = this.headerLine,
+        values: List<Value> = this.values,
+        topics: List<Topic> = this.topics,
+        rowCount: Int = this.rowCount,
+        problems: List<Problem> = this.problems,
+    ): Recording = Recording(format, headerLine, values, topics, rowCount, problems)
+
+    /** The number of samples of all topics together, gaps included. */
+    public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
+
+    /** False for bytes that are not a log at all, so that there is nothing to show but [problems]. */
+    public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
+
+    /** True if part of the file's data is lost: one of [problems] is an [error][Severity.ERROR]. */
+    public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
+}
+
+/**
+ * The format that a [Recording] was read from.
+ *
+ * @property hasRows whether all topics share rows; otherwise each has times of its own.
+ */
+public enum class RecordingFormat(public val hasRows: Boolean) {
+    /** A JSON line, then CSV. */
+    BAG(true),
+
+    /** CSV alone: a bag without units, attributes and values. */
+    CSV(true),
+
+    /** The log of WPILib's DataLog. */
+    WPILOG(false),
+
+    /** A log of the FRC Driver Station: its records, its events, or both. */
+    DRIVER_STATION(false),
+}
+
+/**
+ * A name and a text that were known when the recording began, such as the match number.
+ *
+ * @property name the full name; `/` makes folders, see [PathName].
+ * @property text the value; may be empty.
+ */
+public data class Value(public val name: String, public val text: String)

@@ -1,0 +1,16 @@
+package badlog.core.recording
+
+// Problems of a topic that can occur in any format.
+
+/** Reports that texts of [topic] are not UTF-8, the first of them on [line]. */
+public fun ProblemList.addNotUtf8(topic: String, line: Int? = null) {
+    add(ProblemKind.NOT_UTF8, "Texts in “$topic” are not UTF-8; they were read as Windows-1252.", line, topic)
+}
+
+/** Reports it if some of the [samples] of [topic] are not finite numbers. */
+public fun ProblemList.addNotFinite(topic: Topic, samples: String) {
+    val count = topic.counts.notFinite
+    if (count == 0) return
+    val message = "“${topic.name}” is NaN or infinite in $count of ${topic.counts.total} $samples; these are kept, and drawn as gaps."
+    add(ProblemKind.NOT_FINITE, message, topic = topic.name, count = count)
+}

@@ -1,7 +1,0 @@
-package badlog.text
-
-/** Returns whether [char] is a letter of any script. Uses the platform's own tables if it has them, so that none must be shipped. */
-public expect fun isLetter(char: Char): Boolean
-
-/** Returns whether [char] is a letter or a digit of any script. */
-public expect fun isLetterOrDigit(char: Char): Boolean

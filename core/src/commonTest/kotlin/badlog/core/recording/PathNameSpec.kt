@@ -1,0 +1,20 @@
+package badlog.core.recording
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class PathNameSpec : FunSpec({
+    test("slashes make folders; one at the start or the end names none") {
+        val names = mapOf(
+            "Drivetrain/Wheels/A Position" to ("Drivetrain/Wheels" to "A Position"),
+            "Time" to ("" to "Time"),
+            "/Time" to ("" to "Time"),
+            "/a/b" to ("a" to "b"),
+            "Arm/" to ("" to "Arm/"),
+            "a/b/" to ("a" to "b/"),
+            "/" to ("" to "/"),
+            "" to ("" to ""),
+        )
+        for ((name, parts) in names) (PathName.folderOf(name) to PathName.baseNameOf(name)) shouldBe parts
+    }
+})

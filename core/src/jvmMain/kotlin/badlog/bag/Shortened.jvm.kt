@@ -1,3 +1,0 @@
-package badlog.bag
-
-internal actual fun DoubleArray.shortened(size: Int): DoubleArray = copyOf(size)

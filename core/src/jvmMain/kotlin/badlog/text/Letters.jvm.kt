@@ -1,5 +1,0 @@
-package badlog.text
-
-public actual fun isLetter(char: Char): Boolean = Character.isLetter(char)
-
-public actual fun isLetterOrDigit(char: Char): Boolean = Character.isLetterOrDigit(char)

@@ -1,0 +1,56 @@
+package badlog.window.benchmark
+
+import badlog.core.analysis.LogView
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.viewer.choices.board.Board
+import badlog.window.graph.GraphPane
+import badlog.window.log.OpenRecording
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
+import java.nio.file.Path
+
+/**
+ * What frames took.
+ *
+ * @property name what was done.
+ * @property millis how long each took.
+ */
+internal class FrameTimes(val name: String, val millis: List<Double>) {
+    /** Returns the value below which [percent] of the frames lie. */
+    fun percentile(percent: Int): Double = millis.sorted()[(millis.size - 1) * percent / 100]
+}
+
+/** A log of so many samples, at 50 Hz. */
+internal const val SAMPLES = 1_000_000
+
+/** Returns a topic of [SAMPLES] samples. */
+internal fun topic(name: String, unit: String, attributes: List<String> = emptyList(), value: (Int) -> Double) =
+    Topic(name, unit, attributes, DoubleArray(SAMPLES) { value(it) }, TextColumn.EMPTY, CellCounts(SAMPLES, 0, 0, 0, 0, 0))
+
+/**
+ * Measures frames of the graphs of a log of [topics], of which those of [boardOf] are on the board, in an off-screen window: [measure] gets the
+ * window, and what says that all of it is drawn. Pictures before and after are kept as [picture] and beside that.
+ */
+internal fun framesOf(
+    topics: List<Topic>,
+    boardOf: (LogView) -> Board,
+    picture: Path,
+    measure: (OffScreenWindow, isReady: () -> Boolean) -> List<FrameTimes>,
+): List<FrameTimes> = OffScreenWindow { viewer -> ViewerTheme(Theme.LIGHT) { GraphPane(viewer.graphs) } }.use { window ->
+    val viewer = window.viewer
+    val time = topic("Time", "s", listOf("xaxis", "hide")) { it * 0.02 }
+    val isReady = { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
+    window.measure({
+        val view = LogView.of(Recording(RecordingFormat.BAG, null, emptyList(), listOf(time) + topics, SAMPLES, emptyList()))
+        val recording = OpenRecording(picture.resolveSibling("measured.bag").toAbsolutePath(), view)
+        viewer.current.replace(recording)
+        viewer.board.replace(boardOf(recording.view))
+        viewer.view.show(recording.span)
+    }, isReady)
+    window.save(picture)
+    measure(window, isReady).also { window.save(picture.resolveSibling("zoomed-${picture.fileName}")) }
+}

@@ -1,0 +1,65 @@
+package badlog.window.benchmark
+
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.snapshots.Snapshot
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.SupervisorJob
+import org.jetbrains.skia.EncodedImageFormat
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** A window of 1600×900 pixels whose pictures nobody sees, drawn by software as on a pit laptop without a driver. */
+internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoCloseable {
+    private val thread = WindowThread()
+    private val home = Files.createTempDirectory("badlog-benchmark")
+
+    /** Where the user's own files are. */
+    val folders = UserFolders(home, home)
+    val viewer = Viewer(CoroutineScope(SupervisorJob() + thread), folders)
+    private val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), thread) { content(viewer) }
+
+    /**
+     * Draws frames until [isDone] and nothing is left to draw; gives the milliseconds this takes from [change] on. The first
+     * frame comes at once, the last as soon as it can, and those between no more often than a display of 120 Hz shows them.
+     */
+    fun measure(change: () -> Unit = {}, isDone: () -> Boolean): Double {
+        val start = System.nanoTime()
+        change()
+        Snapshot.sendApplyNotifications()
+        var drawn = Long.MIN_VALUE / 2
+        while (true) {
+            thread.runPending()
+            val isDue = System.nanoTime() - drawn >= DISPLAY_NANOS || isDone()
+            if (scene.hasInvalidations() && isDue) {
+                drawn = System.nanoTime()
+                scene.render(drawn).close()
+            } else if (!scene.hasInvalidations() && isDone()) {
+                break
+            } else {
+                thread.await()
+            }
+        }
+        return (System.nanoTime() - start) / 1e6
+    }
+
+    /** Keeps what is seen now in [file], to be looked at. */
+    fun save(file: Path) {
+        Files.createDirectories(file.parent)
+        scene.render(System.nanoTime()).use { Files.write(file, it.encodeToData(EncodedImageFormat.PNG)!!.bytes) }
+    }
+
+    override fun close() {
+        scene.close()
+        home.toFile().deleteRecursively()
+    }
+
+    private companion object {
+        const val WIDTH = 1600
+        const val HEIGHT = 900
+        const val DISPLAY_NANOS = 1_000_000_000L / 120
+    }
+}

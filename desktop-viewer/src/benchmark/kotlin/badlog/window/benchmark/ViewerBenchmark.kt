@@ -1,0 +1,73 @@
+package badlog.window.benchmark
+
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.fileSize
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/** Measures the window, and writes what it took to the file that the first argument names; the second may name a folder of bags. */
+fun main(args: Array<String>) {
+    val report = Path.of(args[0])
+    val bags = args.getOrElse(1) { "" }
+    val pictures = Path.of("build", "pictures")
+    val paths = measurePathFrames(pictures)
+    val frames = measureFrames(pictures)
+    val openings = if (bags.isEmpty()) emptyList() else openingsOf(Path.of(bags), pictures)
+    val text = reportOf(frames, paths, openings)
+    Files.writeString(report, text)
+    println(text)
+    println("Written to $report")
+    System.exit(0)
+}
+
+private fun openingsOf(folder: Path, pictures: Path): List<Pair<Path, List<Opening>>> =
+    folder.listDirectoryEntries().filter { it.extension == "bag" }.sortedBy { it.fileSize() }.map { file ->
+        file to List(OPENINGS) { measureOpening(file, pictures.resolve("${file.name}.png")) }
+    }
+
+private fun reportOf(frames: List<FrameTimes>, paths: List<FrameTimes>, openings: List<Pair<Path, List<Opening>>>): String = buildString {
+    val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
+    val command = "./gradlew :desktop-viewer:benchmark" + if (openings.isEmpty()) "" else " -PbenchmarkBags=DIR"
+    appendLine("# Benchmarks of the viewer")
+    appendLine()
+    appendLine("Made by `$command` on ${Runtime.getRuntime().availableProcessors()} cores")
+    appendLine("($system, Java ${System.getProperty("java.version")}): the window's own graphs, 1600×900, drawn off screen by software.")
+    appendLine("Machines are noisy: compare ratios within one run, not figures of two.")
+    appendLine()
+    appendLine("## A frame, with ten graphs of a million samples each")
+    appendLine()
+    appendLine("From the change to the picture with the new data, what is computed beside the window's thread included.")
+    appendLine()
+    appendTimes(frames)
+    appendLine()
+    appendLine("## A frame, with the path of a million poses and its plan of as many")
+    appendLine()
+    appendTimes(paths)
+    if (openings.isEmpty()) return@buildString
+    appendLine()
+    appendLine("## Opening")
+    appendLine()
+    appendLine("From asking for the file to the picture of its first graphs, in a fresh window; the median of $OPENINGS.")
+    appendLine()
+    appendLine("| bag | size | first graphs | peak memory of the process |")
+    appendLine("|---|---|---|---|")
+    for ((file, runs) in openings) {
+        val seconds = runs.map { it.seconds }.sorted()[runs.size / 2]
+        val memory = runs.maxOf { it.megabytes }
+        val megabytes = "%.1f MB".format(file.fileSize() / 1e6)
+        appendLine("| ${file.name} | $megabytes | ${"%.2f s".format(seconds)} | ${"%.0f MB".format(memory)} |")
+    }
+}
+
+private fun StringBuilder.appendTimes(frames: List<FrameTimes>) {
+    appendLine("| change | median | 95th percentile | slowest | of frames |")
+    appendLine("|---|---|---|---|---|")
+    for (times in frames) {
+        val figures = listOf(50, 95, 100).joinToString(" | ") { "%.1f ms".format(times.percentile(it)) }
+        appendLine("| ${times.name} | $figures | ${times.millis.size} |")
+    }
+}
+
+private const val OPENINGS = 3

@@ -1,0 +1,22 @@
+package badlog.window
+
+import androidx.compose.ui.window.application
+import badlog.files.UserFolders
+import badlog.window.app.StartPlace
+import badlog.window.app.ViewerWindow
+import badlog.window.app.opensClickedFiles
+import java.nio.file.Path
+
+/** Opens the window with the folder or file named in [args], or otherwise with the last folder. */
+fun main(args: Array<String>) {
+    val samples = System.getProperty("badlog.samples")?.let(Path::of)
+    application {
+        ViewerWindow(
+            folders = UserFolders.ofSystem(),
+            start = { viewer ->
+                opensClickedFiles(viewer.loader)
+                StartPlace.of(args.firstOrNull(), viewer.settings.state, samples)
+            },
+        )
+    }
+}

@@ -1,0 +1,184 @@
+package badlog.window.app
+
+import androidx.compose.ui.input.key.Key
+import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.input.Action
+import badlog.window.export.COPY_GRAPHS
+import badlog.window.export.EXPORT_PAGE
+import badlog.window.export.PageSaver
+import badlog.window.export.figure.FigureSaver
+import badlog.window.findings.LogFindings
+import badlog.window.folder.Library
+import badlog.window.formula.FormulaStore
+import badlog.window.graph.scene.stepCursor
+import badlog.window.layout.LayoutFiles
+import badlog.window.layout.SAVE_LAYOUT
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.menu.Command
+import badlog.window.menu.KeyPress
+import badlog.window.sidebar.FrontPart
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.WindowPanels
+import badlog.window.sidebar.placeOfNote
+import badlog.window.topics.TopicListing
+import badlog.window.video.LogVideo
+import badlog.window.video.Player
+
+/** Returns the keys that do the same as on an exported page. */
+internal fun actionCommands(
+    current: CurrentRecording,
+    view: AxisView,
+    board: GraphBoard,
+    formulas: FormulaStore,
+    findings: LogFindings,
+    panels: WindowPanels,
+    video: LogVideo,
+): List<Command> = Action.entries.map { action ->
+    Command(action) {
+        when (action) {
+            Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
+            Action.NEW_FORMULA -> formulas.write()
+            Action.NEXT_FINDING -> stepFinding(1, findings, panels)
+            Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
+            Action.PREVIOUS_FRAME -> video.step(-1)
+            Action.NEXT_FRAME -> video.step(1)
+            in BOARD_ACTIONS -> arrange(action, board)
+            else -> move(action, current, view)
+        }
+    }
+}
+
+/** Goes [steps] findings forward. The panel shows what to look at next, unless a person is reading another panel. */
+private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels) {
+    findings.step(steps)
+    // In a narrow window, nothing is opened in front of the graphs.
+    panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
+}
+
+private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
+
+/** Performs [action] on the graphs, or on the one that keys apply to. */
+private fun arrange(action: Action, board: GraphBoard) {
+    if (action == Action.UNDO) return board.undo()
+    if (action == Action.REDO) return board.redo()
+    val graph = board.current ?: return
+    when (action) {
+        Action.PIN -> if (board.isEvidence(graph.id)) board.keep(graph.id) else board.change { without(graph.id) }
+
+        Action.NEXT_HEIGHT -> board.change { resized(graph.id, GraphHeight.of(graph.height).next.pixels) }
+
+        else -> {
+            board.change { moved(graph.id, if (action == Action.MOVE_UP) -1 else 1) }
+            if (board.inSight?.contains(graph.id) == false) board.goTo(graph.id)
+        }
+    }
+}
+
+/** Performs [action] on the cursor and the visible range. */
+private fun move(action: Action, current: CurrentRecording, view: AxisView) = when (action) {
+    Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
+    Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
+    Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
+    Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
+    Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
+    Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
+    Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
+    Action.SHOW_ALL -> view.change { reset() }
+    Action.PREVIOUS_VIEW -> view.change { back() }
+    Action.NEXT_VIEW -> view.change { forward() }
+    Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
+    Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
+    Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
+    else -> Unit
+}
+
+/** Returns the keys for the window's parts. */
+internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(
+    Command("Window", "Statistics across logs, and back", listOf(KeyPress(Key.S, "S"))) {
+        panels.change { toggled(MainView.STATISTICS) }
+    },
+    Command("Window", "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
+        panels.change { copy(help = !panels.state.help) }
+    },
+    Command("Window", "Close this sheet, or cancel a drag, the selection, the cursors", listOf(KeyPress(Key.Escape, "Esc"))) {
+        when {
+            panels.state.help -> panels.change { copy(help = false) }
+            formulas.sheet != null -> formulas.closeSheet()
+            else -> view.cancel()
+        }
+    },
+) + InspectorTab.entries.mapIndexed { index, tab ->
+    Command("Window", "${tab.title}: open or close", listOf(KeyPress(DIGITS[index], "${index + 1}", ctrl = true))) {
+        panels.change { toggled(tab) }
+    }
+}
+
+/** Returns the keys for notes. */
+internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView): List<Command> = listOf(
+    Command("Notes", "Write a note at the cursor", listOf(KeyPress(Key.M, "M"))) {
+        if (notes.state.log != null) {
+            panels.change { inspecting(InspectorTab.NOTES) }
+            notes.write(placeOfNote(view))
+        }
+    },
+)
+
+private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)
+
+/** Returns the keys for the folder of logs. */
+internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(
+    Command("Logs", "Open a folder of logs", listOf(KeyPress(Key.O, "O", ctrl = true))) { opener.askForFolder() },
+    Command("Logs", "Open a log", listOf(KeyPress(Key.O, "O", ctrl = true, shift = true))) { opener.askForLog() },
+    Command("Logs", "Open the previous log of the list", listOf(KeyPress(Key.PageUp, "Page up"))) { opener.step(-1) },
+    Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
+    Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
+    Command("Logs", "All logs as a table, and back", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
+)
+
+/** Returns the keys for the list of topics. */
+internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Command> = listOf(
+    Command("Topics", "Search the topics; then ↓ and Enter draw one", listOf(KeyPress(Key.F, "F", ctrl = true))) {
+        askForTopics(topics, panels)
+    },
+)
+
+/** Moves the keyboard focus to the search field of the topics. */
+internal fun askForTopics(topics: TopicListing, panels: WindowPanels) {
+    panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
+    topics.change { copy(searchesAsked = searchesAsked + 1) }
+}
+
+/** Moves the keyboard focus to the search field of the logs. */
+private fun askForSearch(library: Library, panels: WindowPanels) {
+    panels.change { if (main == MainView.LOGS) this else copy(library = true, front = FrontPart.LOGS) }
+    library.change { copy(searchesAsked = searchesAsked + 1) }
+}
+
+/** Returns the keys for playback. */
+internal fun playbackCommands(player: Player): List<Command> = listOf(
+    Command("Playback", "Play or pause", listOf(KeyPress(Key.Spacebar, "Space"))) { player.toggle() },
+    Command("Playback", "Loop the selection, or the visible range", listOf(KeyPress(Key.L, "L"))) {
+        player.toggleLoop()
+    },
+    Command("Playback", "Slower", listOf(KeyPress(Key.Comma, "<", shift = true))) {
+        player.change { faster(-1) }
+    },
+    Command("Playback", "Faster", listOf(KeyPress(Key.Period, ">", shift = true))) {
+        player.change { faster(1) }
+    },
+)
+
+/** Returns the keys for exporting. */
+internal fun exportCommands(pages: PageSaver, figures: FigureSaver, board: GraphBoard): List<Command> = listOf(
+    Command("Export", "Export the page of this log", listOf(EXPORT_PAGE)) { pages.savePage() },
+    Command("Export", "Copy the picture of the graphs", listOf(COPY_GRAPHS)) { figures.copyShown(board.state.graphs) },
+)
+
+/** Returns the keys for layouts. */
+internal fun layoutCommands(files: LayoutFiles): List<Command> =
+    listOf(Command("Layout", "Save the layout as a file", listOf(SAVE_LAYOUT)) { files.save() })

@@ -1,0 +1,83 @@
+package badlog.window.app
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.window.folder.Library
+import badlog.window.folder.index.IndexQueue
+import badlog.window.log.CurrentRecording
+import badlog.window.log.RecordingLoader
+import badlog.window.task.Notices
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.filterNotNull
+import kotlinx.coroutines.flow.flow
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
+
+/**
+ * Shows the newest log automatically: if nothing is open, and in place of a log that it opened itself, unless somebody has used
+ * that. Use it only on the window's thread.
+ *
+ * @param isInUse whether somebody is using the open log.
+ */
+internal class NewestLog(
+    private val library: Library,
+    private val current: CurrentRecording,
+    private val loader: RecordingLoader,
+    private val opener: LogOpener,
+    private val notices: Notices,
+    private val isInUse: () -> Boolean,
+) {
+    private var since = TimeSource.Monotonic.markNow()
+    private var shown: Path? = null
+
+    private var keptUntil = Long.MIN_VALUE
+
+    /** Treats [file], the last open log, as one opened here: only a log written after [millis] since 1970 replaces it. */
+    fun keep(file: Path, millis: Long) {
+        shown = file
+        keptUntil = millis
+    }
+
+    /** Shows it whenever there is a newer one, until cancelled. */
+    suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
+        since = TimeSource.Monotonic.markNow()
+        val patience = flow {
+            emit(Unit)
+            delay(PATIENCE)
+            emit(Unit)
+        }
+        val hindrances = snapshotFlow { Triple(loader.isReading, current.recording?.file, isInUse()) }
+        combine(library.progress.filterNotNull(), patience, hindrances) { progress, _, _ -> progress }
+            .collect { update(it.queue, it.isComplete) }
+    }
+
+    /** Shows it, if it is known; [isComplete] says whether all logs of [queue] are. */
+    fun update(queue: IndexQueue, isComplete: Boolean) {
+        if (loader.isReading) return
+        val newest = when {
+            isComplete -> library.state.newest
+            since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGray }
+            else -> null
+        } ?: return
+        if (newest.file == shown || !mayChange()) return
+        if (current.recording != null && newest.source.modified <= keptUntil) return
+        if (current.recording != null) {
+            if (newest.isGray) return
+            notices.say("${newest.title} is new, and is shown now.")
+        }
+        shown = newest.file
+        opener.open(newest)
+    }
+
+    private fun mayChange(): Boolean {
+        val open = current.recording ?: return true
+        return open.file == shown && !isInUse()
+    }
+
+    private companion object {
+        /** How long to wait for all dates; after that, the file last written counts as the newest log. */
+        val PATIENCE = 1.seconds
+    }
+}

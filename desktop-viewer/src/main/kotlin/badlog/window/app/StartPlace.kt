@@ -1,0 +1,70 @@
+package badlog.window.app
+
+import badlog.window.folder.Library
+import badlog.window.layout.LayoutStore
+import badlog.window.log.RecordingLoader
+import badlog.window.settings.Settings
+import badlog.window.task.Notices
+import java.awt.Desktop
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+
+/**
+ * What the window opens at its start.
+ *
+ * @property folder the folder whose logs it lists, or null.
+ * @property file the log it shows, or null for the newest of [folder].
+ * @property complaint why it is not what was requested, as a sentence, or null.
+ */
+internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?) {
+    companion object {
+        /**
+         * Returns what [argument] names, a folder or a file; without it, the last folder, or [samples] at the first start.
+         * Anything that no longer exists is skipped.
+         */
+        fun of(argument: String?, settings: Settings, samples: Path?): StartPlace {
+            val remembered = settings.recentFolders.mapNotNull(::pathNamed) + listOfNotNull(samples)
+            val folder = remembered.firstOrNull { Files.isDirectory(it) }
+            if (argument == null) return StartPlace(folder, null, null)
+            val named = pathNamed(argument)?.toAbsolutePath()?.normalize()
+            return when {
+                named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; check the spelling.")
+                Files.isDirectory(named) -> StartPlace(named, null, null)
+                Files.exists(named) -> StartPlace(named.parent, named, null)
+                else -> StartPlace(folder, null, "There is no file or folder $named; check the spelling.")
+            }
+        }
+    }
+}
+
+/** Returns the path called [name]; null if the system does not allow such names, as with a question mark on Windows. */
+private fun pathNamed(name: String): Path? = try {
+    Path.of(name)
+} catch (_: InvalidPathException) {
+    null
+}
+
+/** Opens [start] when the window appears; for a folder, the log that was last open there, until a newer one is found. */
+internal fun openFirst(
+    start: StartPlace,
+    library: Library,
+    layouts: LayoutStore,
+    newest: NewestLog,
+    loader: RecordingLoader,
+    notices: Notices,
+) {
+    start.complaint?.let { notices.complain(it) }
+    start.folder?.let { library.open(it, showsNewest = start.file == null) }
+    val last = if (start.file == null) start.folder?.let(layouts::lastOpenIn) else null
+    last?.let { newest.keep(it.file, it.millis) }
+    (start.file ?: last?.file)?.let { loader.open(it) }
+}
+
+/** On a Mac, a double-clicked file is sent as a message to the running program. */
+internal fun opensClickedFiles(loader: RecordingLoader) {
+    if (!Desktop.isDesktopSupported()) return
+    val desktop = Desktop.getDesktop()
+    if (!desktop.isSupported(Desktop.Action.APP_OPEN_FILE)) return
+    desktop.setOpenFileHandler { event -> event.files.firstOrNull()?.let { loader.open(it.toPath()) } }
+}

@@ -1,0 +1,105 @@
+package badlog.window.app
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.isSystemInDarkTheme
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.window.findings.LogFindings
+import badlog.window.log.CurrentRecording
+import badlog.window.log.LogNotes
+import badlog.window.settings.SettingsStore
+import badlog.window.sidebar.FrontPart
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.InspectorTabs
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.WindowPanels
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+
+/** The bar at the top of the window: which parts are open, what is shown, and the [menus]. */
+@Composable
+internal fun TopBar(
+    panels: WindowPanels,
+    current: CurrentRecording,
+    findings: LogFindings,
+    notes: LogNotes,
+    settings: SettingsStore,
+    isNarrow: Boolean,
+    menus: @Composable () -> Unit,
+) {
+    val open = panels.state
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 4.dp),
+        horizontalArrangement = Arrangement.spacedBy(4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        if (!isNarrow) PanelButtons(panels)
+        Text(
+            current.recording?.label ?: "badlog",
+            Modifier.weight(1f).padding(horizontal = 8.dp),
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        if (!isNarrow) InspectorTabs(current, findings, notes, panels)
+        ToolButton("Statistics across logs", Icons.Compare, isOn = open.main == MainView.STATISTICS) {
+            panels.change { toggled(MainView.STATISTICS) }
+        }
+        menus()
+        val isSystemDark = isSystemInDarkTheme()
+        ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun) {
+            settings.change { copy(theme = theme.other(isSystemDark)) }
+        }
+        ToolButton("Keys and gestures", Icons.Help, isOn = open.help) {
+            panels.change { copy(help = !help) }
+        }
+    }
+}
+
+@Composable
+private fun PanelButtons(panels: WindowPanels) {
+    ToolButton("Logs: the list at the left", Icons.List, isOn = panels.state.library) {
+        panels.change { copy(library = !library) }
+    }
+    ToolButton("Topics", Icons.Tree, isOn = panels.state.topics) {
+        panels.change { copy(topics = !topics) }
+    }
+}
+
+/** The bar at the bottom of a narrow window: which of its parts is visible. */
+@Composable
+internal fun FrontTabs(panels: WindowPanels) {
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(4.dp),
+        horizontalArrangement = Arrangement.SpaceEvenly,
+    ) {
+        for (part in FrontPart.entries) {
+            val icon = when (part) {
+                FrontPart.LOGS -> Icons.List
+                FrontPart.TOPICS -> Icons.Tree
+                FrontPart.GRAPHS -> Icons.Graph
+                FrontPart.DETAILS -> Icons.Table
+            }
+            val name = part.name.lowercase().replaceFirstChar { it.uppercase() }
+            ToolButton(
+                "Show the ${part.name.lowercase()}",
+                icon,
+                text = name,
+                isOn = panels.state.front == part && panels.state.main == MainView.GRAPHS,
+            ) {
+                val inspector = panels.state.inspector ?: InspectorTab.EVENTS.takeIf { part == FrontPart.DETAILS }
+                panels.change { copy(front = part, main = MainView.GRAPHS, inspector = inspector) }
+            }
+        }
+    }
+}

@@ -1,0 +1,283 @@
+package badlog.window.app
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.fetch.KnownHosts
+import badlog.fetch.RobotAddress
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.window.choice.AxisChoice
+import badlog.window.choice.FieldChoice
+import badlog.window.choice.StationChoice
+import badlog.window.compare.ComparedRecordings
+import badlog.window.export.CutSaver
+import badlog.window.export.PageSaver
+import badlog.window.export.figure.FigureSaver
+import badlog.window.files.FileChoice
+import badlog.window.files.SystemFileChoice
+import badlog.window.files.sayNoLog
+import badlog.window.findings.LogFindings
+import badlog.window.folder.Library
+import badlog.window.folder.LibraryActions
+import badlog.window.folder.index.LogEntry
+import badlog.window.formula.FormulaStore
+import badlog.window.graph.scene.GraphScene
+import badlog.window.graph.scene.graphCommands
+import badlog.window.layout.Layout
+import badlog.window.layout.LayoutFiles
+import badlog.window.layout.LayoutStore
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.FilteredEvents
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingLoader
+import badlog.window.log.RecordingReader
+import badlog.window.log.RecordingWatcher
+import badlog.window.menu.Command
+import badlog.window.menu.Keyboard
+import badlog.window.robot.RobotLink
+import badlog.window.settings.Settings
+import badlog.window.settings.SettingsFile
+import badlog.window.settings.SettingsStore
+import badlog.window.sidebar.FrontPart
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.SelectedStatistics
+import badlog.window.sidebar.TableSaver
+import badlog.window.sidebar.WindowPanels
+import badlog.window.task.LongTasks
+import badlog.window.task.Notices
+import badlog.window.topics.TopicListing
+import badlog.window.topics.foldersOf
+import badlog.window.video.LogVideo
+import badlog.window.video.Player
+import badlog.window.video.isVideo
+import badlog.window.video.unpackFfmpegInto
+import badlog.window.welcome.SampleLog
+import badlog.window.welcome.WelcomeActions
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
+import java.nio.file.Path
+
+/**
+ * Creates the parts of a window and connects them: each receives the parts it needs, and none receives all. Use it only on the
+ * window's thread; work is launched in [scope], off that thread.
+ *
+ * @param scope lives as long as the window, on its thread.
+ * @param kept the stored settings.
+ * @param robots returns where the robot that a person typed may answer.
+ */
+internal class Viewer(
+    val scope: CoroutineScope,
+    private val folders: UserFolders,
+    kept: Settings = Settings(),
+    val files: FileChoice = SystemFileChoice,
+    val notices: Notices = Notices(),
+    robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
+) {
+    val tasks = LongTasks(scope, notices)
+    val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
+    val panels = WindowPanels()
+    val library = Library(scope, folders.cache, settings)
+    val current = CurrentRecording()
+    val view = AxisView()
+    val board = GraphBoard()
+    private val reader: RecordingReader = RecordingReader(
+        library = { library.state.folder },
+        definitions = { formulas.definitions },
+        overTime = { axis.state == true },
+        field = { log -> fields.of(log) },
+    )
+    val compared: ComparedRecordings = ComparedRecordings(current, tasks, reader)
+    val axis: AxisChoice = AxisChoice(current, compared, board, view)
+    val stations = StationChoice(current, compared, board, view, settings, folder = { library.state.folder })
+    val fields: FieldChoice = FieldChoice(current, compared, settings, files, notices, folder = { library.state.folder })
+    val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
+    val events = FilteredEvents(current)
+    val topics = TopicListing()
+    val statistics = SelectedStatistics()
+    val player = Player(current, view)
+    val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
+    val notes = LogNotes(current, notices)
+    val video = LogVideo(scope, current, view, player, settings, files, notices)
+    val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
+    val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
+    val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
+    val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
+    val cuts = CutSaver(current, view, files, tasks, notices)
+    val tables = TableSaver(files, tasks, notices)
+    val graphs = GraphScene(
+        current,
+        board,
+        view,
+        compared,
+        events,
+        findings,
+        notes,
+        player,
+        settings,
+        figures::copy,
+        ::askForTopics,
+        axis,
+        stations,
+        fields,
+    )
+    private val watcher = RecordingWatcher(
+        notices,
+        read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
+        update = ::showGrown,
+    )
+    val loader = RecordingLoader(scope, tasks, watcher, reader, ::show)
+    val opener = LogOpener(library, loader, files, notices)
+    val robot = RobotLink(
+        scope,
+        KnownHosts(folders.settings.resolve("known_hosts")),
+        notices,
+        folder = { library.state.folder },
+        show = loader::open,
+        robots,
+    )
+    val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
+    val logActions = LibraryActions(
+        open = opener::open,
+        openInGraphs = ::openInGraphs,
+        openFindings = ::openFindings,
+        check = compared::toggle,
+        askForFolder = opener::askForFolder,
+        askForLog = opener::askForLog,
+        canCloseLog = { current.recording != null && library.state.isWithoutLogs },
+        closeLog = ::closeLog,
+        toggleTable = { panels.change { toggled(MainView.LOGS) } },
+    )
+    val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
+    val keyboard = Keyboard()
+
+    /** All keyboard commands, in the order of the help. */
+    val commands: List<Command> =
+        libraryCommands(
+            library,
+            panels,
+            opener,
+        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, panels, video) +
+            graphCommands(
+                view,
+                graphs::scroll,
+            ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
+            windowCommands(panels, formulas, view) + noteCommands(notes, panels, view)
+
+    init {
+        unpackFfmpegInto(folders.cache.resolve("ffmpeg"))
+    }
+
+    /** Starts the background work of the window. */
+    fun start() {
+        scope.launch { layouts.autosave() }
+        scope.launch { formulas.recalculate() }
+        scope.launch { stations.run() }
+        scope.launch { findings.run() }
+        scope.launch { notes.run() }
+        scope.launch { video.run() }
+        scope.launch { settings.autosave() }
+        scope.launch { newest.run() }
+    }
+
+    /** Shows [opened], which was just read, in one step for all observers. */
+    fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
+        // Formulas and the axis may have changed while the file was read, or there may be formulas in a file beside it. They are then
+        // calculated on the window's thread, which is rare and better than graphs that change as soon as they appear.
+        val definitions = layouts.formulasFor(opened)
+        val over = stations.with(opened.overTime(axis.state == true))
+        val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
+        current.replace(recording)
+        formulas.replaceAll(definitions)
+        topics.change { listing(foldersOf(recording.signals)) }
+        compared.share(recording)
+        board.replace(layouts.graphsOf(recording))
+        view.show(recording.span)
+        panels.change { copy(front = FrontPart.GRAPHS) }
+        library.select(recording.file)
+        recording.layout.problem?.let(notices::complain)
+        recording.field.problem?.let(notices::complain)
+    }
+
+    /** Moves the keyboard focus to the search for topics, which are then added to graph [id]. */
+    private fun askForTopics(id: Int) {
+        topics.change { adding(id) }
+        askForTopics(topics, panels)
+    }
+
+    /** Opens what was dropped onto the window: a layout, a video, or else folders and logs. */
+    fun openDropped(paths: List<Path>) {
+        val (videos, rest) = paths.partition(::isVideo)
+        if (videos.isNotEmpty()) openVideo(videos.first())
+        if (rest.isEmpty()) return
+        val (layouts, others) = rest.partition { it.fileName.toString().endsWith(Layout.ENDING, ignoreCase = true) }
+        when {
+            layouts.isEmpty() -> opener.openNamed(others)
+            current.recording != null -> layoutFiles.open(layouts.first())
+            others.isEmpty() -> sayNoLog(notices)
+            else -> opener.openNamed(others)
+        }
+    }
+
+    private fun openVideo(file: Path) {
+        video.open(file)
+        if (video.state.file != null) panels.change { inspecting(InspectorTab.VIDEO).copy(main = MainView.GRAPHS) }
+    }
+
+    private fun showGrown(read: OpenRecording) = Snapshot.withMutableSnapshot {
+        val recording = stations.with(read)
+        current.replace(recording)
+        compared.share(recording)
+        view.change { grown(recording.span) }
+    }
+
+    private fun openInGraphs(entry: LogEntry) {
+        opener.open(entry)
+        if (entry.isReadable) panels.change { copy(main = MainView.GRAPHS) }
+    }
+
+    private fun openFindings(entry: LogEntry) {
+        // An open log keeps its graphs.
+        if (entry.file != current.recording?.file) openInGraphs(entry)
+        if (!entry.isReadable) return
+        panels.change { copy(main = MainView.GRAPHS, inspector = InspectorTab.FINDINGS) }
+        findings.showWorst(entry.file)
+    }
+
+    private suspend fun awaitDrawn() {
+        if (panels.state.main == MainView.GRAPHS) graphs.awaitDrawn()
+    }
+
+    /** Whether the window shows its welcome: no log is open or being read, and the folder has none. */
+    val isWithoutLogs: Boolean get() = current.recording == null && !loader.isReading && library.state.isWithoutLogs
+
+    /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
+    private fun openSample() {
+        tasks.run("Opening the sample match", { SampleLog.unpackInto(folders.cache) }, loader::open)
+    }
+
+    /** Closes the open log, which is in no folder of logs; so the window shows its welcome again. */
+    private fun closeLog() = Snapshot.withMutableSnapshot {
+        loader.stop()
+        compared.clear()
+        formulas.closeSheet()
+        current.close()
+        board.replace(Board())
+        panels.change { copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) }
+    }
+
+    private fun askForRobot() {
+        if (library.state.folder == null) opener.askForFolder("Select a folder for the robot’s logs")
+        if (library.state.folder == null) return
+        panels.change { copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS) }
+        robot.change { copy(isShown = true, isAsked = true) }
+    }
+
+    private fun isInUse() = !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS
+}

@@ -1,0 +1,173 @@
+package badlog.window.app
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.width
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import badlog.viewer.input.SEARCH_HELP
+import badlog.window.compare.CompareBar
+import badlog.window.export.ExportMenu
+import badlog.window.folder.LibraryPane
+import badlog.window.folder.LogTable
+import badlog.window.folder.ShownLogs
+import badlog.window.formula.FormulaDialog
+import badlog.window.graph.GraphPane
+import badlog.window.layout.LayoutMenu
+import badlog.window.settings.PaneWidths
+import badlog.window.settings.SettingsStore
+import badlog.window.sidebar.FrontPart
+import badlog.window.sidebar.InspectorPane
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.Panels
+import badlog.window.sidebar.StatisticsTable
+import badlog.window.task.StatusLines
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.PaneDivider
+import badlog.window.theme.ViewerTheme
+import badlog.window.topics.TopicPane
+import badlog.window.welcome.Welcome
+
+/** All of the window's content, made of the parts of [viewer]. */
+@Composable
+internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
+    ViewerTheme(settings.state.theme) {
+        keyboard.Watch {
+            BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(::openDropped)) {
+                val isNarrow = maxWidth < NARROW
+                Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
+                    TopBar(panels, current, findings, notes, settings, isNarrow) {
+                        LayoutMenu(current, layouts, layoutFiles, axis, stations)
+                        ExportMenu(current, library, compared, board, view, pages, figures, cuts)
+                    }
+                    Box(Modifier.weight(1f).fillMaxWidth()) {
+                        Body(panels.state, isNarrow, isWithoutLogs, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
+                        val open = current.recording
+                        val sheet = formulas.sheet
+                        if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
+                        if (panels.state.help) {
+                            HelpSheet(commands.map { it.help } + GESTURES + SEARCH_HELP, Modifier.align(Alignment.TopCenter)) {
+                                panels.change { copy(help = false) }
+                            }
+                        }
+                    }
+                    StatusLines(notices, tasks)
+                    if (isNarrow) FrontTabs(panels)
+                }
+            }
+        }
+    }
+}
+
+/** The panes between the top and bottom bars of the window. */
+private class Panes(
+    val logs: @Composable (Modifier) -> Unit,
+    val topics: @Composable (Modifier) -> Unit,
+    val main: @Composable (Modifier) -> Unit,
+    val details: @Composable (Modifier) -> Unit,
+)
+
+private fun panesOf(viewer: Viewer) = with(viewer) {
+    Panes(
+        logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
+        topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
+        main = { MainPane(viewer, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, notes, video, panels, it) },
+    )
+}
+
+@Composable
+private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
+    val all = Modifier.fillMaxSize()
+    when {
+        // Topics come with a log.
+        !isNarrow -> WideBody(panels.copy(topics = panels.topics && !isWithoutLogs), settings, width, panes)
+
+        panels.main != MainView.GRAPHS -> panes.main(all)
+
+        // One part at a time if there is no room for more.
+        else -> when (panels.front) {
+            FrontPart.LOGS -> panes.logs(all)
+            FrontPart.TOPICS -> panes.topics(all)
+            FrontPart.GRAPHS -> panes.main(all)
+            FrontPart.DETAILS -> panes.details(all)
+        }
+    }
+}
+
+@Composable
+private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: Panes) {
+    val hasLogs = panels.library && panels.main != MainView.LOGS
+    val hasTopics = panels.topics && panels.main == MainView.GRAPHS
+    val hasDetails = panels.inspector != null && panels.main == MainView.GRAPHS
+    val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
+
+    fun drag(by: PaneWidths) = settings.change {
+        // A dragged pane starts at its visible width, which in a small window is less than the wanted one.
+        copy(panes = this.panes.draggedFrom(this.panes.within(width.value, hasLogs, hasTopics, hasDetails), by))
+    }
+
+    fun reset(to: PaneWidths.() -> PaneWidths) = settings.change { copy(panes = this.panes.to()) }
+    Row(Modifier.fillMaxSize()) {
+        if (hasLogs) {
+            panes.logs(Modifier.width(widths.logs.dp).fillMaxHeight())
+            PaneDivider("Width of the logs", { drag(PaneWidths(it, 0f, 0f)) }) { reset { copy(logs = PaneWidths().logs) } }
+        }
+        if (hasTopics) {
+            panes.topics(Modifier.width(widths.topics.dp).fillMaxHeight())
+            PaneDivider("Width of the topics", { drag(PaneWidths(0f, it, 0f)) }) { reset { copy(topics = PaneWidths().topics) } }
+        }
+        panes.main(Modifier.weight(1f).fillMaxHeight())
+        if (hasDetails) {
+            PaneDivider("Width of the panel", { drag(PaneWidths(0f, 0f, -it)) }) { reset { copy(details = PaneWidths().details) } }
+            panes.details(Modifier.width(widths.details.dp).fillMaxHeight())
+        }
+    }
+}
+
+@Composable
+private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
+    val showGraphs = { panels.change { copy(main = MainView.GRAPHS) } }
+    Box(modifier) {
+        when (panels.state.main) {
+            MainView.GRAPHS -> if (isWithoutLogs) {
+                Welcome(welcome, Modifier.fillMaxSize())
+            } else {
+                Column(Modifier.fillMaxSize()) {
+                    CompareBar(current, compared)
+                    GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
+                }
+            }
+
+            MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())
+
+            MainView.STATISTICS -> StatisticsTable(
+                statistics,
+                library.state.entries,
+                compared.drawn.map { it.recording },
+                findings.state.topics,
+                board.state.graphs.flatMap { it.lines }.distinct(),
+                onOpen = { file ->
+                    if (file != current.recording?.file) loader.open(file)
+                    showGraphs()
+                },
+                onSave = { tables.save(it, library.state.folder) },
+                onClose = showGraphs,
+                Modifier.fillMaxSize(),
+            )
+        }
+    }
+}
+
+private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
+
+private val NARROW = 720.dp

@@ -1,0 +1,28 @@
+package badlog.window.choice
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import badlog.core.recording.PathName
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+
+/** Asks once over which axis to draw logs that name none; empty if that is known. */
+@Composable
+internal fun AxisOffer(choice: AxisChoice) {
+    val column = PathName.baseNameOf(choice.offered ?: return)
+    FlowRow(
+        Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
+        itemVerticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text("This log names no x axis. “$column” rises from row to row.", Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp))
+        ToolButton("Draw over “$column”, here and in the folder’s other logs", text = "Draw over “$column”") { choice.choose(true) }
+        ToolButton("Keep row numbers; the menu Layout can change it", text = "Keep row numbers") { choice.choose(false) }
+    }
+}

@@ -1,0 +1,87 @@
+package badlog.window.choice
+
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.core.recording.RecordingFormat
+import badlog.files.LogFile
+import badlog.signals.clock.FoundStation
+import badlog.window.compare.ComparedRecordings
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.settings.SettingsStore
+import badlog.window.state.Part
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.runInterruptible
+import java.nio.file.Path
+
+/**
+ * The Driver Station's log of the same match as [robot].
+ *
+ * @property robot an opened log; null before one was opened.
+ * @property found the Driver Station's log; null while none is known.
+ */
+internal data class StationOfLog(val robot: Path? = null, val found: FoundStation<LogFile>? = null)
+
+/**
+ * Finds the Driver Station's log of the same match as the current recording, and shows it with that if a person wants it, which is
+ * remembered for each log. Use it only on the window's thread.
+ *
+ * @param folder returns the folder of logs.
+ * @param find finds it, off the window's thread.
+ */
+internal class StationChoice(
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val board: GraphBoard,
+    private val view: AxisView,
+    private val settings: SettingsStore,
+    private val folder: () -> Path?,
+    private val find: (OpenRecording, Path?) -> FoundStation<LogFile>? = ::stationBeside,
+) : Part<StationOfLog>(StationOfLog()) {
+    /** The Driver Station's log that belongs to the current recording; null where none is known. */
+    val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
+
+    /** The log to offer: found, and neither shown nor dismissed by a person yet; null if there is none. */
+    val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
+
+    /** Whether it is shown. */
+    val isShown: Boolean get() = current.recording?.station != null
+
+    /** Searches for that of each opened log, until cancelled. */
+    suspend fun run() = snapshotFlow { current.recording?.file to folder() }.collectLatest { (file, folder) ->
+        if (state.robot != file) change { StationOfLog(file) }
+        val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
+        // One that is a Driver Station's log itself needs none.
+        if (open.view.recording.format == RecordingFormat.DRIVER_STATION) return@collectLatest
+        val found = runInterruptible(Dispatchers.IO) { find(open.withStation(null), folder) }
+        change { StationOfLog(file, found) }
+        show()
+    }
+
+    /** Shows it with the current recording from now on, or hides it. */
+    fun choose(isShown: Boolean) {
+        val file = current.recording?.file ?: return
+        settings.change { withStation(file.toString(), isShown) }
+        show()
+    }
+
+    /** Returns [recording] with the Driver Station's log where that is known and wanted. Takes its time. */
+    fun with(recording: OpenRecording): OpenRecording {
+        val isWanted = recording.file == state.robot && settings.state.stations[recording.file.toString()] == true
+        return recording.withStation(state.found.takeIf { isWanted })
+    }
+
+    private fun show() = Snapshot.withMutableSnapshot {
+        val before = current.recording ?: return@withMutableSnapshot
+        val recording = with(before)
+        if (recording === before) return@withMutableSnapshot
+        val isDefault = board.state.showsSame(before.standardGraphs)
+        current.replace(recording)
+        compared.share(recording)
+        view.change { grown(recording.span) }
+        if (isDefault) board.replace(recording.standardGraphs)
+    }
+}

@@ -1,0 +1,172 @@
+package badlog.window.compare
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.viewer.text.exactText
+import badlog.window.log.CurrentRecording
+import badlog.window.log.OpenRecording
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.Tip
+import badlog.window.theme.ToolButton
+import java.math.BigDecimal
+import java.math.RoundingMode
+import androidx.compose.ui.Alignment as Place
+
+/** The logs compared with the open one, and their alignment; empty if there are none. */
+@Composable
+internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings) {
+    val open = current.recording ?: return
+    val comparison = compared.state
+    if (comparison.checked.all { it == open.file }) return
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth().background(palette.surface)) {
+        FlowRow(
+            Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 2.dp, bottom = 2.dp),
+            itemVerticalAlignment = Place.CenterVertically,
+        ) {
+            Text("Align at", Modifier.padding(end = 6.dp), color = palette.muted)
+            for (alignment in Alignment.entries) {
+                ToolButton(alignment.hint, text = alignment.title, isOn = alignment == comparison.alignment) {
+                    compared.change { alignedBy(alignment, open) }
+                }
+            }
+            ToolButton("Stop comparing", Icons.Close, text = "Clear") { compared.clear() }
+        }
+        FlowRow(
+            Modifier
+                .fillMaxWidth()
+                .heightIn(max = 140.dp)
+                .verticalScroll(rememberScrollState())
+                .padding(start = 8.dp, end = 8.dp, bottom = 6.dp),
+            Arrangement.spacedBy(6.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            compared.drawn.forEachIndexed { index, drawn -> ComparedChip(compared, open, drawn, palette.colorOf(index)) }
+            for (file in comparison.checked) {
+                if (file != open.file && file !in comparison.loaded) {
+                    Row(Modifier.padding(horizontal = 8.dp, vertical = 6.dp)) {
+                        Text("Reading ${file.fileName} …".take(60), color = palette.muted, maxLines = 1)
+                    }
+                }
+            }
+        }
+        HorizontalDivider()
+    }
+}
+
+/** One of the compared recordings: its color, name and offset. */
+@Composable
+internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, drawn: DrawnRecording, color: Color) {
+    val palette = LocalPalette.current
+    val recording = drawn.recording
+    val isOpen = recording.file == open.file
+    Row(
+        Modifier.border(1.dp, palette.border, RoundedCornerShape(6.dp)).padding(start = 8.dp, end = 2.dp, top = 1.dp, bottom = 1.dp),
+        Arrangement.spacedBy(2.dp),
+        Place.CenterVertically,
+    ) {
+        Box(Modifier.size(10.dp).background(color, RoundedCornerShape(2.dp)))
+        Tip("${recording.label} (${recording.file.fileName})", Modifier.weight(1f, fill = false).padding(start = 6.dp, end = 6.dp)) {
+            Text(
+                shortLabel(drawn.name, letters = 28),
+                Modifier.padding(vertical = 5.dp),
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+        if (isOpen) {
+            Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
+        } else {
+            val moveTo = { offset: Double -> compared.change { movedTo(recording.file, offset, open) } }
+            for (step in STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(rounded(drawn.offset - step)) }
+            OffsetField(drawn.name, drawn.offset, moveTo)
+            for (step in STEPS) Nudge(drawn.name, "+", step) { moveTo(rounded(drawn.offset + step)) }
+            ToolButton("Stop comparing with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
+        }
+    }
+}
+
+@Composable
+private fun Nudge(label: String, sign: String, step: Double, onClick: () -> Unit) {
+    ToolButton("Move $label by $sign$step", text = "$sign${step.toString().removePrefix("0").removeSuffix(".0")}", onClick = onClick)
+}
+
+/** The steps by which a click moves a recording, in units of x. */
+private val STEPS = listOf(0.02, 0.1, 1.0)
+
+/** Shows the offset of the recording called [label], and accepts a typed number; Enter or leaving the field moves it. */
+@Composable
+internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
+    val palette = LocalPalette.current
+    // What is being typed; null while nothing is.
+    var draft by remember(offset) { mutableStateOf<String?>(null) }
+    val finish = {
+        draft?.let(::offsetOf)?.let(onMove)
+        draft = null
+    }
+    BasicTextField(
+        draft ?: exactText(rounded(offset)),
+        { draft = it },
+        Modifier
+            .width(88.dp)
+            .background(palette.raised, RoundedCornerShape(4.dp))
+            .border(1.dp, if (draft != null && offsetOf(draft) == null) palette.error else palette.border, RoundedCornerShape(4.dp))
+            .padding(horizontal = 5.dp, vertical = 3.dp)
+            .onFocusChanged { if (!it.isFocused) finish() }
+            .onKeyEvent { event ->
+                val isEnter = event.type == KeyEventType.KeyDown && (event.key == Key.Enter || event.key == Key.NumPadEnter)
+                if (isEnter) finish()
+                isEnter
+            }
+            .semantics { contentDescription = "Offset of $label" },
+        textStyle = LocalTextStyle.current.copy(textAlign = TextAlign.End),
+        singleLine = true,
+        cursorBrush = SolidColor(palette.accent),
+    )
+}
+
+/** Returns the number that a person has typed, with a comma or a point; null for none. */
+internal fun offsetOf(text: String?): Double? = text?.trim()?.replace(',', '.')?.toDoubleOrNull()?.takeIf { it.isFinite() }
+
+/** Returns [offset] without the rounding errors of steps. */
+internal fun rounded(offset: Double): Double =
+    if (offset.isFinite()) BigDecimal(offset).setScale(DECIMALS, RoundingMode.HALF_EVEN).toDouble() else offset
+
+private const val DECIMALS = 6

@@ -1,0 +1,79 @@
+package badlog.window.compare
+
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import badlog.window.log.CurrentRecording
+import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingReader
+import badlog.window.state.Part
+import badlog.window.task.LongTasks
+import kotlinx.coroutines.Job
+import java.nio.file.Path
+
+/**
+ * The recordings compared with the current one: reads them, and releases those that no longer are.
+ *
+ * @param reader reads each.
+ */
+internal class ComparedRecordings(
+    private val current: CurrentRecording,
+    private val tasks: LongTasks,
+    private val reader: RecordingReader,
+) : Part<Comparison>(Comparison()) {
+    private val jobs = HashMap<Path, Job>()
+
+    /**
+     * The recordings that every graph draws: the open one, then the checked ones that were read, in the order in which they were
+     * checked. A recording that is both is included once. The index in this list is that of a recording's color, see [colorOf].
+     */
+    val drawn: List<DrawnRecording> by derivedStateOf {
+        val open = current.recording ?: return@derivedStateOf emptyList()
+        val others = state.checked.filter { it != open.file }.mapNotNull { state.loaded[it] }
+        if (others.isEmpty()) return@derivedStateOf listOf(DrawnRecording(open))
+        val names = namesOf(listOf(open) + others)
+        listOf(DrawnRecording(open, name = names[0])) +
+            others.mapIndexed { i, other -> DrawnRecording(other, state.offsetOf(other, open), names[i + 1]) }
+    }
+
+    /** Checks or unchecks [file]. */
+    fun toggle(file: Path) {
+        val known = file.toAbsolutePath().normalize()
+        if (known in state.checked) remove(known) else add(known)
+    }
+
+    /** Checks [file] and reads it; one that is already open is not read again. A file that cannot be read is reported and unchecked. */
+    fun add(file: Path) {
+        change { with(file) }
+        val open = current.recording
+        if (open?.file == file) change { withLoaded(open) } else load(file)
+    }
+
+    /** Unchecks [file], and releases its recording. */
+    fun remove(file: Path) {
+        change { without(file) }
+        jobs.remove(file)?.cancel()
+    }
+
+    /** Unchecks all. */
+    fun clear() {
+        state.checked.forEach(::remove)
+        change { cleared() }
+    }
+
+    /** Keeps [open] as the only copy of its file, if that is checked. */
+    fun share(open: OpenRecording) {
+        if (state.loaded[open.file] !== open) change { withLoaded(open) }
+    }
+
+    private fun load(file: Path) {
+        val read = { progress: (Float) -> Unit -> reader.read(file, progress = progress) }
+        val job = tasks.run("Reading ${file.fileName} to compare", read) { change { withLoaded(it) } }
+        jobs[file] = job
+        job.invokeOnCompletion {
+            // Checking the same file again later starts a new job.
+            if (jobs[file] !== job) return@invokeOnCompletion
+            jobs.remove(file)
+            if (file !in state.loaded) change { without(file) }
+        }
+    }
+}

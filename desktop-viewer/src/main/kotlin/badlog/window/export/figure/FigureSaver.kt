@@ -1,0 +1,105 @@
+package badlog.window.export.figure
+
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.setValue
+import badlog.files.writeAtomically
+import badlog.viewer.choices.board.BoardGraph
+import badlog.window.compare.ComparedRecordings
+import badlog.window.files.FileChoice
+import badlog.window.files.askToWrite
+import badlog.window.files.fileNameOf
+import badlog.window.files.sayNoLog
+import badlog.window.findings.LogFindings
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.FilteredEvents
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.task.LongTasks
+import badlog.window.task.Notices
+import badlog.window.task.openAction
+import kotlinx.coroutines.CoroutineScope
+import java.awt.datatransfer.Clipboard
+import java.io.IOException
+import java.nio.file.Path
+import javax.imageio.ImageIO
+
+/** Saves and copies figures of the current recording's graphs. */
+internal class FigureSaver(
+    private val scope: CoroutineScope,
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val view: AxisView,
+    private val events: FilteredEvents,
+    private val findings: LogFindings,
+    private val notes: LogNotes,
+    private val board: GraphBoard,
+    private val files: FileChoice,
+    private val tasks: LongTasks,
+    private val notices: Notices,
+) {
+    /** Asks for a file, and writes the figure of [graphs] as they are on the screen. */
+    fun save(graphs: List<BoardGraph>, options: FigureOptions) {
+        val recording = current.recording ?: return
+        val ending = ".${options.format.ending}"
+        val file = askToWrite(files, notices, "Save the figure", recording.file.parent, fileNameOf(recording.label), ending) ?: return
+        val builder = builder(options)
+        tasks.run("Drawing ${file.fileName}", { writeFigure(drawable(builder.build(graphs)), options, file) }) {
+            notices.say("Saved $file.", openAction(file, scope, notices))
+        }
+    }
+
+    /** Copies the picture of the first of [graphs], as many as can be read. */
+    fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MAX_COPIED))
+
+    /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
+    fun copy(graphs: List<BoardGraph>, clipboard: () -> Clipboard = ::systemClipboard) {
+        if (current.recording == null) return sayNoLog(notices)
+        if (graphs.isEmpty()) return
+        val options = FigureOptions(graphHeight = if (graphs.size == 1) LONE_HEIGHT else FigureOptions().graphHeight)
+        val builder = builder(options)
+        val draw = { imageOf(svgOf(drawable(builder.build(graphs)), options), options.width, PICTURE_SCALE) }
+        tasks.run("Copying the picture", { copyImage(draw(), clipboard) }) {
+            val what = graphs.singleOrNull()?.let { "“${it.title}”" } ?: "${graphs.size} graphs"
+            notices.say("Copied a picture of $what; paste it where you like.")
+        }
+    }
+
+    private fun builder(options: FigureOptions) = FigureBuilder(
+        compared.drawn,
+        view.viewport.visible,
+        options.width,
+        events.matching,
+        findings.state.list?.timeline,
+        notes.state.notes.map { it.x },
+        board.state.graphs,
+        // The pointer's accidental place does not belong in a figure.
+        view.cursors.copy(hover = null),
+    )
+
+    private companion object {
+        const val LONE_HEIGHT = 320
+
+        /** More graphs than this make an unreadable picture. */
+        const val MAX_COPIED = 8
+    }
+}
+
+/** Returns [figure], where there is anything in it to draw. */
+internal fun drawable(figure: Figure): Figure =
+    if (figure.frames.isEmpty()) throw IOException("None of the selected graphs has a line in this log; select others.") else figure
+
+/** Writes [figure] to [file]. */
+internal fun writeFigure(figure: Figure, options: FigureOptions, file: Path) {
+    val svg = svgOf(figure, options)
+    if (Thread.interrupted()) throw InterruptedException()
+    when (options.format) {
+        FigureFormat.SVG -> writeAtomically(file) { it.write(svg.encodeToByteArray()) }
+
+        FigureFormat.PNG -> {
+            val image = imageOf(svg, options.width, PICTURE_SCALE)
+            writeAtomically(file) { ImageIO.write(image, "png", it) }
+        }
+    }
+}

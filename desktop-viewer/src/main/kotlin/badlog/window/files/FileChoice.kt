@@ -1,0 +1,85 @@
+package badlog.window.files
+
+import badlog.window.task.Notices
+import java.awt.FileDialog
+import java.awt.Frame
+import java.io.FilenameFilter
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.swing.JFileChooser
+import javax.swing.UIManager
+
+/** Asks the person for a file or folder. Each answer is null if the person cancels. */
+internal interface FileChoice {
+    /** Returns a file to write, suggesting [name] in [folder]; overwriting is confirmed. */
+    fun toWrite(title: String, folder: Path?, name: String): Path?
+
+    /** Returns a file to read whose name ends in [ending], empty for any, starting in [folder]. */
+    fun toRead(title: String, folder: Path?, ending: String = ""): Path?
+
+    /** Returns a folder, starting in [folder]. */
+    fun folder(title: String, folder: Path?): Path?
+}
+
+/** Asks by the system's own dialogs. */
+internal object SystemFileChoice : FileChoice {
+    override fun toWrite(title: String, folder: Path?, name: String): Path? = ask(title, FileDialog.SAVE, folder) { file = name }
+
+    override fun toRead(title: String, folder: Path?, ending: String): Path? = ask(title, FileDialog.LOAD, folder) {
+        filenameFilter = FilenameFilter { _, name -> name.endsWith(ending, ignoreCase = true) }
+    }
+
+    override fun folder(title: String, folder: Path?): Path? =
+        if (isSystem("Mac")) folderOfMac(title, folder) else folderOfSwing(title, folder)
+
+    /** AWT's dialog can select folders only on macOS. */
+    private fun folderOfMac(title: String, folder: Path?): Path? {
+        System.setProperty(MAC_FOLDERS, "true")
+        try {
+            return ask(title, FileDialog.LOAD, folder) {}
+        } finally {
+            System.clearProperty(MAC_FOLDERS)
+        }
+    }
+
+    private fun folderOfSwing(title: String, folder: Path?): Path? {
+        // Only on Windows, the system's look provides the dialog that people know from other programs.
+        if (isSystem("Windows")) UIManager.setLookAndFeel(UIManager.getSystemLookAndFeelClassName())
+        val chooser = JFileChooser(folder?.toFile())
+        chooser.dialogTitle = title
+        chooser.fileSelectionMode = JFileChooser.DIRECTORIES_ONLY
+        val answer = chooser.showDialog(owner(), "Select")
+        return if (answer == JFileChooser.APPROVE_OPTION) chooser.selectedFile?.toPath() else null
+    }
+
+    private fun ask(title: String, mode: Int, folder: Path?, prepare: FileDialog.() -> Unit): Path? {
+        val dialog = FileDialog(owner(), title, mode)
+        dialog.directory = folder?.toString()
+        dialog.prepare()
+        dialog.isVisible = true
+        val name = dialog.file ?: return null
+        return Path.of(dialog.directory.orEmpty(), name).toAbsolutePath().normalize()
+    }
+
+    private fun owner(): Frame? = Frame.getFrames().firstOrNull { it.isActive }
+
+    private fun isSystem(name: String) = System.getProperty("os.name").startsWith(name)
+
+    private const val MAC_FOLDERS = "apple.awt.fileDialogForDirectories"
+}
+
+/**
+ * Asks for a file to write whose name ends in [ending], suggesting [name]; null if nothing is to be written. An existing file
+ * is replaced only if the person has typed its full name, and so confirmed that in the dialog.
+ */
+internal fun askToWrite(files: FileChoice, notices: Notices, title: String, folder: Path?, name: String, ending: String): Path? {
+    val chosen = files.toWrite(title, folder, name + ending) ?: return null
+    if (chosen.fileName.toString().endsWith(ending, ignoreCase = true)) return chosen
+    val file = chosen.resolveSibling("${chosen.fileName}$ending")
+    if (!Files.exists(file)) return file
+    notices.complain("${file.fileName} exists already; enter its full name to replace it.")
+    return null
+}
+
+/** Says that no log is open from which to save something. */
+internal fun sayNoLog(notices: Notices) = notices.complain("Open a log first.")

@@ -1,0 +1,17 @@
+package badlog.window.files
+
+import badlog.files.LogName
+import java.nio.file.Path
+
+/** Returns [text] as part of a file name on any system: without forbidden characters, and not too long. */
+internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
+    .joinToString("")
+    .trim(' ', '.')
+    .take(MAX_LENGTH)
+    .ifEmpty { "badlog" }
+
+/** Returns the name of [file] without the endings of its format. */
+internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
+
+private const val FORBIDDEN = "\\/:*?\"<>|"
+private const val MAX_LENGTH = 120

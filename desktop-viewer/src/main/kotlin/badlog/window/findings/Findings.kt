@@ -1,0 +1,86 @@
+package badlog.window.findings
+
+import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
+import badlog.rules.worstFirst
+import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.findsFound
+import badlog.viewer.shown.search.searchedText
+import java.nio.file.Path
+
+/**
+ * What the window knows about the open recording's findings.
+ *
+ * @property list the findings; null until the rules have run.
+ * @property selected the one that a person went to last, or null.
+ * @property pointed the one under the pointer, or null.
+ * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
+ * @property timesAsked how often a person requested to run the rules again.
+ */
+internal data class Findings(
+    val list: FindingList? = null,
+    val selected: Finding? = null,
+    val pointed: Finding? = null,
+    val pointedPlace: Double = Double.NaN,
+    val timesAsked: Int = 0,
+) {
+    /** The names of the topics that one of them is about. */
+    val topics: Set<String> get() = list?.topics.orEmpty()
+
+    /** The one whose time is shaded in the graphs, or null. */
+    val shown: Finding? get() = pointed ?: selected
+
+    /** Returns the findings with [list]; the selected one stays selected if it was found again. */
+    fun knowing(list: FindingList): Findings = copy(list = list, selected = selected?.let(list::like), pointed = pointed?.let(list::like))
+
+    /** Returns the findings without a list. */
+    fun unknown(): Findings = Findings(timesAsked = timesAsked)
+}
+
+/**
+ * What rules found in a recording.
+ *
+ * @property all the findings, the worst first, and of one severity in the order of time.
+ * @property skipped the rules that were skipped for it.
+ * @property rulesFile where the rules come from; null for the built-in ones.
+ * @property incidents which of them belong together, and what came first; the worst first.
+ * @property trouble why a file of rules is not used, or the rules could not run, as a sentence; null if all is well.
+ */
+internal class FindingList(
+    found: List<Finding> = emptyList(),
+    val skipped: List<SkippedRule> = emptyList(),
+    val rulesFile: Path? = null,
+    val trouble: String? = null,
+    val incidents: List<Incident> = emptyList(),
+) {
+    val all: List<Finding> = found.worstFirst()
+
+    /** The names of the topics that one of them is about. */
+    val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
+
+    /** The findings by their places on x. */
+    val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })
+
+    /** Returns the start of the place of [finding] nearest to [x]. */
+    fun placeNear(finding: Finding, x: Double): Double = timeline.places.filter { it.finding === finding }
+        .minByOrNull { maxOf(it.span.from - x, x - it.span.to, 0.0) }?.span?.from ?: finding.time
+
+    /** The severity of the worst; null when there is none. */
+    val worst: Severity? = all.maxOfOrNull { it.severity }
+
+    /** Returns the finding that corresponds to [finding], which may be a new object because the log has grown; null for none. */
+    fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
+
+    /** Returns what a search for [text] finds in it. */
+    fun foundBy(text: String): SearchedFindings {
+        val query = Query(text)
+        if (query.isEmpty) return SearchedFindings(incidents, all)
+        return SearchedFindings(incidents.filter { query.findsFound(it.searchedText) }, all.filter { query.findsFound(it.searchedText) })
+    }
+}
+
+/** The [incidents] and the [findings] that a search leaves, in their order. */
+internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>)

@@ -1,0 +1,150 @@
+package badlog.window.findings
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.rules.FolderRules
+import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.firstEvidenceOf
+import badlog.rules.incident.incidentsIn
+import badlog.rules.incident.nextOf
+import badlog.rules.over
+import badlog.viewer.choices.board.evidenceBoard
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.state.Part
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.conflate
+import kotlinx.coroutines.flow.filterNotNull
+import kotlinx.coroutines.runInterruptible
+import kotlinx.coroutines.withTimeoutOrNull
+import java.nio.file.Path
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
+
+/**
+ * What rules find in the current recording. They run in the background, after its graphs are drawn, and again when it has
+ * grown; another recording cancels them. Use it only on the window's thread.
+ *
+ * @param folder returns the folder of logs, whose rules count.
+ * @param awaitDrawn returns when the opened recording is visible.
+ * @param find runs the rules over a recording.
+ */
+internal class LogFindings(
+    private val current: CurrentRecording,
+    private val view: AxisView,
+    private val board: GraphBoard,
+    private val folder: () -> Path?,
+    private val awaitDrawn: suspend () -> Unit,
+    private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
+) : Part<Findings>(Findings()) {
+    /** The log whose worst finding will be shown once it is known; null for none. */
+    private var worstWanted: Path? = null
+
+    /** Runs the rules over whatever is opened, until cancelled. */
+    suspend fun run() {
+        var before: Path? = null
+        snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
+            change { unknown() }
+            // A person has opened another log in the meantime.
+            if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
+            before = wanted.file
+            if (wanted.file == null) return@collectLatest
+            withTimeoutOrNull(PATIENCE) { awaitDrawn() }
+            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.forRules }.filterNotNull().conflate().collect { view ->
+                val began = TimeSource.Monotonic.markNow()
+                val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
+                change { knowing(list) }
+                if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
+                delay(restAfter(began.elapsedNow()))
+            }
+        }
+    }
+
+    /**
+     * Goes to the first result for [log], which is open or being opened, as soon as the rules have run: the start of its worst incident,
+     * or else its worst finding.
+     */
+    fun showWorst(log: Path) {
+        worstWanted = log
+        if (current.recording?.file == log && state.list != null) goToWorst()
+    }
+
+    private fun goToWorst() {
+        worstWanted = null
+        val list = state.list ?: return
+        (list.incidents.firstOrNull()?.sentences?.first()?.finding ?: list.all.firstOrNull())?.let { goTo(it) }
+    }
+
+    /** Adds the graphs of the first result, unless somebody has arranged others. */
+    private fun beginWithFirst(list: FindingList) {
+        val open = current.recording ?: return
+        if (!board.state.showsSame(open.standardGraphs)) return
+        board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
+    }
+
+    /** Runs the rules once more. */
+    fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
+
+    /** Records that the pointer is on [finding], or on none; on its mark at [place]. */
+    fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
+
+    /**
+     * Shows the surroundings of [place], where [finding] was found, with the cursor there and its time shaded; and, above all other
+     * graphs, its evidence and that of its incident. A finding about the whole log does not change the visible range.
+     */
+    fun goTo(finding: Finding, place: Double = finding.time) {
+        change { copy(selected = finding) }
+        if (place.isFinite()) view.goTo(place, finding.places.find { it.from == place } ?: Span(place, place))
+        val open = current.recording ?: return
+        board.showEvidence(evidenceBoard(open.view, incidentOf(finding).evidenceOf(finding), open.vocabulary))
+    }
+
+    /** Returns what to look at next for [finding]; may be empty. */
+    fun nextOf(finding: Finding): String = incidentOf(finding).nextOf(finding)
+
+    private fun incidentOf(finding: Finding) = state.list?.incidents?.find { finding in it }
+
+    /** Goes [steps] places forward within the selected finding. */
+    fun stepWithin(steps: Int) {
+        val finding = state.selected ?: return
+        state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
+    }
+
+    /** Goes [steps] places of findings forward from the last one, or else from the cursor. */
+    fun step(steps: Int) {
+        val next = state.list?.timeline?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
+        goTo(next.finding, next.span.from)
+    }
+
+    private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)
+
+    private companion object {
+        val PATIENCE = 3.seconds
+
+        /** While a log grows, the machine should mostly be free for the program that writes it. */
+        fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
+    }
+}
+
+/**
+ * Runs the rules for [file], which was read as [view]. It may take long; interrupting the thread cancels it.
+ *
+ * @param library the folder of logs, see [FolderRules.of].
+ */
+internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList {
+    val rules = FolderRules.of(file, library)
+    return try {
+        val found = rules.rules.over(view, file.fileName.toString(), isEverywhere = true) {
+            if (Thread.interrupted()) throw InterruptedException()
+        }
+        FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings))
+    } catch (_: OutOfMemoryError) {
+        FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
+    }
+}

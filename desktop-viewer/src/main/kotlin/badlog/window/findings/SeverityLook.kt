@@ -1,0 +1,22 @@
+package badlog.window.findings
+
+import androidx.compose.ui.graphics.Color
+import badlog.core.recording.Severity
+import badlog.window.theme.Palette
+
+/** The name of a severity in the window. */
+internal val Severity.word: String get() = name.lowercase()
+
+/** Returns the color of a finding's mark. */
+internal fun Palette.findingColor(severity: Severity): Color = when (severity) {
+    Severity.ERROR -> error
+    Severity.WARNING -> warning
+    Severity.NOTE -> muted
+}
+
+/** Returns the color behind a finding's word. */
+internal fun Palette.findingSoft(severity: Severity): Color = when (severity) {
+    Severity.ERROR -> errorSoft
+    Severity.WARNING -> warningSoft
+    Severity.NOTE -> raised
+}

@@ -1,0 +1,108 @@
+package badlog.window.folder
+
+import badlog.window.folder.index.IndexCache
+import badlog.window.folder.index.IndexQueue
+import badlog.window.folder.index.Indexing
+import badlog.window.settings.SettingsStore
+import badlog.window.state.Part
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.StateFlow
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.milliseconds
+
+/**
+ * The folder of logs, kept up to date with the disk. Use it only on the window's thread.
+ *
+ * @param scope the scope for reading the folder; its thread is the window's.
+ * @param cache the folder for cached indexes.
+ * @param settings remembers which folders were opened.
+ */
+internal class Library(private val scope: CoroutineScope, private val cache: Path, private val settings: SettingsStore) :
+    Part<LibraryState>(LibraryState()) {
+    private var job: Job? = null
+    private var indexing: Indexing? = null
+    private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
+
+    /** The progress of reading the folder, as of [state]; null until something is known. */
+    val progress: StateFlow<IndexProgress?> get() = mutableProgress
+
+    /**
+     * Shows the logs of [folder] and its subfolders from now on.
+     *
+     * @param showsNewest whether its newest log is shown while nobody has opened another.
+     */
+    fun open(folder: Path, showsNewest: Boolean = true) {
+        val path = folder.toAbsolutePath().normalize()
+        val before = job
+        val isSame = state.folder == path
+        close()
+        change { opening(path) }
+        settings.change { opened(path.toString()) }
+        val started = Indexing(path, IndexCache(cache, path))
+        indexing = started
+        job = scope.launch {
+            // Data still being written to the cache of a folder must be available when that is opened again.
+            if (isSame) before?.join()
+            launch { started.run() }
+            publish(started, showsNewest)
+        }
+    }
+
+    /** Closes the folder; what is known about it is kept for the next time. */
+    fun close() {
+        job?.cancel()
+        job = null
+        indexing = null
+        mutableProgress.value = null
+    }
+
+    /** Skips the logs that are waiting to be read. */
+    fun stopReading() {
+        indexing?.stopReading()
+    }
+
+    /** Reads what [stopReading] skipped. */
+    fun readAll() {
+        indexing?.readAll()
+    }
+
+    /** Selects [file]. */
+    fun select(file: Path) = change { copy(selected = file) }
+
+    private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
+        var shownQueue: IndexQueue? = null
+        var shownChanges = -1
+        indexing.updates.collect {
+            val hasLooked = indexing.hasLooked
+            val queue = indexing.queue
+            val index = withContext(Dispatchers.Default) { queue.state() }
+            var library = state.copy(
+                hasLooked = hasLooked,
+                trouble = indexing.trouble,
+                passedOver = index.passedOver,
+                reading = if (index.waiting > 0) ReadingProgress(index.read, index.read + index.waiting) else null,
+            )
+            if (queue !== shownQueue || index.changes != shownChanges) library = library.knowing(index.entries)
+            shownQueue = queue
+            shownChanges = index.changes
+            if (library != state) change { library }
+            if (hasLooked && showsNewest) mutableProgress.value = IndexProgress(queue, index.waiting == 0)
+            // Sorting many logs again takes time that the window needs for other things.
+            delay(if (index.entries.size > MANY) PERIOD * 5 else PERIOD)
+        }
+    }
+
+    private companion object {
+        val PERIOD = 100.milliseconds
+        const val MANY = 2000
+    }
+}
+
+/** The progress of reading a folder: what [queue] knows, and whether that is all. Compared by identity. */
+internal class IndexProgress(val queue: IndexQueue, val isComplete: Boolean)

@@ -1,0 +1,32 @@
+package badlog.window.folder
+
+import badlog.window.folder.index.LogEntry
+import java.nio.file.Path
+
+/**
+ * What a person can do with the logs of a folder, besides changing how they are listed.
+ *
+ * @property open shows a log.
+ * @property openInGraphs shows a log, and the graphs instead of the table.
+ * @property openFindings shows a log in the graphs, its findings beside them, and the worst of those.
+ * @property check starts or stops comparing with the log in a file.
+ * @property askForFolder asks for another folder and opens it.
+ * @property askForLog asks for a log and opens it.
+ * @property canCloseLog returns whether the open log can be closed: one of a folder stays open, because another could only replace it.
+ * @property closeLog closes the open log.
+ * @property toggleTable shows all logs as a table, or the graphs again.
+ */
+internal class LibraryActions(
+    val open: (LogEntry) -> Unit,
+    val openInGraphs: (LogEntry) -> Unit,
+    val openFindings: (LogEntry) -> Unit,
+    val check: (Path) -> Unit,
+    val askForFolder: () -> Unit,
+    val askForLog: () -> Unit,
+    val canCloseLog: () -> Boolean,
+    val closeLog: () -> Unit,
+    val toggleTable: () -> Unit,
+)
+
+/** Which logs the graphs show: the [open] one, if any, and those that are [checked] to be compared with it. */
+internal class ShownLogs(val open: Path?, val checked: List<Path>)

@@ -1,0 +1,249 @@
+package badlog.window.folder
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.window.folder.index.LogEntry
+import badlog.window.robot.RobotBar
+import badlog.window.robot.RobotLink
+import badlog.window.settings.SettingsStore
+import badlog.window.theme.Icons
+import badlog.window.theme.KeepInSight
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.SearchField
+import badlog.window.theme.StayAtTop
+import badlog.window.theme.ToolButton
+import badlog.window.theme.rememberAskedFocus
+
+/** The list of logs on the left. */
+@Composable
+internal fun LibraryPane(
+    library: Library,
+    robot: RobotLink,
+    settings: SettingsStore,
+    shown: ShownLogs,
+    actions: LibraryActions,
+    modifier: Modifier = Modifier,
+) {
+    Column(modifier.background(LocalPalette.current.surface)) {
+        LibraryHead(library, robot, settings, actions)
+        RobotBar(robot, settings)
+        HorizontalDivider()
+        ReadingLine(library)
+        val visible = library.state.visible
+        if (visible.isEmpty()) {
+            LibraryEmptiness(library, actions)
+        } else {
+            LogList(library, settings, shown, actions)
+        }
+    }
+}
+
+@Composable
+private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions) {
+    val visible = library.state.visible
+    val topic = settings.state.previewTopic
+    val previews = remember(visible, topic) { Previews(visible, topic) }
+    val list = rememberLazyListState()
+    StayAtTop(list, visible)
+    KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
+    Box(Modifier.fillMaxSize().semantics { contentDescription = "Logs" }) {
+        LazyColumn(Modifier.fillMaxSize(), list) {
+            items(visible, key = { it.file.toString() }) { entry ->
+                LogRow(
+                    entry = entry,
+                    previews = previews,
+                    isOpen = shown.open == entry.file,
+                    isSelected = library.state.selected == entry.file,
+                    isChecked = entry.file in shown.checked,
+                    onOpen = { actions.open(entry) },
+                    onCheck = { actions.check(entry.file) },
+                )
+            }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(list), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+    }
+}
+
+/** The header of the list: its folder, and how it is filtered and sorted. */
+@Composable
+internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsStore, actions: LibraryActions) {
+    Column(Modifier.padding(start = 8.dp, end = 8.dp, top = 6.dp, bottom = 2.dp)) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            FolderMenu(library, settings, actions, Modifier.weight(1f))
+            ToolButton("Logs from the robot", Icons.Robot, isOn = robot.state.isShown || robot.state.isOn) {
+                robot.change { copy(isShown = !isShown) }
+            }
+            ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
+        }
+        LogSearch(library, actions.open, Modifier.fillMaxWidth().padding(top = 2.dp))
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            LogCount(library.state.listing, Modifier.weight(1f).padding(start = 4.dp))
+            SortMenu(library)
+            PreviewMenu(library.state.entries, settings)
+            OnlyErrorsButton(library)
+            HideEmptyButton(library)
+        }
+    }
+}
+
+/** The field that filters the logs; Enter opens the first listed one and releases the keyboard focus, Escape lists all again. */
+@Composable
+internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: Modifier = Modifier) {
+    val focus = rememberAskedFocus(library.state.searchesAsked)
+    val keyboard = LocalFocusManager.current
+    val keyed = modifier
+        .focusRequester(focus)
+        .onPreviewKeyEvent {
+            val opens = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
+            if (opens) {
+                library.state.visible.firstOrNull()?.let(onOpen)
+                keyboard.clearFocus()
+            }
+            opens
+        }
+    SearchField(library.state.listing.filter, "Search logs", keyed) {
+        library.change { filtered(it) }
+    }
+}
+
+/** The number of listed logs. */
+@Composable
+internal fun LogCount(listing: Listing, modifier: Modifier = Modifier) {
+    val all = when (listing.size) {
+        0 -> "No logs"
+        1 -> "1 log"
+        else -> "${listing.size} logs"
+    }
+    val text = if (listing.visible.size == listing.size) all else "${listing.visible.size} of $all"
+    Text(text, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
+}
+
+/** Hides idle logs. */
+@Composable
+internal fun HideEmptyButton(library: Library) {
+    val hides = library.state.listing.hidesEmpty
+    ToolButton("Hide idle logs", Icons.Hide, isOn = hides) {
+        library.change { hidingEmpty(!hides) }
+    }
+}
+
+/** Lists only logs in which a rule found an error. */
+@Composable
+internal fun OnlyErrorsButton(library: Library) {
+    val isOn = library.state.listing.onlyErrors
+    ToolButton("Only logs with an error that rules found", Icons.Diamond, isOn = isOn) {
+        library.change { onlyErrors(!isOn) }
+    }
+}
+
+/** Shown in place of the list if there are no logs. */
+@Composable
+internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
+    Column(modifier.padding(16.dp), verticalArrangement = Arrangement.spacedBy(12.dp)) {
+        Text(emptinessOf(library.state), color = LocalPalette.current.muted)
+        if (library.state.listing.size == 0) {
+            ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { actions.askForFolder() }
+        } else {
+            ToolButton("List all logs", Icons.Reset, text = "List all logs") {
+                library.change { filtered("").hidingEmpty(false).onlyErrors(false) }
+            }
+        }
+    }
+}
+
+private fun emptinessOf(library: LibraryState): String = when {
+    library.folder == null -> "Open the folder where the robot’s logs are, or drop it onto this window."
+
+    library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log matches “${library.listing.filter.trim()}”."
+
+    library.listing.size > 0 && library.listing.onlyErrors -> "Rules found no error in any of these logs."
+
+    library.listing.size > 0 -> "All of these logs are idle."
+
+    !library.hasLooked -> "Looking for logs…"
+
+    library.reading != null -> "Reading the first logs…"
+
+    library.trouble != null -> "No logs found."
+
+    else ->
+        "No logs here yet. Bags (.bag, .badbag), tables (.csv), logs of WPILib (.wpilog) and of the Driver Station (.dslog) " +
+            "in this folder and its subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
+}
+
+/** The progress of reading the folder, and what prevents it; empty if everything is known. */
+@Composable
+internal fun ReadingLine(library: Library) {
+    val state = library.state
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth()) {
+        state.trouble?.let { trouble ->
+            Text(
+                trouble,
+                Modifier.fillMaxWidth().background(palette.warningSoft).padding(horizontal = 12.dp, vertical = 6.dp),
+                color = palette.warning,
+                fontSize = 12.sp,
+                lineHeight = 16.sp,
+                maxLines = 4,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+        val reading = state.reading
+        // A growing log is read repeatedly, which nobody waits for.
+        if (reading != null && reading.total > 1) {
+            NoteLine("Reading ${reading.read} of ${reading.total} logs", "Stop", "Stop reading logs") {
+                library.stopReading()
+            }
+            LinearProgressIndicator(
+                progress = { reading.read.toFloat() / reading.total },
+                modifier = Modifier.fillMaxWidth().height(2.dp),
+                gapSize = 0.dp,
+                drawStopIndicator = {},
+            )
+        } else if (state.passedOver > 0) {
+            val logs = if (state.passedOver == 1) "1 log is" else "${state.passedOver} logs are"
+            NoteLine("$logs not read", "Read", "Read the other logs") { library.readAll() }
+        }
+    }
+}
+
+@Composable
+private fun NoteLine(text: String, action: String, description: String, onAction: () -> Unit) {
+    Row(Modifier.padding(start = 12.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+        val muted = LocalPalette.current.muted
+        Text(text, Modifier.weight(1f), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        ToolButton(description, text = action, onClick = onAction)
+    }
+}

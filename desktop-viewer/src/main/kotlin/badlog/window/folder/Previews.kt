@@ -1,0 +1,74 @@
+package badlog.window.folder
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.PointMode
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import badlog.core.analysis.Span
+import badlog.window.folder.index.LogEntry
+import badlog.window.folder.index.PreviewLine
+import badlog.window.folder.index.TopicSummary
+
+/**
+ * The topic that each of [entries] previews: the one called [name], or else its battery voltage. All are drawn to the same
+ * scale, so that they can be compared at a glance.
+ */
+internal class Previews(entries: List<LogEntry>, private val name: String?) {
+    /** The part of y that is drawn; null when there is nothing to draw. */
+    val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
+
+    /** Returns what [entry] previews; null when it has no such topic. */
+    fun of(entry: LogEntry): TopicSummary? = (name ?: entry.batteryTopic)?.let(entry::topic)
+}
+
+/** Wide enough for nearly all of [topics]: a single log with a wild value must not flatten the others. */
+private fun commonRange(topics: List<TopicSummary>): Span? {
+    if (topics.isEmpty()) return null
+    val lows = topics.map { it.statistics.min }.sorted()
+    val highs = topics.map { it.statistics.max }.sorted()
+    val outliers = topics.size / 20
+    return Span(lows[outliers], maxOf(lows[outliers], highs[highs.lastIndex - outliers]))
+}
+
+/** Draws a preview of [topic] in the available room, with [range] from bottom to top. */
+@Composable
+internal fun PreviewCurve(topic: TopicSummary, range: Span, color: Color, modifier: Modifier = Modifier) {
+    Canvas(modifier) {
+        var run = ArrayList<Offset>()
+        for (column in 0 until PreviewLine.COLUMNS) {
+            if (topic.preview.has(column)) {
+                addColumn(run, column, topic, range)
+            } else if (run.isNotEmpty()) {
+                drawRun(run, color)
+                run = ArrayList()
+            }
+        }
+        drawRun(run, color)
+    }
+}
+
+/** Adds the two ends of [column] to [run], first the one nearer to where the line comes from. */
+private fun DrawScope.addColumn(run: MutableList<Offset>, column: Int, topic: TopicSummary, range: Span) {
+    val width = size.width / PreviewLine.COLUMNS
+    val low = heightOf(topic.preview.low(column), topic, range)
+    val high = heightOf(topic.preview.high(column), topic, range)
+    val last = run.lastOrNull()?.y ?: high
+    val beginsLow = last - high > low - last
+    run += Offset((column + 0.25f) * width, if (beginsLow) low else high)
+    run += Offset((column + 0.75f) * width, if (beginsLow) high else low)
+}
+
+private fun DrawScope.heightOf(share: Float, topic: TopicSummary, range: Span): Float {
+    val statistics = topic.statistics
+    val value = statistics.min + (statistics.max - statistics.min) * share
+    val place = if (range.width > 0) (value - range.from) / range.width else 0.5
+    return ((1 - (if (place.isNaN()) 0.5 else place).coerceIn(0.0, 1.0)) * (size.height - 1) + 0.5).toFloat()
+}
+
+private fun DrawScope.drawRun(points: List<Offset>, color: Color) {
+    // A thickness up to one physical pixel is drawn many times faster.
+    if (points.isNotEmpty()) drawPoints(points, PointMode.Polygon, color, strokeWidth = 1f)
+}

@@ -1,0 +1,131 @@
+package badlog.window.formula
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import badlog.expression.signals.Vocabulary
+import badlog.signals.namesWith
+import badlog.viewer.choices.formula.nameIn
+import badlog.viewer.choices.formula.nameInExpression
+import badlog.window.compare.ComparedRecordings
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.task.Notices
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.withContext
+
+/**
+ * The formulas of the window: definitions of topics that are calculated from others, in the order in which they may use each other.
+ * Use it only on the window's thread.
+ */
+internal class FormulaStore(
+    private val current: CurrentRecording,
+    private val compared: ComparedRecordings,
+    private val board: GraphBoard,
+    private val notices: Notices,
+) {
+    /** The formulas. */
+    var definitions: List<String> by mutableStateOf(emptyList())
+        private set
+
+    /** The dialog of the formula being written, or null. */
+    var sheet: FormulaSheet? by mutableStateOf(null)
+        private set
+
+    /** The formulas that a person removed: files beside the logs do not bring them back. */
+    private val removed = HashSet<String>()
+
+    /** Opens the dialog for a new one that contains [names] of the open recording; does nothing without a recording. */
+    fun write(names: List<String> = emptyList()) {
+        val open = current.recording ?: return
+        val vocabulary = vocabularyFor(open, definition = null)
+        val start = if (names.isEmpty()) "" else " = " + names.joinToString(" * ") { nameInExpression(it, vocabulary) }
+        sheet = FormulaSheet(start = start)
+    }
+
+    /** Opens the dialog for [definition]. */
+    fun edit(definition: String) {
+        sheet = FormulaSheet(definition)
+    }
+
+    /** Closes the dialog; its text is lost. */
+    fun closeSheet() {
+        sheet = null
+    }
+
+    /** Adds [definition], whose topic is called [name], and draws it. */
+    fun add(definition: String, name: String) {
+        removed -= definition
+        definitions = (definitions + definition).distinct()
+        board.change { withGraph(listOf(name)) }
+    }
+
+    /** Replaces [before] by [definition], whose topic is called [name], also in graphs. */
+    fun replace(before: String, definition: String, name: String) {
+        removed += before
+        definitions = definitions.map { if (it == before) definition else it }.distinct()
+        nameIn(before)?.let { board.change { renamed(it, name) } }
+    }
+
+    /** Removes [definition], also from the graphs. */
+    fun remove(definition: String) {
+        removed += definition
+        definitions = definitions - definition
+        nameIn(definition)?.let { board.change { withoutSignal(it) } }
+    }
+
+    /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed. */
+    fun with(others: List<String>): List<String> {
+        val names = definitions.mapTo(HashSet(), ::nameIn)
+        return definitions + others.filter { it !in removed && nameIn(it) !in names }
+    }
+
+    /** Replaces all formulas by [definitions], immediately for the open recording. */
+    fun replaceAll(definitions: List<String>) {
+        this.definitions = definitions
+        val open = current.recording ?: return
+        if (open.definitions != definitions) show(open.withFormulas(definitions))
+    }
+
+    /** Recalculates them for the displayed recordings whenever a person has changed them, until cancelled. */
+    suspend fun recalculate() = snapshotFlow { Shown(definitions, current.recording, compared.state.loaded.values.toList()) }
+        .collectLatest { (definitions, open, others) ->
+            try {
+                if (open != null && open.definitions != definitions) show(calculated(open, definitions))
+                for (other in others) {
+                    if (other.file == open?.file || other.definitions == definitions) continue
+                    val changed = calculated(other, definitions)
+                    compared.change { withLoaded(changed) }
+                }
+            } catch (_: OutOfMemoryError) {
+                notices.complain("There is not enough memory for the formulas; remove one, or compare fewer logs.")
+            }
+        }
+
+    private fun show(recording: OpenRecording) {
+        current.replace(recording)
+        compared.share(recording)
+    }
+
+    private data class Shown(val definitions: List<String>, val open: OpenRecording?, val compared: List<OpenRecording>)
+
+    private suspend fun calculated(recording: OpenRecording, definitions: List<String>) =
+        withContext(Dispatchers.Default) { recording.withFormulas(definitions) }
+}
+
+/**
+ * The dialog in which a person writes a formula.
+ *
+ * @property before the definition being changed; null for a new one.
+ * @property start the initial text.
+ */
+internal data class FormulaSheet(val before: String? = null, val start: String = before.orEmpty())
+
+/** Returns the names that [definition] in [open] may use: the topics, and the formulas before it; all for null. */
+internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
+    val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
+    return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }
+}

@@ -1,0 +1,64 @@
+package badlog.window.graph
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.composed
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalFocusManager
+import badlog.window.choice.AxisOffer
+import badlog.window.choice.StationOffer
+import badlog.window.graph.mark.FindingStrip
+import badlog.window.graph.scene.GraphScene
+import badlog.window.theme.LocalPalette
+import badlog.window.video.PlayerFrames
+
+/**
+ * The graphs of the open recording, with overview and playback.
+ *
+ * @param isOpening whether one is being read.
+ */
+@Composable
+internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpening: Boolean = false) {
+    PlayerFrames(scene.player)
+    val open = scene.current.recording
+    if (open == null) {
+        NothingOpen(isOpening, modifier)
+        return
+    }
+    Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
+        GraphToolbar(scene)
+        AxisOffer(scene.axis)
+        StationOffer(scene.stations)
+        Overview(scene)
+        Box(
+            Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
+                scene.board.change { withGraph(names) }
+            },
+        ) {
+            when {
+                open.signals.isEmpty() -> NothingRecorded(open, Modifier.fillMaxSize())
+                scene.board.state.graphs.isEmpty() -> NoGraphs(scene.board, open, Modifier.fillMaxSize())
+                else -> GraphColumn(scene)
+            }
+        }
+        FindingStrip(scene)
+        XAxisBar(scene)
+    }
+}
+
+/** Returns a press here takes the focus away from text fields, so that keys are commands again. */
+private fun Modifier.takesKeyboard() = composed {
+    val focus = LocalFocusManager.current
+    pointerInput(focus) {
+        awaitPointerEventScope {
+            while (true) if (awaitPointerEvent(PointerEventPass.Initial).type == PointerEventType.Press) focus.clearFocus()
+        }
+    }
+}

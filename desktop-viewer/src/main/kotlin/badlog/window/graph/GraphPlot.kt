@@ -1,0 +1,107 @@
+package badlog.window.graph
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.drawscope.clipRect
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.input.pointer.pointerHoverIcon
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.mark.ModeBands
+import badlog.window.graph.mark.drawEventMarks
+import badlog.window.graph.mark.drawModes
+import badlog.window.graph.mark.drawNoteMarks
+import badlog.window.graph.plot.PictureEffect
+import badlog.window.graph.plot.PlotPicture
+import badlog.window.graph.plot.PlotRequest
+import badlog.window.graph.plot.PlotState
+import badlog.window.graph.plot.drawLanes
+import badlog.window.graph.plot.drawLines
+import badlog.window.graph.scene.GraphScene
+import badlog.window.graph.scene.plotPointer
+import badlog.window.theme.LocalPalette
+
+/** The plot of [spec] with its axes. */
+@Composable
+internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
+    val state = scene.plots.state(spec.id)
+    val latest by rememberUpdatedState(spec)
+    val density = LocalDensity.current.density
+    val palette = LocalPalette.current
+    DisposableEffect(spec.id) {
+        scene.plots.show(spec.id, true)
+        onDispose { scene.plots.show(spec.id, false) }
+    }
+    PictureEffect(state, scene.plots.curves) {
+        val size = state.size
+        if (size.width <= 0 || size.height <= 0) {
+            null
+        } else {
+            val visible = scene.view.viewport.visible
+            PlotRequest(latest, scene.recordings, visible, size.width, size.height, palette, density, scene.sharingWith(latest))
+        }
+    }
+    Box(modifier) {
+        YAxes(scene, state, Modifier.fillMaxSize())
+        Box(
+            Modifier
+                .fillMaxSize()
+                .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
+                .onSizeChanged { state.size = it }
+                .pointerHoverIcon(PointerIcon.Crosshair)
+                .semantics { contentDescription = "Plot ${spec.title}" }
+                .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
+        ) {
+            GraphDrawing(scene, state)
+            CursorOverlay(scene, spec.id, state)
+        }
+    }
+}
+
+/** Everything that does not move with the pointer; a separate layer, so that it is not redrawn when the pointer moves. */
+@Composable
+private fun GraphDrawing(scene: GraphScene, state: PlotState) {
+    val palette = LocalPalette.current
+    val letters = rememberTextMeasurer(cacheSize = TEXTS)
+    val bands = remember { ModeBands() }
+    Spacer(
+        Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+            val visible = scene.view.viewport.visible
+            val modes = scene.current.recording?.modes
+            val picture = scene.pictureOf(state) ?: return@drawBehind drawModes(modes, bands, visible, palette)
+            val lanesTop = picture.plotHeight
+            clipRect(bottom = lanesTop) { drawModes(modes, bands, visible, palette) }
+            drawGrid(picture, visible, palette)
+            drawLines(picture, visible)
+            drawLanes(picture, visible, palette, letters)
+            // They would hide it.
+            clipRect(top = lanesTop) { drawModes(modes, bands, visible, palette) }
+            drawEventMarks(scene.events.matching, visible, palette)
+            drawNoteMarks(scene.notes.state.notes, visible, palette)
+        },
+    )
+}
+
+/** Returns the value on the left axis at [y] pixels from the top of a plot; NaN if there is no axis. */
+private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
+    if (picture == null) return Double.NaN
+    val plotHeight = picture.plotHeight / picture.request.height * height
+    return picture.axes.firstOrNull()?.valueAt(y.coerceIn(0f, plotHeight), plotHeight) ?: Double.NaN
+}
+
+private const val TEXTS = 64

@@ -1,0 +1,149 @@
+package badlog.window.graph
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.dp
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.mark.FindingMarks
+import badlog.viewer.draw.mark.ModeBands
+import badlog.viewer.shown.outline.everChanges
+import badlog.window.graph.mark.drawEventMarks
+import badlog.window.graph.mark.drawFindings
+import badlog.window.graph.mark.drawModes
+import badlog.window.graph.mark.drawShownFinding
+import badlog.window.graph.plot.OVERVIEW
+import badlog.window.graph.plot.PictureEffect
+import badlog.window.graph.plot.PlotRequest
+import badlog.window.graph.plot.PlotState
+import badlog.window.graph.plot.drawLines
+import badlog.window.graph.plot.pixelOf
+import badlog.window.graph.scene.GraphScene
+import badlog.window.graph.scene.overviewPointer
+import badlog.window.log.OpenRecording
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.Palette
+
+/** The whole recording as a strip, with a small curve, the events, the findings, and the visible part as a movable window. */
+@Composable
+internal fun Overview(scene: GraphScene) {
+    val palette = LocalPalette.current
+    val state = scene.plots.state(OVERVIEW)
+    val density = LocalDensity.current.density
+    val marks = remember { FindingMarks() }
+    val bands = remember { ModeBands() }
+    val letters = rememberTextMeasurer()
+    val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
+    PictureEffect(state, scene.plots.curves) {
+        val size = state.size
+        if (spec == null || size.width <= 0 || size.height <= 0) {
+            null
+        } else {
+            PlotRequest(spec, scene.recordings.take(1), scene.view.viewport.full, size.width, size.height, palette, density)
+        }
+    }
+    Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
+        Box(
+            Modifier
+                .fillMaxSize()
+                .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, top = 2.dp, bottom = 3.dp)
+                .onSizeChanged { state.size = it }
+                .semantics { contentDescription = "Overview" }
+                .overviewPointer(scene),
+        ) {
+            Spacer(
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+                    drawWhole(scene, state, marks, bands, letters, palette)
+                },
+            )
+            Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
+        }
+        HorizontalDivider(Modifier.align(Alignment.BottomCenter))
+    }
+}
+
+/** Returns the graph in the overview: the battery voltage, in which a match is easily recognized, or else the first numbers that change. */
+internal fun overviewSpec(open: OpenRecording): BoardGraph? {
+    val numbers = open.signals.filter { it.states == null && !it.isDerived }
+    val chosen = open.of("battery").firstOrNull()
+        ?: numbers.firstOrNull { everChanges(it.topic) }
+        ?: numbers.firstOrNull()
+        ?: return null
+    return BoardGraph(OVERVIEW, chosen.name, listOf(chosen.name))
+}
+
+private fun DrawScope.drawWhole(
+    scene: GraphScene,
+    state: PlotState,
+    marks: FindingMarks,
+    bands: ModeBands,
+    letters: TextMeasurer,
+    palette: Palette,
+) {
+    val full = scene.view.viewport.full
+    drawRect(palette.page)
+    drawModes(scene.current.recording?.modes, bands, full, palette, letters)
+    scene.pictureOf(state)?.let { drawLines(it, full) }
+    drawEventMarks(scene.events.matching, full, palette, hasLines = false)
+    drawFindings(scene.findings.state.list?.timeline, marks, full, palette)
+}
+
+private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
+    val full = scene.view.viewport.full
+    scene.findings.state.shown?.let { drawShownFinding(it, full, palette) }
+    scene.view.selection?.let { drawSelection(it, full, palette) }
+    if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
+    drawCursors(scene.view.cursors, full, palette)
+}
+
+private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
+    val middle = visible.from + visible.width / 2
+    val least = MIN_WIDTH * density
+    val center = pixelOf(middle, full, size.width)
+    val half = maxOf(pixelOf(visible.to, full, size.width) - center, least / 2)
+    val left = center - half
+    val right = center + half
+    val shade = palette.page.copy(alpha = SHADE_OPACITY)
+    drawRect(shade, Offset.Zero, Size(left.coerceAtLeast(0f), size.height))
+    drawRect(shade, Offset(right, 0f), Size((size.width - right).coerceAtLeast(0f), size.height))
+    drawRoundRect(
+        palette.accent,
+        Offset(left, 0.5f),
+        Size(right - left, size.height - 1),
+        CornerRadius(3 * density),
+        Stroke(1.5f * density),
+    )
+    // Handles, if there is room for them between the edges.
+    if (right - left < 4 * least) return
+    for (edge in listOf(left, right)) {
+        drawLine(palette.accent, Offset(edge, size.height * 0.3f), Offset(edge, size.height * 0.7f), strokeWidth = 4 * density)
+    }
+}
+
+private const val HEIGHT = 48
+private const val MIN_WIDTH = 5
+private const val SHADE_OPACITY = 0.65f

@@ -1,0 +1,109 @@
+package badlog.window.graph.mark
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.window.findings.findingColor
+import badlog.window.findings.word
+import badlog.window.graph.plot.pixelOf
+import badlog.window.graph.scene.GraphScene
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.labelFrame
+
+/** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
+@Composable
+internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
+    val shown by remember(scene) {
+        derivedStateOf {
+            scene.findings.state.pointed
+                ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && isAt(it, scene.view.cursor) }
+        }
+    }
+    val finding = shown ?: return
+    val span by remember(scene, finding) { derivedStateOf { placeOf(finding, scene) } }
+    val palette = LocalPalette.current
+    Box(modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = 2.dp)) {
+        Column(
+            Modifier
+                .layout { measurable, constraints ->
+                    val room = constraints.maxWidth
+                    fun pixelOf(x: Double) = pixelOf(x, scene.view.viewport.visible, room.toFloat()).toInt()
+                    val from = pixelOf(span.from)
+                    val to = pixelOf(span.to)
+                    val gap = GAP.dp.roundToPx()
+                    val most = widthBeside(from, to, room, gap, MIN_WIDTH.dp.roundToPx(), MAX_WIDTH.dp.roundToPx())
+                    val label = measurable.measure(constraints.copy(minWidth = 0, maxWidth = most))
+                    layout(room, label.height) { label.place(besides(from, to, label.width, room, gap), 0) }
+                }
+                .labelFrame(palette.findingColor(finding.severity)),
+        ) {
+            Text(
+                "${finding.severity.word}: ${finding.rule}",
+                color = palette.findingColor(finding.severity),
+                fontSize = 12.sp,
+                fontWeight = FontWeight.SemiBold,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+            Text(finding.textAt(span).take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
+        }
+    }
+}
+
+/**
+ * Returns the width of a label that does not cover pixels [from] to [to] of [room]: at most [most], and as wide as the wider side if that
+ * is at least [least].
+ */
+internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, most: Int): Int {
+    val wider = maxOf(minOf(from, room), room - maxOf(to, 0)) - gap
+    return minOf(room, if (wider >= least) minOf(wider, most) else most)
+}
+
+/**
+ * Returns where a label of [width] begins that does not cover pixels [from] to [to] of [room]: to the right, or else to the left; if
+ * neither has room, on the side with more.
+ */
+internal fun besides(from: Int, to: Int, width: Int, room: Int, gap: Int): Int {
+    val left = from - gap - width
+    val right = to + gap
+    val last = maxOf(0, room - width)
+    return if (right <= last) {
+        maxOf(0, right)
+    } else if (left >= 0) {
+        minOf(left, last)
+    } else if (room - to > from) {
+        last
+    } else {
+        0
+    }
+}
+
+/** Returns the relevant place of [finding]: the one under the pointer, or the one at the cursor. */
+private fun placeOf(finding: Finding, scene: GraphScene): Span {
+    val state = scene.findings.state
+    val at = (if (finding == state.pointed) state.pointedPlace.takeIf { it.isFinite() } else scene.view.cursor) ?: finding.time
+    return finding.places.find { it.from == at } ?: Span(at, at)
+}
+
+private fun isAt(finding: Finding, cursor: Double?) = finding.time == cursor || finding.spans.any { it.from == cursor }
+
+private const val MAX_WIDTH = 340
+
+/** A narrower label would become too high. */
+private const val MIN_WIDTH = 150
+private const val GAP = 8
+private const val MAX_LETTERS = 600

@@ -1,0 +1,47 @@
+package badlog.window.graph.plot
+
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.text.shortNames
+import badlog.window.compare.DrawnRecording
+import badlog.window.log.OpenRecording
+import badlog.window.log.Signal
+
+/**
+ * One line on the screen: a signal of a recording.
+ *
+ * @property offset what is added to the recording's x to get the window's x.
+ * @property color the index of its color in the palette, from 0.
+ * @property title its name in the graph: only as much of its path as distinguishes it from the other lines; in brackets if it was
+ * calculated.
+ * @property label an addition to the signal's name in the legend, if that is not enough; otherwise null.
+ */
+internal data class DrawnLine(
+    val signal: Signal,
+    val recording: OpenRecording,
+    val offset: Double,
+    val color: Int,
+    val title: String = signal.title,
+    val label: String? = null,
+)
+
+/**
+ * Returns the lines of [spec] in each of [recordings] that has them. With one recording, each line has a color; with
+ * several, the color primarily shows the recording, the same in all graphs, and further lines have other colors.
+ */
+internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
+    val isCompared = recordings.size > 1
+    val titles = shortNames(spec.lines)
+    return spec.lines.flatMapIndexed { place, name ->
+        recordings.mapIndexedNotNull { index, drawn ->
+            val signal = drawn.recording.signal(name) ?: return@mapIndexedNotNull null
+            DrawnLine(
+                signal = signal,
+                recording = drawn.recording,
+                offset = drawn.offset,
+                color = place * recordings.size + index,
+                title = if (signal.isDerived) "[ ${titles[place]} ]" else titles[place],
+                label = if (isCompared) drawn.name else null,
+            )
+        }
+    }
+}

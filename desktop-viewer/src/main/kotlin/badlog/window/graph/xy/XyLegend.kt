@@ -1,0 +1,79 @@
+package badlog.window.graph.xy
+
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.path.XyTrace
+import badlog.window.compare.shortLabel
+import badlog.window.graph.scene.GraphScene
+import badlog.window.theme.LineColor
+import badlog.window.theme.LineName
+import badlog.window.theme.LocalPalette
+
+/** The traces of [spec], each with its place at the cursor. */
+@Composable
+internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
+    val recordings = scene.recordings
+    val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
+    if (xys.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
+    for (xy in xys) for (trace in xy.plot.traces.asReversed().take(MAX_ENTRIES)) XyEntry(scene, spec, xy, trace, recordings.size > 1)
+}
+
+@Composable
+private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyTrace, isCompared: Boolean) {
+    val isHidden = trace.lines.any { it in spec.hidden }
+    val toggle = { scene.board.change { trace.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
+    Row(
+        Modifier.clickable(role = Role.Button, onClick = toggle)
+            .semantics { contentDescription = if (isHidden) "Show ${trace.name}" else "Hide ${trace.name}" },
+        horizontalArrangement = Arrangement.spacedBy(5.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        LineColor(xy.colorOf(trace), isHidden)
+        LineName(
+            listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "),
+            isHidden,
+        )
+        XyValue(scene, xy, trace)
+    }
+}
+
+/** The place of [trace] at the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */
+@Composable
+private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
+    val palette = LocalPalette.current
+    val letters = rememberTextMeasurer()
+    val style = remember(palette) { TextStyle(color = palette.text, fontSize = 12.sp, fontWeight = FontWeight.Medium) }
+    Spacer(
+        Modifier.width(if (xy.plot.isField) FIELD_WIDTH else PLAIN_WIDTH).height(17.dp).drawBehind {
+            val cursor = scene.view.cursor ?: return@drawBehind
+            val text = trace.textAt(cursor - xy.drawn.offset, xy.plot.isField)
+            drawText(letters.measure(text, style, softWrap = false, maxLines = 1))
+        },
+    )
+}
+
+private val FIELD_WIDTH = 130.dp
+private val PLAIN_WIDTH = 90.dp
+private const val MAX_ENTRIES = 8
+private const val LABEL_LETTERS = 20

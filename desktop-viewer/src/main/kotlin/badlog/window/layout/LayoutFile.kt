@@ -1,0 +1,89 @@
+package badlog.window.layout
+
+import badlog.files.writeAtomically
+import badlog.viewer.choices.board.layoutMistake
+import badlog.window.settings.keyOf
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.charset.CharacterCodingException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+/**
+ * Reads the layout in [file].
+ *
+ * @throws IOException with a sentence for the user, if it is missing, damaged, or not a layout.
+ */
+internal fun readLayout(file: Path): Layout {
+    val name = file.fileName
+    val text = try {
+        if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large for a layout; select a file that badlog has saved.")
+        Files.readString(file)
+    } catch (e: CharacterCodingException) {
+        throw IOException("$name is not a layout, since it is not text; select a file that badlog has saved.", e)
+    } catch (e: NoSuchFileException) {
+        throw IOException("$file does not exist any more; select another layout.", e)
+    }
+    val layout = try {
+        JSON.decodeFromString<Layout>(text)
+    } catch (e: IllegalArgumentException) {
+        throw IOException(layoutMistake("$name", text), e)
+    }
+    if (layout.version > Layout.VERSION) throw IOException("$name was saved by a newer badlog; update badlog to open it.")
+    return layout
+}
+
+/**
+ * Writes [layout] to [file] atomically.
+ *
+ * @throws IOException with a sentence for the user, if it cannot be written.
+ */
+internal fun writeLayout(file: Path, layout: Layout) {
+    val text = JSON.encodeToString(Layout.serializer(), layout)
+    writeAtomically(file) { it.write(text.encodeToByteArray()) }
+}
+
+private const val MAX_BYTES = 16L shl 20
+
+private val JSON = Json {
+    ignoreUnknownKeys = true
+    prettyPrint = true
+    explicitNulls = false
+}
+
+/** The last layouts of folders, in the user's own files below [place]. */
+internal class FolderLayouts(private val place: Path) {
+    /** Returns the layout for [folder]; null if there is none, or it is damaged. */
+    fun read(folder: Path): Layout? = try {
+        readLayout(fileOf(folder))
+    } catch (_: IOException) {
+        null
+    }
+
+    /**
+     * Stores [layout] for [folder].
+     *
+     * @throws IOException with a sentence for the user, if it cannot be written.
+     */
+    fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
+
+    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 if it never was. */
+    fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
+
+    private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
+}
+
+/** Returns Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
+internal fun pathText(file: Path, folder: Path?): String {
+    val base = folder?.toAbsolutePath()?.normalize()
+    return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
+}
+
+/** Returns the file that a layout wrote as [text], relative to [folder]; null if that is not a valid path. */
+internal fun pathOf(text: String, folder: Path?): Path? = try {
+    (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
+} catch (_: InvalidPathException) {
+    null
+}

@@ -1,0 +1,35 @@
+package badlog.window.layout
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardGraph
+import badlog.window.compare.Alignment
+import badlog.window.compare.Comparison
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.Panels
+import java.nio.file.Path
+
+internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
+
+/** Returns Returns [panels] in the form for a layout. */
+internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
+
+/** Returns Returns [comparison] in the form for a layout, with files relative to [folder]. */
+internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
+    files = comparison.checked.map { pathText(it, folder) },
+    alignment = comparison.alignment.layoutName,
+    offsets = comparison.handOffsets.mapKeys { pathText(it.key, folder) },
+)
+
+/** Returns the alignment of [layout]. */
+internal fun alignmentOf(layout: LayoutComparison): Alignment =
+    Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
+
+/** Returns Returns [panels] in the window's form; anything unknown stays as in [now]. */
+internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
+    library = panels.library,
+    topics = panels.topics,
+    inspector = panels.inspector?.let { name -> InspectorTab.entries.find { it.name == name } },
+    main = MainView.entries.find { it.name == panels.main } ?: now.main,
+)

@@ -1,0 +1,262 @@
+package badlog.window.layout
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.core.analysis.Span
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardLayout
+import badlog.viewer.choices.board.FittedBoard
+import badlog.viewer.choices.formula.joined
+import badlog.window.choice.AxisChoice
+import badlog.window.compare.ComparedRecordings
+import badlog.window.folder.Library
+import badlog.window.formula.FormulaStore
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.sidebar.WindowPanels
+import badlog.window.task.NoticeAction
+import badlog.window.task.Notices
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The window's layout for each folder of logs: saves it, and restores it when the folder is opened. Use it only on the window's
+ * thread.
+ */
+internal class LayoutStore(
+    folders: UserFolders,
+    private val library: Library,
+    private val current: CurrentRecording,
+    private val board: GraphBoard,
+    private val view: AxisView,
+    private val compared: ComparedRecordings,
+    private val axis: AxisChoice,
+    private val formulas: FormulaStore,
+    private val panels: WindowPanels,
+    private val notices: Notices,
+) {
+    private val layouts = FolderLayouts(folders.settings.resolve("layouts"))
+    private var folder: Path? = null
+    private var saved: Layout? = null
+    private var restoredChecks: List<Path> = emptyList()
+    private var restoredVisible: Span? = null
+    private var restoredSelection: Span? = null
+
+    /** Whether nobody has checked, zoomed or selected anything since the log was shown, apart from what was restored here. */
+    val isUntouched: Boolean
+        get() = compared.state.checked.all { it in restoredChecks } &&
+            (!view.viewport.isZoomed || view.viewport.visible == restoredVisible) &&
+            (view.selection == null || view.selection == restoredSelection)
+
+    /** The current layout of the window. */
+    val layout: Layout
+        get() {
+            val open = current.recording
+            val isDefault = open == null || board.kept.showsSame(open.standardGraphs)
+            return Layout(
+                version = Layout.VERSION,
+                graphs = if (isDefault) null else board.kept.renumbered(),
+                recording = open?.let { pathText(it.file, library.state.folder) },
+                visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
+                selection = view.selection?.let(::layoutSpan),
+                compared = layoutOf(compared.state, library.state.folder),
+                panels = layoutOf(panels.state),
+                overTime = axis.state,
+                formulas = formulas.definitions,
+            )
+        }
+
+    /** The part of the layout for others: the graphs and the formulas. */
+    val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
+
+    /** Returns the log that was last open in [folder]; null if it is gone. */
+    fun lastOpenIn(folder: Path): LastOpen? {
+        val name = layouts.read(folder)?.recording ?: return null
+        val file = pathOf(name, folder)?.takeIf(Files::isRegularFile) ?: return null
+        return LastOpen(file, layouts.writtenAt(folder))
+    }
+
+    /** Returns the graphs for [recording], which was just opened: as arranged for this folder, or else the default ones. */
+    fun graphsOf(recording: OpenRecording): Board {
+        val fitted = fittedTo(recording) ?: return recording.standardGraphs
+        fitted.sentence?.let(notices::say)
+        return fitted.board
+    }
+
+    /**
+     * Returns the formulas to calculate in [recording]: including those of the layout beside it, if nobody has arranged the graphs of
+     * this folder.
+     */
+    fun formulasFor(recording: OpenRecording): List<String> {
+        val isArranged = saved?.graphs != null || !isInFolder(recording)
+        return if (isArranged) formulas.definitions else formulas.with(recording.layout.layout?.formulas.orEmpty())
+    }
+
+    /**
+     * Applies [layout] to the window, as far as the open recording has what it names, and reports what is hidden. Its formulas are
+     * added to the existing ones.
+     */
+    fun apply(layout: Layout) {
+        layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
+        formulas.replaceAll(joined(formulas.definitions, layout.formulas))
+        layout.overTime?.let(axis::choose)
+        restoreComparison(layout.compared)
+        applyGraphs(layout)
+        applyRange(layout)
+    }
+
+    /** Shows the graphs according to the attributes of the open recording's topics, and all of x; offers to restore the previous ones. */
+    fun showDefaultGraphs() {
+        val open = current.recording ?: return
+        val before = board.state
+        board.change { open.standardGraphs }
+        view.change { reset() }
+        if (!before.showsSame(board.state)) notices.say("The default graphs are shown.", NoticeAction("Undo") { board.change { before } })
+    }
+
+    /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */
+    suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
+        folder = opened
+        // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
+        saved = opened?.let(layouts::read)
+        if (opened == null) return@collectLatest
+        axis.change { null }
+        saved?.overTime?.let(axis::choose)
+        formulas.replaceAll(saved?.formulas.orEmpty())
+        current.recording?.let { formulas.replaceAll(formulasFor(it)) }
+        var wanted = saved
+        wanted?.let(::restore)
+        snapshotFlow { arrangement() }.collectLatest {
+            wanted = wanted?.takeUnless { restoreRange(it) }
+            delay(PAUSE_MILLIS)
+            save()
+        }
+    }
+
+    /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
+    fun saveNow() {
+        val (place, layout) = change() ?: return
+        try {
+            layouts.write(place, written(place, layout))
+        } catch (_: IOException) {
+            // There is no longer a window to report it in.
+        }
+    }
+
+    // Everything that affects a layout; the parts themselves are compared, so that checking costs nothing.
+    private fun arrangement() = listOf(
+        current.recording,
+        board.kept,
+        view.viewport.visible,
+        view.selection,
+        compared.state,
+        panels.state,
+        axis.state,
+        formulas.definitions,
+    )
+
+    private suspend fun save() {
+        val (place, layout) = change() ?: return
+        val written = written(place, layout)
+        saved = layout.copy(formulas = written.formulas)
+        try {
+            withContext(Dispatchers.IO) { layouts.write(place, written) }
+        } catch (e: IOException) {
+            notices.complain("The layout cannot be saved: ${e.message}")
+        }
+    }
+
+    /** Returns what to save and where, if it is not saved yet. The state of another folder's recording does not count. */
+    private fun change(): Pair<Path, Layout>? {
+        val place = folder ?: return null
+        val open = current.recording?.takeIf(::isInFolder)
+        if (open == null) {
+            val before = saved ?: Layout(Layout.VERSION)
+            return if (before.formulas == formulas.definitions) null else place to before.copy(formulas = formulas.definitions)
+        }
+        val shown = layout
+        // A recording that lacks a signal must not make all others forget it.
+        val isAsSaved = board.kept.showsSame(fittedTo(open)?.board ?: open.standardGraphs)
+        val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
+        return if (layout == saved) null else place to layout
+    }
+
+    /**
+     * Returns what to write of [mine], the layout of this window for the folder of [place]: what it has not changed stays as another
+     * window has written it. Changes of formulas by the other window are also made here.
+     */
+    private fun written(place: Path, mine: Layout): Layout {
+        val theirs = layouts.read(place) ?: return mine
+        val both = merged(mine, saved ?: Layout(Layout.VERSION), theirs)
+        if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
+        return both
+    }
+
+    private fun restore(layout: Layout) {
+        layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
+        if (layout.compared.files.isNotEmpty()) {
+            restoreComparison(layout.compared)
+            restoredChecks = compared.state.checked
+        }
+        val open = current.recording?.takeIf(::isInFolder) ?: return
+        if (board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
+    }
+
+    /** Compares the open recording with those in [layout], as they were aligned; files that are gone are skipped. */
+    private fun restoreComparison(layout: LayoutComparison) {
+        val folder = library.state.folder
+        fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
+        val files = layout.files.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
+        val offsets = layout.offsets.entries.mapNotNull { (text, offset) -> fileOf(text)?.let { it to offset } }
+        compared.state.checked.filter { it !in files }.forEach(compared::remove)
+        files.filter { it !in compared.state.checked }.forEach(compared::add)
+        compared.change { copy(alignment = alignmentOf(layout), handOffsets = offsets.toMap()) }
+    }
+
+    private fun applyGraphs(layout: Layout) {
+        val open = current.recording ?: return
+        val graphs = layout.graphs ?: return board.change { open.standardGraphs }
+        val fitted = fitted(graphs, open)
+        board.change { fitted.board }
+        fitted.sentence?.let(notices::say)
+    }
+
+    /** Shows the part of x that [layout] shows, and selects what it selects; if the recording has neither, all of it is shown. */
+    private fun applyRange(layout: Layout) {
+        if (current.recording == null) return
+        val full = view.viewport.full
+        val visible = layout.visible?.let(::spanOf)?.takeIf { it.from < full.to && it.to > full.from }
+        view.change { if (visible == null) reset() else showing(visible.from, visible.to) }
+        view.select(layout.selection?.let(::spanOf))
+    }
+
+    /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */
+    private fun restoreRange(layout: Layout): Boolean {
+        val open = current.recording?.takeIf(::isInFolder) ?: return false
+        if (pathText(open.file, folder) == layout.recording) {
+            applyRange(layout)
+            restoredVisible = view.viewport.visible
+            restoredSelection = view.selection
+        }
+        return true
+    }
+
+    private fun fittedTo(recording: OpenRecording): FittedBoard? =
+        saved?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.board.graphs.isNotEmpty() }
+
+    private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
+
+    private companion object {
+        const val PAUSE_MILLIS = 600L
+    }
+}
+
+/** The log in [file], which was last open at [millis] since 1970. */
+internal class LastOpen(val file: Path, val millis: Long)

@@ -1,0 +1,25 @@
+package badlog.window.log
+
+import badlog.core.analysis.EventLog
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.shown.search.Query
+
+/**
+ * Which events are listed and have marks.
+ *
+ * @property text words that the text or the topic of an event must contain, regardless of case; empty for any.
+ * @property topics the names of the topics whose events count; empty, or of other recordings, for all.
+ */
+internal data class EventFilter(val text: String = "", val topics: Set<String> = emptySet()) {
+    /** Whether it lets everything through. */
+    val isOff: Boolean get() = text.isBlank() && topics.isEmpty()
+
+    /** Returns those of [events], the events of [logs], that pass it. */
+    fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
+
+    /** Those of [topics] that are among [logs]: a filter stays when another recording is opened, which may have none of them. */
+    fun topicsOf(logs: List<EventLog>): Set<String> = logs.mapNotNullTo(HashSet()) { log -> log.name.takeIf { it in topics } }
+
+    /** Adds [topic] to [topics], or removes it. */
+    fun toggled(topic: String): EventFilter = copy(topics = if (topic in topics) topics - topic else topics + topic)
+}

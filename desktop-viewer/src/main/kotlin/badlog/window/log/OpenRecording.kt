@@ -1,0 +1,259 @@
+package badlog.window.log
+
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toComposeImageBitmap
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.EventLog
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.analysis.enabledSpans
+import badlog.core.recording.Topic
+import badlog.files.LogFile
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.rules.BUILT_IN
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
+import badlog.signals.clock.FoundStation
+import badlog.signals.clock.RobotBesideStation
+import badlog.signals.pose.Pose
+import badlog.signals.pose.posesOf
+import badlog.signals.signalTopicsOf
+import badlog.signals.vocabulary.LoggedMatch
+import badlog.signals.vocabulary.SignalTopics
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.matchOf
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.FolderLayout
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.standardBoard
+import badlog.viewer.choices.formula.Formula
+import badlog.viewer.choices.formula.formulasOf
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.axis.over
+import badlog.viewer.draw.axis.overItsTime
+import badlog.viewer.draw.axis.timeColumn
+import badlog.viewer.draw.mark.Clocks
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.draw.mark.ModeTimeline
+import badlog.viewer.draw.path.FieldFile
+import badlog.viewer.draw.path.FieldOrigin
+import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.swerveModulesOf
+import badlog.viewer.draw.path.xyPlotOf
+import badlog.viewer.shown.cursor.CursorSteps
+import org.jetbrains.skia.Image
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * A recording that was read, with everything that can be drawn of it.
+ *
+ * @property file the file it was read from; absolute.
+ * @param read the content of the file.
+ * @property definitions the definitions of the formulas calculated in it.
+ * @property vocabulary the names of its signals.
+ * @property layout the layout file beside it.
+ * @property field the field on which its paths are drawn.
+ * @param rows the same over its rows, where it is drawn over its time because a person wants that.
+ * @property station the Driver Station's log of the same match that is shown with it; null for none.
+ */
+internal class OpenRecording(
+    val file: Path,
+    private val read: LogView,
+    val definitions: List<String> = emptyList(),
+    val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    val layout: FolderLayout = FolderLayout.NONE,
+    private val rows: LogView? = null,
+    val station: FoundStation<LogFile>? = null,
+    val field: FieldFile = FieldFile.NONE,
+) {
+    private val own = read.withSignals(vocabulary)
+    private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
+
+    /** The content of the file, and of its [station]'s. */
+    val logged: LogView = beside?.both ?: own
+
+    /** The view on which rules run. */
+    val forRules: LogView get() = beside?.forRules ?: own
+
+    /** The names of the topics from its [station]. */
+    val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
+
+    /** What match it is of. */
+    val match: LoggedMatch by lazy { vocabulary.matchOf(read.recording) }
+
+    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
+
+    /** The content of the file, and the topics of formulas. */
+    val view: LogView = calculated?.view ?: logged
+
+    /** The result of each of [definitions], in order. */
+    val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+
+    /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
+    val signals: List<Signal> = signalsOf(view, formulas)
+
+    /** The topics without any logged value: only a search lists them. */
+    val empty: List<Signal> = view.recording.topics.filter { it !== view.xAxis.topic && it.samples.isEmpty() && it.texts.size == 0 }
+        .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
+
+    private val byName = signals.associateBy { it.name }
+
+    /** Which of its topics are the signals of [vocabulary]. */
+    val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
+
+    /** Returns what can be drawn of the topics that are the signal [name]. */
+    fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
+
+    /** The initial graphs: those of the [layout] beside it, as far as it has them, or else of its topics. */
+    val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
+
+    /**
+     * Returns [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway.
+     */
+    fun standardGraphs(pointed: List<String>): Board =
+        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() }
+            ?: standardBoard(logged, vocabulary, pointed)
+
+    /** The events of all topics of texts. */
+    val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
+
+    /** All events of those, in the order of x. */
+    val events: EventTimeline by lazy { EventTimeline.of(eventLogs) }
+
+    /** When the robot was enabled; empty when that is unknown. */
+    val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+
+    /** When it was in which mode. */
+    val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
+
+    /** The clocks besides the x axis. */
+    val clocks: Clocks by lazy { Clocks(view, modes) }
+
+    /** All of the x axis that has samples; wider than that where there is a single x. */
+    val span: Span = Viewport.of(view.xAxis.range).full
+
+    /** The smallest x; 0 without any. */
+    val firstX: Double = view.xAxis.range?.start ?: 0.0
+
+    /** The places the cursor steps to. */
+    val cursorSteps: CursorSteps = CursorSteps(view.xAxis.clocks)
+
+    /** Its name for people: the match, or else the name of the file. */
+    val label: String get() = view.title ?: file.fileName.toString()
+
+    /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
+    fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
+
+    /** The poses in its topics. */
+    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
+
+    private val modules by lazy { swerveModulesOf(view.recording.topics) }
+
+    /** The picture of its field; null for none, or where it cannot be drawn. */
+    val fieldPicture: ImageBitmap? by lazy {
+        // Skia rejects data that only begins like a picture.
+        runCatching { field.picture?.let { Image.makeFromEncoded(it).toComposeImageBitmap() } }.getOrNull()
+    }
+
+    /**
+     * Returns what a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them.
+     */
+    fun xyPlot(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
+        xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field) { signal(it)?.line }
+
+    /** Returns the signal called [name], or null when this recording has none. */
+    fun signal(name: String): Signal? = byName[name]
+
+    /** Returns the same file with the formulas [definitions] instead. It may take a while. */
+    fun withFormulas(definitions: List<String>): OpenRecording =
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
+
+    /** The column that holds the time of a recording that names no x axis; null if there is no such column, or nothing to choose. */
+    val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
+
+    /** Returns the same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
+    fun overTime(isWanted: Boolean): OpenRecording {
+        val column = timeColumn
+        if (column == null || isWanted == (rows != null)) return this
+        val changed = if (isWanted) LogView.of(read.recording.over(column)) else rows ?: read
+        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null, station, field).also {
+            it.prepare()
+        }
+    }
+
+    /** Returns the same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
+    fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station ===
+        this.station
+    ) {
+        this
+    } else {
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
+    }
+
+    /** Returns the same with its paths on [field]. Takes its time. */
+    fun withField(field: FieldFile): OpenRecording =
+        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
+
+    /** Calculates in advance what the first frame needs, so that the window's thread does not have to. */
+    private fun prepare() {
+        enabled
+        forRules
+        modes
+        events
+    }
+
+    companion object {
+        /**
+         * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
+         *
+         * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
+         * @param definitions gives, once it is read, the formulas to calculate in it.
+         * @param overTime says, once it is read, whether it is drawn over its time where it names no x axis, see [OpenRecording.overTime].
+         * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
+         * @param field gives the field on which its paths are drawn.
+         * @param progress is called with the share that is done, from 0 to 1.
+         * @throws IOException with a sentence for the person, when it is not a recording.
+         */
+        fun read(
+            file: Path,
+            library: Path? = null,
+            definitions: () -> List<String> = { emptyList() },
+            overTime: () -> Boolean = { false },
+            isGrowing: Boolean = false,
+            field: (Path) -> FieldFile = { FieldFile.of(it, library) },
+            progress: (Float) -> Unit = {},
+        ): OpenRecording {
+            val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
+                if (total > 0) progress(done.toFloat() / total)
+            }
+            if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
+            val vocabulary = FolderRules.of(file, library).rules.signals
+            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
+            val opened =
+                OpenRecording(
+                    file,
+                    LogView.of(recording.overItsTime()),
+                    definitions(),
+                    vocabulary,
+                    layout,
+                    field = field(file),
+                )
+            return opened.overTime(overTime()).also { it.prepare() }
+        }
+    }
+}
+
+private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
+    val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()
+    val logged = view.recording.topics
+        .filter { it !== view.xAxis.topic && (it.samples.isNotEmpty() || it.texts.size > 0) }
+        .map { topic -> definitions[topic.name].let { Signal(topic.name, isDerived = it != null, view.seriesOf(topic), it) } }
+    val derived = view.folders.flatMap { it.graphs }
+        .filter { graph -> graph.series.all { it.isDerived } }
+        .map { Signal(it.name, isDerived = true, it.series.single()) }
+    return logged + derived
+}

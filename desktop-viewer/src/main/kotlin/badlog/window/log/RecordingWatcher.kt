@@ -1,0 +1,92 @@
+package badlog.window.log
+
+import badlog.window.task.Notices
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.runInterruptible
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.BasicFileAttributes
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.TimeSource
+
+/**
+ * Watches the file of the open recording, which a robot's simulation may be writing. While it grows, an incomplete row is left
+ * for later.
+ *
+ * @param read reads the file again: up to its last line end, or all of it.
+ * @param update shows what was read.
+ */
+internal class RecordingWatcher(
+    private val notices: Notices,
+    private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
+    private val update: (OpenRecording) -> Unit,
+) {
+    /** Watches the file of [opened], which was read when its file was as [stamp], until cancelled. */
+    suspend fun watch(opened: OpenRecording, stamp: FileStamp) {
+        var shown = opened
+        var known = stamp
+        var isSettled = true
+        var quietSince = TimeSource.Monotonic.markNow()
+        while (true) {
+            delay(POLL)
+            val now = runInterruptible(Dispatchers.IO) { FileStamp.of(shown.file) }
+            if (now == null) {
+                notices.say("${shown.file.fileName} was removed from its folder; the data read so far stays open.")
+                return
+            }
+            val hasChanged = now != known
+            if (hasChanged) quietSince = TimeSource.Monotonic.markNow()
+            if (!hasChanged && (isSettled || quietSince.elapsedNow() < SETTLED)) continue
+            known = now
+            isSettled = !hasChanged
+            val began = TimeSource.Monotonic.markNow()
+            shown = try {
+                readAgain(shown, isGrowing = hasChanged) ?: continue
+            } catch (_: OutOfMemoryError) {
+                val name = shown.file.fileName
+                notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
+                return
+            }
+            update(shown)
+            delay(restAfter(began.elapsedNow()))
+        }
+    }
+
+    private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
+        runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
+    } catch (_: IOException) {
+        // The next check of the file shows whether it is gone.
+        null
+    }
+
+    private companion object {
+        val POLL = 300.milliseconds
+
+        /** A file that has not changed for this long is read to its end. */
+        val SETTLED = 2000.milliseconds
+
+        /** Reading a large file repeatedly must not slow down the robot's simulation. */
+        fun restAfter(reading: Duration): Duration = reading * 4
+    }
+}
+
+/**
+ * What shows whether a file has changed.
+ *
+ * @property size in bytes.
+ * @property modifiedMillis when it was last written, in milliseconds since 1970.
+ */
+internal data class FileStamp(val size: Long, val modifiedMillis: Long) {
+    companion object {
+        /** Returns the current stamp of [file]; null if it does not exist or cannot be accessed. */
+        fun of(file: Path): FileStamp? = try {
+            val attributes = Files.readAttributes(file, BasicFileAttributes::class.java)
+            FileStamp(attributes.size(), attributes.lastModifiedTime().toMillis())
+        } catch (_: IOException) {
+            null
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package badlog.window.log
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.Series
+import badlog.core.recording.PathName
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.viewer.shown.cursor.indexAt
+import badlog.viewer.shown.cursor.textOf
+import badlog.viewer.shown.outline.traits
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
+import badlog.viewer.text.exactText
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
+
+/**
+ * What can be drawn as one line: a topic, or what an attribute derives from one. The same name means the same signal in
+ * every recording of a robot, which is how graphs, layouts and comparisons refer to it.
+ *
+ * @property name the full name, unique in its recording.
+ * @property isDerived whether it was calculated rather than logged; its [title] is then in brackets.
+ * @property line the signal as a line of a graph.
+ * @property definition the formula that calculates it; null if there is none.
+ */
+internal class Signal(val name: String, val isDerived: Boolean, val line: GraphSeries, val definition: String? = null) {
+    /** The unit, `ul` for none. */
+    val unit: String get() = line.unit
+
+    /** The topic it comes from. */
+    val topic: Topic get() = line.topic
+
+    /** The names of the states, if the numbers stand for states; otherwise null. */
+    val states: List<String>? get() = line.states
+
+    /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
+    val hasFigures: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.STATE && topic.kind != TopicKind.EVENT
+
+    /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
+    val holds: Boolean get() = line.holds
+
+    /** Whether it has no logged values. */
+    val isEmpty: Boolean get() = topic.samples.isEmpty() && topic.texts.size == 0
+
+    /** Its traits for searches; the first call examines its samples. */
+    val traits: Set<Trait> by lazy { line.traits }
+
+    /** The folder it belongs to; empty for the root folder. */
+    val folder: String get() = PathName.folderOf(name)
+
+    /** Its name without the folder. */
+    val title: String get() = PathName.baseNameOf(name).let { if (isDerived) "[ $it ]" else it }
+
+    /** Its samples; the first call may calculate them, so not to be called while drawing. */
+    val series: Series get() = line.data
+
+    /** Returns a number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
+    fun numberText(number: Double, isShort: Boolean = false): String = if (isDerived || isShort) roundedText(number) else exactText(number)
+}
+
+/** Returns whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
+internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
+    // What it is costs a look through its samples, so only where that is asked for.
+    val own = if (Trait.entries.any(query::asksFor)) traits else emptySet()
+    return query.matches(text, if (name in found) own + Trait.FINDING else own)
+}
+
+/**
+ * Returns the value of [signal] at [position], or at its end for null: a number with its unit or the name of a state; `–` for a
+ * gap. A logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where
+ * it is to be short, as beside a name that it would crowd out.
+ */
+internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {
+    val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
+    return signal.line.textOf(index) { withUnit(signal.numberText(it, isShort), signal.unit) }
+}

@@ -1,0 +1,113 @@
+package badlog.window.robot
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.window.settings.SettingsStore
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.SearchField
+import badlog.window.theme.ToolButton
+
+/** The connection to a robot: which one, its status, and its questions. */
+@Composable
+internal fun RobotBar(link: RobotLink, settings: SettingsStore) {
+    val state = link.state
+    if (!state.isShown) return
+    val robot = settings.state.robot
+    Column(Modifier.fillMaxWidth().padding(start = 8.dp, end = 8.dp, bottom = 6.dp), verticalArrangement = Arrangement.spacedBy(4.dp)) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            val focus = remember { FocusRequester() }
+            LaunchedEffect(state.isAsked) {
+                if (!state.isAsked) return@LaunchedEffect
+                focus.requestFocus()
+                link.change { copy(isAsked = false) }
+            }
+            val onEnter = Modifier.weight(1f).focusRequester(focus).entering { if (robot.isNotBlank()) link.connect(robot) }
+            SearchField(robot, "Team number or address", onEnter, Icons.Robot) { typed -> settings.change { copy(robot = typed) } }
+            if (state.isOn) {
+                ToolButton("Disconnect from the robot", text = "Disconnect") { link.disconnect() }
+            } else {
+                ToolButton("Fetch logs from the robot", text = "Fetch", isEnabled = robot.isNotBlank()) { link.connect(robot) }
+            }
+        }
+        if (state.status.isNotEmpty() && state.question == null) RobotStatus(state) { link.connect(robot, anyway = true) }
+        state.question?.let { question -> if (question.isPassword) PasswordLine(question) else TrustLine(question) }
+    }
+}
+
+@Composable
+private fun RobotStatus(state: RobotLinkState, onAnyway: () -> Unit) {
+    val palette = LocalPalette.current
+    Text(
+        state.coming?.let { "Copying ${it.name}" } ?: state.status,
+        Modifier.padding(horizontal = 4.dp).semantics { liveRegion = LiveRegionMode.Polite },
+        color = if (state.isTrouble) palette.warning else palette.muted,
+        fontSize = 12.sp,
+        lineHeight = 16.sp,
+        maxLines = 5,
+        overflow = TextOverflow.Ellipsis,
+    )
+    if (state.mayBeEnabled) ToolButton("Fetch even if the robot may be enabled", text = "Fetch anyway", onClick = onAnyway)
+    state.coming?.let { coming ->
+        LinearProgressIndicator(
+            progress = { coming.share },
+            modifier = Modifier.fillMaxWidth().height(2.dp),
+            gapSize = 0.dp,
+            drawStopIndicator = {},
+        )
+    }
+}
+
+@Composable
+private fun TrustLine(question: RobotQuestion) {
+    Text(question.text, Modifier.padding(horizontal = 4.dp), fontSize = 12.sp, lineHeight = 16.sp)
+    Row {
+        ToolButton("Trust this robot", text = "Trust") { question.answer("") }
+        ToolButton("Do not trust this robot", text = "Don’t trust") { question.answer(null) }
+    }
+}
+
+@Composable
+private fun PasswordLine(question: RobotQuestion) {
+    // Not stored anywhere else: it disappears with the question.
+    var typed by remember(question) { mutableStateOf("") }
+    val onEnter = Modifier.fillMaxWidth().entering { question.answer(typed) }
+    SearchField(typed, question.text, onEnter, Icons.Robot, isSecret = true) { typed = it }
+    Row {
+        ToolButton("Log into the robot", text = "Log in") { question.answer(typed) }
+        ToolButton("Do not log in", text = "Cancel") { question.answer(null) }
+    }
+}
+
+private fun Modifier.entering(action: () -> Unit) = onPreviewKeyEvent {
+    val isEnter = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
+    if (isEnter) action()
+    isEnter
+}

@@ -1,0 +1,180 @@
+package badlog.window.robot
+
+import badlog.fetch.FetchException
+import badlog.fetch.FetchListener
+import badlog.fetch.FetchOptions
+import badlog.fetch.FetchQuestions
+import badlog.fetch.FetchSummary
+import badlog.fetch.FetchedLog
+import badlog.fetch.FoundLogs
+import badlog.fetch.HostKeyQuestion
+import badlog.fetch.HostKeyRefusedException
+import badlog.fetch.KnownHosts
+import badlog.fetch.LogFetch
+import badlog.fetch.LoginRefusedException
+import badlog.fetch.RobotAddress
+import badlog.fetch.UnknownStateException
+import badlog.window.state.Part
+import badlog.window.task.NoticeAction
+import badlog.window.task.Notices
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.runInterruptible
+import java.io.IOException
+import java.nio.file.Path
+import java.util.concurrent.ArrayBlockingQueue
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * Copies the logs of a robot to the folder that the window shows, as they are created and while the robot is disabled. Use it only
+ * on the window's thread.
+ *
+ * @param scope where it works; its thread is the window's.
+ * @param folder where logs go; null while no folder is open.
+ * @param show shows a log.
+ * @param addressesOf where the robot that a person typed may answer.
+ */
+internal class RobotLink(
+    private val scope: CoroutineScope,
+    private val hosts: KnownHosts,
+    private val notices: Notices,
+    private val folder: () -> Path?,
+    private val show: (Path) -> Unit,
+    private val addressesOf: (String) -> List<RobotAddress>,
+) : Part<RobotLinkState>(RobotLinkState()) {
+    private var job: Job? = null
+
+    /** Looks for [robot], a team's number or an address, and fetches from it until [disconnect]; [anyway] even if it may be enabled. */
+    fun connect(robot: String, anyway: Boolean = false) {
+        val before = job
+        disconnect()
+        val target = folder() ?: return change { saying("Open the folder where the robot’s logs are to go first.", isTrouble = true) }
+        val addresses = try {
+            addressesOf(robot.trim())
+        } catch (e: IllegalArgumentException) {
+            return change { saying(e.message.orEmpty(), isTrouble = true) }
+        }
+        change { saying("Looking for the robot…").copy(isOn = true) }
+        job = scope.launch {
+            // Two at a time would interfere with each other.
+            before?.join()
+            val fetch = LogFetch(addresses, FetchOptions(target, anyway = anyway), hosts, Questions())
+            while (true) {
+                val goesOn = once(fetch)
+                if (!goesOn) break
+                delay(PERIOD)
+            }
+            change { copy(isOn = false) }
+        }
+    }
+
+    /** Disconnects; the copied part of a log is kept for the next time. */
+    fun disconnect() {
+        job?.cancel()
+        job = null
+        change { saying("").copy(isOn = false) }
+    }
+
+    /** Fetches new logs. Returns whether to check again. */
+    private suspend fun once(fetch: LogFetch): Boolean {
+        try {
+            val summary = runInterruptible(Dispatchers.IO) { fetch.run(Listener()) }
+            if (summary.fetched.isNotEmpty()) announce(summary)
+            val count = summary.known + summary.fetched.size
+            change { saying("Connected to ${summary.address}: nothing new, ${logs(count)} fetched.") }
+        } catch (e: HostKeyRefusedException) {
+            change { saying("${e.address} is not trusted, so nothing was fetched.", isTrouble = true) }
+            return false
+        } catch (e: LoginRefusedException) {
+            change { saying("${e.address} refuses the password; connect again to type another one.", isTrouble = true) }
+            return false
+        } catch (e: UnknownStateException) {
+            val status = "${e.address} does not say whether it is enabled; start its program."
+            change { saying(status, isTrouble = true).copy(mayBeEnabled = true) }
+        } catch (e: FetchException) {
+            change { saying(e.message, isTrouble = true) }
+        } catch (e: IOException) {
+            change { saying(e.message.orEmpty(), isTrouble = true) }
+            return false
+        }
+        return true
+    }
+
+    private fun announce(summary: FetchSummary) {
+        val newest = summary.fetched.firstOrNull { it.isLog } ?: return
+        val title = newest.title ?: newest.file.fileName.toString()
+        val text = if (summary.fetched.size == 1) {
+            "$title came from ${summary.address}."
+        } else {
+            "${logs(summary.fetched.size)} came from ${summary.address}, the newest is $title."
+        }
+        notices.say(text, NoticeAction("Show") { show(newest.file) })
+    }
+
+    private fun logs(count: Int) = if (count == 1) "1 log" else "$count logs"
+
+    /** Reports on the window's thread what happens on another one. */
+    private inner class Listener : FetchListener {
+        private val percent = AtomicInteger(-1)
+        private var left = 0
+
+        override fun connected(address: RobotAddress, user: String) = say { saying("Connected to $address as $user.") }
+
+        override fun waiting(address: RobotAddress) = say { saying("$address is enabled; its logs come when it is disabled.") }
+
+        override fun retrying(address: RobotAddress, reason: String) = say { saying("The connection to $address was lost; trying again.") }
+
+        override fun found(logs: FoundLogs) {
+            left = logs.newLogs
+            if (left > 0) say { saying("${if (left == 1) "1 new log" else "$left new logs"} on the robot.") }
+        }
+
+        override fun advanced(name: String, done: Long, total: Long) {
+            val now = if (total > 0) (done * PERCENT / total).toInt() else PERCENT
+            if (percent.getAndSet(now) != now) say { copy(coming = ComingLog(name, now / PERCENT.toFloat())) }
+        }
+
+        override fun fetched(log: FetchedLog) {
+            left--
+            say { copy(coming = null) }
+        }
+
+        private fun say(transition: RobotLinkState.() -> RobotLinkState) {
+            val mine = job
+            scope.launch { if (mine == null || mine.isActive) change { if (isOn) transition() else this } }
+        }
+    }
+
+    /** Asks on the window's thread, and waits on the other one. */
+    private inner class Questions : FetchQuestions {
+        override fun trusts(question: HostKeyQuestion): Boolean {
+            val what = if (question.isChanged) {
+                "The robot at ${question.address} has a new key, as when it is reimaged or another robot has its address."
+            } else {
+                "The robot at ${question.address} is unknown."
+            }
+            return ask("$what Its key is ${question.fingerprint}. Trust it?", isPassword = false) != null
+        }
+
+        override fun password(user: String, address: RobotAddress): String? = ask("Password of $user at $address", isPassword = true)
+
+        private fun ask(text: String, isPassword: Boolean): String? {
+            val answers = ArrayBlockingQueue<List<String>>(1)
+            val question = RobotQuestion(text, isPassword) { answer ->
+                change { copy(question = null) }
+                answers.offer(listOfNotNull(answer))
+            }
+            scope.launch { change { if (isOn) copy(question = question) else this } }
+            return answers.take().firstOrNull()
+        }
+    }
+
+    private companion object {
+        val PERIOD = 5.seconds
+        const val PERCENT = 100
+    }
+}

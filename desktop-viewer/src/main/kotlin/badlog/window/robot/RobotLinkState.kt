@@ -1,0 +1,45 @@
+package badlog.window.robot
+
+/**
+ * A question to the person at the window before logs can be fetched.
+ *
+ * @property text the question.
+ * @property isPassword whether the answer is a password; else it is yes or no.
+ * @property answer takes it; null for no.
+ */
+internal class RobotQuestion(val text: String, val isPassword: Boolean, val answer: (String?) -> Unit)
+
+/**
+ * A log being copied.
+ *
+ * @property name its name on the robot.
+ * @property share the copied fraction, 0 to 1.
+ */
+internal data class ComingLog(val name: String, val share: Float)
+
+/**
+ * The connection to a robot, as the window shows it.
+ *
+ * @property isShown whether the connection is shown.
+ * @property isAsked whether the keyboard is to go to the field of the robot's number as soon as that is there.
+ * @property isOn whether the robot is searched for repeatedly.
+ * @property status the status, as a sentence; empty before the first attempt.
+ * @property isTrouble whether that prevents fetching.
+ * @property mayBeEnabled whether fetching waits because it is unknown whether the robot is enabled.
+ * @property coming the log being copied, or null.
+ * @property question what the person is asked, or null.
+ */
+internal data class RobotLinkState(
+    val isShown: Boolean = false,
+    val isAsked: Boolean = false,
+    val isOn: Boolean = false,
+    val status: String = "",
+    val isTrouble: Boolean = false,
+    val mayBeEnabled: Boolean = false,
+    val coming: ComingLog? = null,
+    val question: RobotQuestion? = null,
+) {
+    /** Returns the state with only a new [status]. */
+    fun saying(status: String, isTrouble: Boolean = false): RobotLinkState =
+        copy(status = status, isTrouble = isTrouble, mayBeEnabled = false, coming = null, question = null)
+}

@@ -1,0 +1,54 @@
+package badlog.window.settings
+
+import kotlinx.serialization.Serializable
+
+/**
+ * The widths of the parts beside the graphs, in dp.
+ *
+ * @property logs the width of the list of logs.
+ * @property topics the width of the list of topics.
+ * @property details the width of the panel on the right.
+ */
+@Serializable
+internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 348f) {
+    /**
+     * Returns the same in a window [room] wide: no part is narrower than its minimum, and if possible, all leave enough room for the
+     * graphs. A closed part has no width.
+     */
+    fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
+        val least = LEAST.only(hasLogs, hasTopics, hasDetails)
+        val wanted = PaneWidths(
+            logs = logs.from(LEAST.logs),
+            topics = topics.from(LEAST.topics),
+            details = details.from(LEAST.details),
+        ).only(hasLogs, hasTopics, hasDetails)
+        val spare = wanted.sum - least.sum
+        val share = if (spare > 0) ((room - GRAPHS - least.sum) / spare).coerceIn(0f, 1f) else 0f
+        return PaneWidths(
+            logs = least.logs + (wanted.logs - least.logs) * share,
+            topics = least.topics + (wanted.topics - least.topics) * share,
+            details = least.details + (wanted.details - least.details) * share,
+        )
+    }
+
+    /** Returns the widths after a drag [by] from those [seen]; invisible parts do not change. */
+    fun draggedFrom(seen: PaneWidths, by: PaneWidths): PaneWidths = PaneWidths(
+        logs = if (seen.logs > 0) seen.logs + by.logs else logs,
+        topics = if (seen.topics > 0) seen.topics + by.topics else topics,
+        details = if (seen.details > 0) seen.details + by.details else details,
+    )
+
+    private val sum get() = logs + topics + details
+
+    private fun only(hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean) =
+        PaneWidths(if (hasLogs) logs else 0f, if (hasTopics) topics else 0f, if (hasDetails) details else 0f)
+
+    private companion object {
+        val LEAST = PaneWidths(logs = 150f, topics = 140f, details = 200f)
+        const val GRAPHS = 400f
+        const val MOST = 1200f
+
+        /** A damaged file may have any number. */
+        fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
+    }
+}

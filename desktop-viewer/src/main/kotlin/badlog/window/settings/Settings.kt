@@ -1,0 +1,83 @@
+package badlog.window.settings
+
+import badlog.window.theme.Theme
+import kotlinx.serialization.Serializable
+
+/**
+ * The user's settings, stored between starts.
+ *
+ * @property theme light, dark, or as the system is.
+ * @property recentFolders the folders opened last, the latest first.
+ * @property previewTopic the topic that the list of logs previews; null for the battery voltage.
+ * @property graphHeight the height of a graph, in dp.
+ * @property fitsGraphs whether graphs share the window's height instead, if they are few enough.
+ * @property window where the window was; null before the first time.
+ * @property panes how wide the parts beside the graphs are.
+ * @property robot the robot that logs were fetched from last, as it was typed.
+ * @property stations whether the Driver Station's log of the same match is shown with a log, by the log's path; the latest last.
+ * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
+ * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
+ */
+@Serializable
+internal data class Settings(
+    val theme: Theme = Theme.SYSTEM,
+    val recentFolders: List<String> = emptyList(),
+    val previewTopic: String? = null,
+    val graphHeight: Int = 150,
+    val fitsGraphs: Boolean = true,
+    val window: WindowPlace? = null,
+    val panes: PaneWidths = PaneWidths(),
+    val robot: String = "",
+    val stations: Map<String, Boolean> = emptyMap(),
+    val videos: Map<String, String> = emptyMap(),
+    val fields: Map<String, String> = emptyMap(),
+) {
+    /** Remembers that [folder] was opened. */
+    fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
+
+    /** Remembers whether the Driver Station's log [isShown] with [log]. */
+    fun withStation(log: String, isShown: Boolean): Settings = copy(stations = stations.latest(mapOf(log to isShown)))
+
+    /** Remembers the [note] of the video of [log]; null for none. */
+    fun withVideo(log: String, note: String?): Settings =
+        copy(videos = if (note == null) videos - log else videos.latest(mapOf(log to note)))
+
+    /** Remembers the [file] of the field for the logs in [folder]; null for that beside them. */
+    fun withField(folder: String, file: String?): Settings =
+        copy(fields = if (file == null) fields - folder else fields.latest(mapOf(folder to file)))
+}
+
+/** Returns this map with [changes], limited to the latest [MAX_LOGS]. */
+private fun <T> Map<String, T>.latest(changes: Map<String, T>): Map<String, T> =
+    (filterKeys { it !in changes } + changes).toList().takeLast(MAX_LOGS).toMap()
+
+/** Returns the merged settings of two windows: what [mine] has not changed since [before] is as in [theirs]. */
+internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
+    fun <T> of(property: (Settings) -> T) = property(if (property(mine) == property(before)) theirs else mine)
+    val recent = of(Settings::recentFolders)
+    return Settings(
+        theme = of(Settings::theme),
+        recentFolders = (recent + theirs.recentFolders).distinct().take(MAX_RECENT),
+        previewTopic = of(Settings::previewTopic),
+        graphHeight = of(Settings::graphHeight),
+        fitsGraphs = of(Settings::fitsGraphs),
+        window = of(Settings::window),
+        panes = of(Settings::panes),
+        robot = of(Settings::robot),
+        stations = theirs.stations.latest(mine.stations.filter { (log, isShown) -> before.stations[log] != isShown }),
+        videos = merged(mine.videos, before.videos, theirs.videos),
+        fields = merged(mine.fields, before.fields, theirs.fields),
+    )
+}
+
+private fun merged(mine: Map<String, String>, before: Map<String, String>, theirs: Map<String, String>) =
+    (theirs - (before.keys - mine.keys)).latest(mine.filter { (key, value) -> before[key] != value })
+
+private const val MAX_RECENT = 10
+
+/** More logs than a team opens in a season. */
+private const val MAX_LOGS = 500
+
+/** Where a window is on the screen, in dp, and whether it fills it. */
+@Serializable
+internal data class WindowPlace(val x: Int, val y: Int, val width: Int, val height: Int, val isMaximized: Boolean)

@@ -1,0 +1,160 @@
+package badlog.window.sidebar
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberCoroutineScope
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.ClipEntry
+import androidx.compose.ui.platform.LocalClipboard
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import badlog.core.analysis.LogView
+import badlog.core.recording.Severity
+import badlog.window.compare.ComparedRecordings
+import badlog.window.findings.LogFindings
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.FilteredEvents
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.log.OpenRecording
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+import badlog.window.video.LogVideo
+import badlog.window.video.VideoPanel
+import kotlinx.coroutines.launch
+import java.awt.datatransfer.StringSelection
+
+/** The panel on the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video. */
+@Composable
+internal fun InspectorPane(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    findings: LogFindings,
+    notes: LogNotes,
+    video: LogVideo,
+    panels: WindowPanels,
+    modifier: Modifier = Modifier,
+) {
+    val tab = panels.state.inspector ?: return
+    Column(modifier.background(LocalPalette.current.surface)) {
+        // In a small window, the panel is narrower than all of its buttons.
+        FlowRow(
+            Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
+            itemVerticalAlignment = Alignment.CenterVertically,
+        ) {
+            Text(tab.title, Modifier.widthIn(min = TITLE), fontWeight = FontWeight.SemiBold, maxLines = 1)
+            for (other in InspectorTab.entries) {
+                ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
+                    panels.change { inspecting(other) }
+                }
+            }
+            ToolButton("Close the panel", Icons.Close) { panels.change { withoutInspector() } }
+        }
+        HorizontalDivider()
+        val open = current.recording
+        if (open == null) {
+            PanelHint("Open a log to see its ${tab.title.lowercase()}.")
+        } else {
+            // A narrow window shows one part at a time; somebody who goes to a place wants to see it.
+            val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
+            when (tab) {
+                InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
+                InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
+                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+                InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
+            }
+        }
+    }
+}
+
+private val TITLE = 76.dp
+
+/** The content of a panel that has nothing to show. */
+@Composable
+internal fun PanelHint(text: String) {
+    Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
+}
+
+/** Opens and closes the panels on the right; each button shows how much is in its panel. */
+@Composable
+internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels) {
+    val open = current.recording ?: return
+    val palette = LocalPalette.current
+    Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
+        for (tab in InspectorTab.entries) {
+            val count = countOf(tab, findings, notes, open)
+            val hasErrors = when (tab) {
+                InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
+                InspectorTab.FINDINGS -> findings.state.list?.worst == Severity.ERROR
+                else -> false
+            }
+            ToolButton(
+                if (count == null) tab.title else "${tab.title}: $count",
+                tab.icon,
+                text = count?.takeIf { it > 0 }?.toString(),
+                isOn = panels.state.inspector == tab,
+                color = if (hasErrors) palette.error else palette.text,
+            ) { panels.change { toggled(tab) } }
+        }
+    }
+}
+
+private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, open: OpenRecording): Int? = when (tab) {
+    InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
+    InspectorTab.VALUES -> open.view.recording.values.size
+    InspectorTab.PROBLEMS -> problemsIn(open.view)
+    InspectorTab.STATISTICS, InspectorTab.CURSOR, InspectorTab.VIDEO -> null
+    InspectorTab.FINDINGS -> findings.state.list?.all?.size
+    InspectorTab.NOTES -> notes.state.notes.size
+}
+
+/** Returns how many of the problems of [view] matter; notes, which healthy logs also have, do not. */
+internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
+
+/** Makes it a line of a list that goes to a time: called [name], with [gap] above and below. */
+@Composable
+internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
+    .background(if (isSelected) LocalPalette.current.accentSoft else Color.Transparent)
+    .clickable(onClick = onClick)
+    .semantics(mergeDescendants = true) {
+        contentDescription = name
+        selected = isSelected
+    }
+    .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
+
+/** Copies a text to the clipboard. */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun rememberCopy(): (String) -> Unit {
+    val clipboard = LocalClipboard.current
+    val scope = rememberCoroutineScope()
+    return remember(clipboard, scope) { { text -> scope.launch { clipboard.setClipEntry(ClipEntry(StringSelection(text))) } } }
+}

@@ -1,0 +1,129 @@
+package badlog.window.sidebar
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsFocusedAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import badlog.exporter.NotesFile
+import badlog.protocol.Note
+import badlog.window.log.AxisView
+import badlog.window.log.LogNotes
+import badlog.window.log.NoteDraft
+import badlog.window.log.OpenRecording
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+
+/** The notes of [open], each with a link to its moment, which also calls [onGo], and the field for writing one. */
+@Composable
+internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
+    val times = remember(open) { EventTimes(open) }
+    Column(modifier) {
+        val draft = notes.draft
+        if (draft == null) {
+            ToolButton("Write a note at the cursor (M)", text = "New note at the cursor", isEnabled = !notes.state.isDamaged) {
+                notes.write(placeOfNote(view))
+            }
+        } else {
+            NoteField(notes, draft, times)
+        }
+        if (notes.state.notes.isEmpty()) {
+            PanelHint("Notes are kept beside the log, in ${NotesFile.of(open.file).fileName}, and exported with its page.")
+        }
+        LazyColumn {
+            items(notes.state.notes) { note ->
+                NoteLine(notes, note, times) {
+                    view.goTo(note.x)
+                    onGo()
+                }
+            }
+        }
+    }
+}
+
+/** Returns where a new note would be: at the cursor, or in the middle of the visible range. */
+internal fun placeOfNote(view: AxisView): Double = view.cursor ?: view.viewport.visible.run { (from + to) / 2 }
+
+@Composable
+private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
+    val palette = LocalPalette.current
+    val focus = remember { FocusRequester() }
+    val interactions = remember { MutableInteractionSource() }
+    val isFocused by interactions.collectIsFocusedAsState()
+    LaunchedEffect(draft.x, draft.replaced) { focus.requestFocus() }
+    Column(Modifier.fillMaxWidth().padding(8.dp), Arrangement.spacedBy(4.dp)) {
+        Text("Note at ${times.logged(draft.x)}", color = palette.muted)
+        BasicTextField(
+            draft.text,
+            notes::type,
+            Modifier
+                .fillMaxWidth()
+                .background(palette.raised, RoundedCornerShape(5.dp))
+                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
+                .padding(horizontal = 8.dp, vertical = 6.dp)
+                .focusRequester(focus)
+                .onPreviewKeyEvent { hears(it, notes) }
+                .semantics { contentDescription = "Text of the note" },
+            textStyle = LocalTextStyle.current.copy(color = palette.text),
+            maxLines = 6,
+            interactionSource = interactions,
+            cursorBrush = SolidColor(palette.accent),
+        )
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
+            ToolButton("Cancel the note (Escape)", text = "Cancel", onClick = notes::cancel)
+            ToolButton("Keep the note (Enter)", text = "OK", isOn = true, isEnabled = draft.text.isNotBlank(), onClick = notes::keep)
+        }
+    }
+}
+
+/** Handles keys: Enter saves, Escape cancels; Shift+Enter is a new line. */
+private fun hears(event: KeyEvent, notes: LogNotes): Boolean {
+    if (event.type != KeyEventType.KeyDown) return false
+    when {
+        event.key == Key.Escape -> notes.cancel()
+        (event.key == Key.Enter || event.key == Key.NumPadEnter) && !event.isShiftPressed -> notes.keep()
+        else -> return false
+    }
+    return true
+}
+
+@Composable
+private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, onClick: () -> Unit) {
+    Column(Modifier.inspectorLine("Note: ${note.text}", isSelected = false, gap = 4.dp, onClick)) {
+        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
+            Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)
+            ToolButton("Change the note at ${times.logged(note.x)}", text = "Change") { notes.write(note.x, note) }
+            ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note) }
+        }
+        Text(note.text)
+    }
+}

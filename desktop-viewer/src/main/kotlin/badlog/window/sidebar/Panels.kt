@@ -1,0 +1,85 @@
+package badlog.window.sidebar
+
+import androidx.compose.ui.graphics.vector.ImageVector
+import badlog.window.state.Part
+import badlog.window.theme.Icons
+
+/**
+ * Which parts of the window are open.
+ *
+ * @property library whether the list of logs is open on the left.
+ * @property topics whether the topics are open beside it.
+ * @property inspector the panel on the right, or null for none.
+ * @property main the content of the middle.
+ * @property front the visible part, if the window is too narrow for more than one.
+ * @property statistics the range of the statistics panel.
+ * @property help whether the help is open above everything.
+ */
+internal data class Panels(
+    val library: Boolean = true,
+    val topics: Boolean = true,
+    val inspector: InspectorTab? = null,
+    val main: MainView = MainView.GRAPHS,
+    val front: FrontPart = FrontPart.GRAPHS,
+    val statistics: StatisticsRange = StatisticsRange.SHOWN,
+    val help: Boolean = false,
+) {
+    /** Shows [view] in the middle, or the graphs if it is already shown. */
+    fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
+
+    /** Opens [tab] on the right, or closes it if it is open. */
+    fun toggled(tab: InspectorTab): Panels = if (inspector == tab) withoutInspector() else inspecting(tab)
+
+    /** Shows [tab] on the right. */
+    fun inspecting(tab: InspectorTab): Panels = copy(inspector = tab, front = FrontPart.DETAILS)
+
+    /** Closes the panel on the right. */
+    fun withoutInspector(): Panels = copy(inspector = null, front = FrontPart.GRAPHS)
+}
+
+/**
+ * The tabs of the panel on the right.
+ *
+ * @property title its label.
+ * @property icon its icon on a button.
+ */
+internal enum class InspectorTab(val title: String, val icon: ImageVector) {
+    EVENTS("Events", Icons.Flag),
+    VALUES("Metadata", Icons.Info),
+    PROBLEMS("Problems", Icons.Warning),
+    STATISTICS("Statistics", Icons.Sigma),
+    FINDINGS("Findings", Icons.Diamond),
+    NOTES("Notes", Icons.Note),
+    CURSOR("Values", Icons.Table),
+    VIDEO("Video", Icons.Video),
+}
+
+/** The range of statistics. */
+internal enum class StatisticsRange {
+    /** The selection, or else the visible range. */
+    SHOWN,
+
+    /** The time in which the robot was enabled. */
+    ENABLED,
+
+    /** All of the log. */
+    ALL,
+}
+
+/** The parts of the window, of which a narrow one shows one at a time. */
+internal enum class FrontPart { LOGS, TOPICS, GRAPHS, DETAILS }
+
+/** The content of the middle of the window. */
+internal enum class MainView {
+    /** The graphs of the open recording. */
+    GRAPHS,
+
+    /** Every log of the folder with all its columns. */
+    LOGS,
+
+    /** A statistic of topics across recordings. */
+    STATISTICS,
+}
+
+/** Which parts of this window are open. */
+internal class WindowPanels : Part<Panels>(Panels())

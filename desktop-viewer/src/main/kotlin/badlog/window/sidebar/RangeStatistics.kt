@@ -1,0 +1,88 @@
+package badlog.window.sidebar
+
+import badlog.core.analysis.SeriesStatistics
+import badlog.core.analysis.Span
+import badlog.core.analysis.StateRuns
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.Topic
+import badlog.viewer.shown.statistics.StateTime
+import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.shown.statistics.timesOf
+import badlog.viewer.text.exactText
+import badlog.window.compare.DrawnRecording
+import badlog.window.log.OpenRecording
+import badlog.window.log.Signal
+
+/**
+ * Statistics of every drawn signal over a part of x.
+ *
+ * @property part that part, on the x of the open recording.
+ * @property xUnit the unit of x, `ul` for none.
+ */
+internal class RangeStatistics(val part: NamedSpan, val xUnit: String, val signals: List<SignalStatistics>)
+
+/**
+ * Statistics of one signal.
+ *
+ * @property recording the label of its recording; empty while only one is drawn.
+ * @property place the index of that recording among those drawn, which is that of its color.
+ * @property cells its displayed values, in order: a name, and a number or a state with its unit.
+ */
+internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
+
+/** A name with its value, in a separate line if [isWide]; [unit] is `ul` for none. */
+internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false)
+
+/** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so do not use it on the window's thread. */
+internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
+    val signals = names.flatMap { name ->
+        drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
+            val signal = recording.signal(name) ?: return@mapIndexedNotNull null
+            if (signal.series.size == 0) return@mapIndexedNotNull null
+            val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
+            val statistics = recording.view.statisticsOf(signal.line, parts)
+            val cells = when {
+                signal.hasFigures -> cellsOf(signal, statistics, recording.view.xAxis.unit)
+                else -> cellsOf(recording, signal, statistics, parts)
+            }
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
+        }
+    }
+    val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
+    return RangeStatistics(part, xUnit, signals)
+}
+
+private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
+    val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
+    return shown.map { StatCell(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
+}
+
+// Sums of the numbers of states are meaningless.
+private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
+    val states = signal.states.orEmpty()
+    val axis = recording.view.xAxis
+    val times = StateRuns(signal.series, recording.span.to).timesOf(states, parts)
+    return listOf(
+        StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
+        StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
+        StatCell("samples", statistics.count.toString(), Topic.UNITLESS),
+    ) + times.take(StateTime.MOST).map {
+        StatCell("in ${it.state}", "${it.timeText(axis)}, ${it.count}×", Topic.UNITLESS, isWide = true)
+    }
+}
+
+private fun stateText(value: Double, states: List<String>) = if (value.isNaN()) "–" else states.getOrElse(value.toInt()) { "–" }
+
+/** Returns the statistics as lines of tab-separated cells, for spreadsheets; the first line has the titles of the columns. */
+internal fun RangeStatistics.toTsv(): String {
+    val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
+    val head = listOf("topic", "unit", "log", "from", "to") + columns
+    val lines = signals.map { signal ->
+        val cells = signal.cells.associate { it.name to it.text }
+        listOf(signal.signal, signal.unit, signal.recording, exactText(part.span.from), exactText(part.span.to)) +
+            columns.map { cells[it].orEmpty() }
+    }
+    return (listOf(head) + lines).joinToString("\n", postfix = "\n") { line ->
+        line.joinToString("\t") { cell -> cell.replace('\t', ' ').replace('\n', ' ').replace('\r', ' ') }
+    }
+}

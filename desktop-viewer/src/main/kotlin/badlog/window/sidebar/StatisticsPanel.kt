@@ -1,0 +1,161 @@
+package badlog.window.sidebar
+
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
+import badlog.window.compare.ComparedRecordings
+import badlog.window.compare.DrawnRecording
+import badlog.window.compare.colorOf
+import badlog.window.log.AxisView
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.conflate
+import kotlinx.coroutines.flow.map
+import kotlinx.coroutines.withContext
+
+/** The statistics of every drawn signal over the selection, or else between both cursors, or over the visible range. */
+@Composable
+internal fun StatisticsPanel(
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    panels: WindowPanels,
+    open: OpenRecording,
+    modifier: Modifier,
+) {
+    val statistics by produceState<RangeStatistics?>(null, open) {
+        // While the selection is dragged, only the latest that there was time for is calculated.
+        snapshotFlow { askedFor(compared, board, view, spanOf(panels.state.statistics, open, view)) }.conflate().map { asked ->
+            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part) }
+        }.collect { value = it }
+    }
+    val known = statistics ?: return
+    val copy = rememberCopy()
+    val state = rememberLazyListState()
+    Column(modifier) {
+        RangeChoice(panels, view, open)
+        Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            Column(Modifier.weight(1f)) {
+                Text(known.part.name, fontWeight = FontWeight.Medium)
+                Text(rangeText(known), color = LocalPalette.current.muted, fontSize = 12.sp)
+                Text(Statistic.BY_TIME, color = LocalPalette.current.muted, fontSize = 12.sp)
+            }
+            ToolButton("Copy the statistics", Icons.Copy, text = "Copy") { copy(known.toTsv()) }
+        }
+        if (known.signals.isEmpty()) PanelHint("No topic is drawn. Click one in the list of topics.")
+        Box(Modifier.fillMaxSize()) {
+            LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalCells(it) } }
+            VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        }
+    }
+}
+
+/** Selects the range of the statistics. */
+@Composable
+private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecording) {
+    Row(Modifier.padding(start = 8.dp, end = 4.dp, top = 4.dp), Arrangement.spacedBy(2.dp)) {
+        for (range in StatisticsRange.entries) {
+            val (title, hint) = when (range) {
+                StatisticsRange.SHOWN -> titleOfShown(view) to
+                    "Statistics of the selection, or between both cursors, or else of the visible range"
+
+                StatisticsRange.ENABLED -> "Enabled" to "Statistics of the time in which the robot was enabled"
+
+                StatisticsRange.ALL -> "All" to "Statistics of the whole log"
+            }
+            val isKnown = range != StatisticsRange.ENABLED || open.enabled.isNotEmpty()
+            ToolButton(hint, text = title, isOn = panels.state.statistics == range, isEnabled = isKnown) {
+                panels.change { copy(statistics = range) }
+            }
+        }
+    }
+}
+
+/** Returns a short title for [shownSpan]. */
+internal fun titleOfShown(view: AxisView): String = when {
+    view.selection != null -> "Selected"
+    view.cursors.between != null -> "A–B"
+    else -> "Visible"
+}
+
+/** The input of the statistics; while it stays equal, nothing is recalculated. */
+internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan)
+
+/** Returns the current input for [part]; if that is null, for the displayed range. */
+internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
+    val names = board.state.graphs.flatMap { it.lines }.distinct()
+    return Asked(compared.drawn, names, part ?: shownSpan(view))
+}
+
+private fun rangeText(statistics: RangeStatistics): String {
+    val (from, to) = statistics.part.span
+    val ends = "${roundedText(from)} – ${withUnit(roundedText(to), statistics.xUnit)}"
+    return "${withUnit(roundedText(statistics.part.width), statistics.xUnit)}  ($ends)"
+}
+
+@Composable
+private fun SignalCells(signal: SignalStatistics) {
+    val palette = LocalPalette.current
+    Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
+        Text(signal.signal, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        if (signal.recording.isNotEmpty()) {
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                Box(Modifier.size(8.dp).background(palette.colorOf(signal.place), RoundedCornerShape(2.dp)))
+                Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
+        }
+        val (wide, narrow) = signal.cells.partition { it.isWide }
+        for (pair in narrow.chunked(2)) {
+            Row(Modifier.fillMaxWidth()) {
+                for (cell in pair) Cell(cell, Modifier.weight(1f))
+                if (pair.size == 1) Box(Modifier.weight(1f))
+            }
+        }
+        for (cell in wide) Cell(cell, Modifier.fillMaxWidth(), nameWidth = WIDE_NAME)
+    }
+}
+
+@Composable
+private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
+    Row(modifier.padding(end = 4.dp)) {
+        val muted = LocalPalette.current.muted
+        Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        // A number that is cut off would be a different one, so two lines are better.
+        Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, lineHeight = 15.sp)
+    }
+}
+
+private const val NAME = 66
+private const val WIDE_NAME = 130

@@ -1,0 +1,98 @@
+package badlog.window.sidebar
+
+import badlog.core.analysis.matchTitle
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.PathName
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
+import badlog.window.folder.index.LogEntry
+import badlog.window.log.OpenRecording
+import badlog.window.log.Signal
+import badlog.window.log.isFoundBy
+import java.io.IOException
+import java.nio.file.Files
+import java.time.LocalDateTime
+import java.time.ZoneId
+import java.time.format.DateTimeFormatter
+
+/**
+ * What the table of statistics is made from.
+ *
+ * @property topics the names of all selectable topics, by folder.
+ * @property drawn those topics that a recording on the screen has, by name.
+ * @property rowsOf returns the statistics of some of them in every recording; it takes a while, so do not use it on the
+ * window's thread.
+ */
+internal class StatisticsSource(
+    val topics: List<String>,
+    private val drawn: Map<String, Signal>,
+    val rowsOf: (topics: List<String>) -> List<StatisticsRow>,
+) {
+    /** Those of [topics] that [query] finds; [found] are the names of those that a finding is about. May look through samples. */
+    fun topicsFoundBy(query: Query, found: Set<String>): List<String> =
+        topics.filter { name -> drawn[name]?.isFoundBy(query, found) ?: query.matches(name, KNOWN) }
+
+    private companion object {
+        /** What is known about a topic of a log that is not open: that it has numbers. */
+        val KNOWN = setOf(Trait.NUMBER)
+    }
+}
+
+/**
+ * Returns what the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll]
+ * the logs that are [known], with those figures that they came with. A log that is both is there once.
+ */
+internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
+    val knownByFile = known.associateBy { it.path }
+    val drawnFiles = drawn.mapTo(HashSet()) { it.file }
+    val others = if (isOverAll) known.filter { it.path !in drawnFiles } else emptyList()
+    val topics = LinkedHashSet<String>()
+    val signals = drawn.flatMap { it.signals }.filter { it.hasFigures }
+    signals.mapTo(topics) { it.name }
+    for (row in others) topics += row.statistics.keys
+    // The first of one name is that of the open log, which the findings are of.
+    val byName = signals.asReversed().associateBy { it.name }
+    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }, byName) { asked ->
+        drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
+    }
+}
+
+/** Returns the figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
+    val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
+    return StatisticsRow(
+        label = recording.label,
+        date = date,
+        path = recording.file,
+        statistics = signals.associate { it.name to recording.view.statisticsOf(it.line) },
+        units = signals.associate { it.name to it.unit },
+        xUnit = recording.view.xAxis.unit,
+    )
+}
+
+/** Returns when the file of [recording] was written last; empty when it is not there any more. */
+private fun dateOf(recording: OpenRecording): String = try {
+    sortableText(LocalDateTime.ofInstant(Files.getLastModifiedTime(recording.file).toInstant(), ZoneId.systemDefault()))
+} catch (_: IOException) {
+    ""
+}
+
+/** Returns [time] as text that sorts by time: `2024-03-16 10:41`. */
+internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
+
+private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
+
+/** Returns each of [logs], the newest first, with the statistics of all its topics that are known without reading it again. */
+internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
+    logs.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
+        StatisticsRow(
+            label = with(log.match) { matchTitle(event, type, number) } ?: log.fileName,
+            date = sortableText(log.date.time),
+            path = log.file,
+            statistics = log.topics.associate { it.name to it.statistics },
+            units = log.topics.associate { it.name to it.unit },
+            xUnit = log.xUnit,
+        )
+    }
+
+private val NEWEST_FIRST = compareByDescending<LogEntry> { it.date.second }.thenBy { it.file }

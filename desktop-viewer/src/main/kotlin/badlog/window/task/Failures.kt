@@ -1,0 +1,81 @@
+package badlog.window.task
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineExceptionHandler
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.SupervisorJob
+import kotlinx.coroutines.job
+import kotlinx.coroutines.plus
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.time.LocalDateTime
+import java.time.temporal.ChronoUnit
+import javax.swing.SwingUtilities
+
+/**
+ * Receives uncaught exceptions, which are defects of badlog. They are written to [log] and reported in a sentence, and the window
+ * stays open: nobody should lose open work because of one failed click.
+ */
+internal class Failures(private val log: FailureLog, private val notices: Notices) {
+    /** The number of failures. */
+    var count by mutableIntStateOf(0)
+        private set
+
+    /** The number of failures that the window has shown: lower if it can no longer show anything. */
+    var seen = 0
+
+    /** Where they are kept. */
+    val file: Path get() = log.file
+
+    /** Receives [failure], on any thread. */
+    fun hear(failure: Throwable) {
+        val where = if (log.add(failure)) "; send us $file" else ""
+        SwingUtilities.invokeLater {
+            count++
+            notices.complain("That failed (${failure.javaClass.simpleName})$where. Open logs stay open.")
+        }
+    }
+
+    /** Returns [scope] with failures reported here, so that one does not cancel anything else. */
+    fun guarded(scope: CoroutineScope): CoroutineScope =
+        scope + SupervisorJob(scope.coroutineContext.job) + CoroutineExceptionHandler { _, failure -> hear(failure) }
+}
+
+/** The failures of the program itself, for its developers: written to [file], each once per run. Thread-safe. */
+internal class FailureLog(cache: Path) {
+    /** Where it is kept. */
+    val file: Path = cache.resolve("failures.log")
+
+    private val known = HashSet<String>()
+
+    /** Adds [failure]. Returns whether it was written; false on a full disk, or after very many others. */
+    @Synchronized
+    fun add(failure: Throwable): Boolean {
+        val trace = failure.stackTraceToString()
+        if (trace in known) return true
+        if (known.size >= MAX_KNOWN) return false
+        try {
+            Files.createDirectories(file.parent)
+            if (Files.exists(file) && Files.size(file) > MAX_BYTES) Files.delete(file)
+            Files.writeString(file, "${place()}\n$trace\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND)
+        } catch (_: IOException) {
+            return false
+        }
+        return known.add(trace)
+    }
+
+    private fun place(): String {
+        val system = listOf("os.name", "os.version", "os.arch", "java.version").joinToString(" ") { System.getProperty(it) }
+        return "${LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS)} $system"
+    }
+
+    private companion object {
+        /** A failure in each frame must not fill the disk. */
+        const val MAX_KNOWN = 50
+        const val MAX_BYTES = 1L shl 20
+    }
+}

@@ -1,0 +1,38 @@
+package badlog.window.theme
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.style.TextDecoration
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+
+/** The color of a line in a legend, by its number; pale where a person hid the line. */
+@Composable
+internal fun LineColor(number: Int, isHidden: Boolean) {
+    val color = LocalPalette.current.line(number).copy(alpha = if (isHidden) HIDDEN else 1f)
+    Spacer(Modifier.size(10.dp, 3.dp).background(color, RoundedCornerShape(2.dp)))
+}
+
+/** The name of a line in a legend, struck out where a person hid the line. */
+@Composable
+internal fun LineName(name: String, isHidden: Boolean) {
+    val palette = LocalPalette.current
+    Text(
+        name,
+        Modifier.widthIn(max = 260.dp),
+        color = if (isHidden) palette.muted else palette.text,
+        fontSize = 12.sp,
+        textDecoration = if (isHidden) TextDecoration.LineThrough else null,
+        maxLines = 1,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+private const val HIDDEN = 0.35f

@@ -1,0 +1,110 @@
+package badlog.window.theme
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsFocusedAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.material3.Icon
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.graphics.vector.ImageVector
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.password
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.PasswordVisualTransformation
+import androidx.compose.ui.text.input.VisualTransformation
+import androidx.compose.ui.unit.dp
+
+/**
+ * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it
+ * and releases the keyboard focus.
+ *
+ * @param isSecret whether the text is hidden.
+ */
+@Composable
+internal fun SearchField(
+    text: String,
+    hint: String,
+    modifier: Modifier = Modifier,
+    icon: ImageVector = Icons.Search,
+    isSecret: Boolean = false,
+    onChange: (String) -> Unit,
+) {
+    val palette = LocalPalette.current
+    val focus = LocalFocusManager.current
+    val interactions = remember { MutableInteractionSource() }
+    val isFocused by interactions.collectIsFocusedAsState()
+    // The whole area is the field: a click beside the text must give it the keyboard focus, or else typing would run commands.
+    BasicTextField(
+        text,
+        onChange,
+        modifier
+            .onPreviewKeyEvent {
+                val leaves = it.type == KeyEventType.KeyDown && it.key == Key.Escape
+                if (leaves) {
+                    onChange("")
+                    focus.clearFocus()
+                }
+                leaves
+            }
+            .semantics {
+                contentDescription = hint
+                if (isSecret) password()
+            },
+        textStyle = LocalTextStyle.current,
+        singleLine = true,
+        interactionSource = interactions,
+        visualTransformation = if (isSecret) PasswordVisualTransformation() else VisualTransformation.None,
+        cursorBrush = SolidColor(palette.accent),
+    ) { field ->
+        Row(
+            Modifier
+                .fillMaxWidth()
+                .background(palette.raised, RoundedCornerShape(5.dp))
+                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
+                .padding(horizontal = 8.dp, vertical = 5.dp),
+            horizontalArrangement = Arrangement.spacedBy(6.dp),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Icon(icon, contentDescription = null, Modifier.size(14.dp), palette.muted)
+            Box(Modifier.weight(1f)) {
+                if (text.isEmpty()) Text(hint, color = palette.muted, maxLines = 1)
+                field()
+            }
+        }
+    }
+}
+
+/** Moves the keyboard focus to a field whenever a person has [asked] for it again; requests before the field existed do not count. */
+@Composable
+internal fun rememberAskedFocus(asked: Int): FocusRequester {
+    val focus = remember { FocusRequester() }
+    val before = remember { intArrayOf(asked) }
+    LaunchedEffect(asked) {
+        if (asked != before[0]) focus.requestFocus()
+        before[0] = asked
+    }
+    return focus
+}

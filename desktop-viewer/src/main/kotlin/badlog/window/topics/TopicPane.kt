@@ -1,0 +1,246 @@
+package badlog.window.topics
+
+import androidx.compose.foundation.ContextMenuItem
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.text.withStyle
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import badlog.viewer.choices.board.Board
+import badlog.viewer.input.Action
+import badlog.viewer.shown.search.Query
+import badlog.window.compare.ComparedRecordings
+import badlog.window.formula.FormulaStore
+import badlog.window.formula.UnmadeFormulas
+import badlog.window.graph.plot.MAX_LINES
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.FilteredEvents
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.menu.ContextArea
+import badlog.window.sidebar.WindowPanels
+import badlog.window.theme.Icons
+import badlog.window.theme.KeepInSight
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.Palette
+import badlog.window.theme.SearchField
+import badlog.window.theme.ToolButton
+import badlog.window.theme.rememberAskedFocus
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+
+/**
+ * The topics of the open recording by folder.
+ *
+ * @param topicsWithFindings returns the names of the topics that a finding is about.
+ */
+@Composable
+internal fun TopicPane(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    formulas: FormulaStore,
+    topics: TopicListing,
+    panels: WindowPanels,
+    modifier: Modifier = Modifier,
+    topicsWithFindings: () -> Set<String> = { emptySet() },
+) {
+    Column(modifier.background(LocalPalette.current.surface)) {
+        val list = topics.state
+        val open = current.recording
+        val found = topicsWithFindings()
+        val shown by produceState<ShownRows?>(null, open, list.query, list.folded, found) {
+            value = open?.let { withContext(Dispatchers.Default) { ShownRows(list.query, it.rowsOf(list, found)) } }
+        }
+        val rows = shown?.rows
+        // A key may come before the rows of what was typed are shown.
+        val rowsOfKeys = { shown?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
+        val draw = { name: String -> open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) } }
+        val focus = rememberAskedFocus(list.searchesAsked)
+        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys) { name -> draw(name) } }
+        Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
+                topics.change { searching(it) }
+            }
+            ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
+        }
+        TargetLine(board, topics)
+        when {
+            open == null -> Hint("Open a log to see its topics.")
+            open.signals.isEmpty() -> Hint("This log has no topics with samples.")
+            else -> Rows(current, compared, board, view, events, formulas, topics, panels, open, rows, Modifier.weight(1f))
+        }
+        if (open != null) UnmadeFormulas(formulas, open)
+        if (list.selected.isNotEmpty()) SelectedTopics(current, board, topics)
+    }
+}
+
+/** The rows of a list that is searched for [query]. */
+private class ShownRows(val query: String, val rows: List<TopicRow>)
+
+private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(signals, list.query, list.folded, empty, found)
+
+/** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
+private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
+    if (event.type != KeyEventType.KeyDown) return false
+    when (event.key) {
+        Key.DirectionDown -> topics.change { marking(1, rows()) }
+        Key.DirectionUp -> topics.change { marking(-1, rows()) }
+        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows().firstNotNullOfOrNull { (it as? SignalRow)?.signal?.name })?.let(draw)
+        else -> return false
+    }
+    return true
+}
+
+@Composable
+private fun Hint(text: String) {
+    Text(text, Modifier.padding(horizontal = 12.dp, vertical = 8.dp), color = LocalPalette.current.muted)
+}
+
+@Composable
+private fun Rows(
+    current: CurrentRecording,
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    events: FilteredEvents,
+    formulas: FormulaStore,
+    topics: TopicListing,
+    panels: WindowPanels,
+    open: OpenRecording,
+    rows: List<TopicRow>?,
+    modifier: Modifier,
+) {
+    val query = topics.state.query
+    val listed = rows ?: return
+    if (listed.isEmpty()) {
+        Hint("No topic matches “$query”.")
+        return
+    }
+    val graphs = board.state
+    // As in graphs: with several recordings, each line has a color per recording.
+    val recordings = compared.drawn.size
+    val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
+    val state = rememberLazyListState()
+    KeepInSight(state, listed.indexOfFirst { it is SignalRow && it.signal.name == topics.state.marked })
+    BoxWithConstraints(modifier.fillMaxSize()) {
+        val showsValues = maxWidth >= ROOMY
+        LazyColumn(Modifier.fillMaxSize(), state) {
+            items(listed, key = { it.key }, contentType = { it is FolderRow }) { row ->
+                when (row) {
+                    is FolderRow -> ContextArea({ folderMenu(board, open, row.path) }) {
+                        FolderLine(row, query) {
+                            topics.change { toggledFolder(row.path) }
+                        }
+                    }
+
+                    is SignalRow -> {
+                        val place = places[row.signal.name]
+                        SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place, showsValues)
+                    }
+                }
+            }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+    }
+}
+
+/** Returns the menu of what can be drawn of folder [path] of [open]. */
+private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): List<ContextMenuItem> {
+    val names = topicsIn(path, open.signals.filter { !open.isEvents(it) }).map { it.name }
+    if (names.isEmpty()) return emptyList()
+    val few = names.take(MAX_LINES)
+    val these = if (few.size < names.size) "the first ${few.size} topics of this folder" else "this folder"
+    return listOf(
+        ContextMenuItem("New graph of $these") { board.change { withGraph(few) } },
+        ContextMenuItem("Only a graph of $these") { board.change { Board().withGraph(few) } },
+        ContextMenuItem("Separate graphs of $these") { board.change { few.fold(this) { graphs, name -> graphs.withGraph(listOf(name)) } } },
+    )
+}
+
+/** A folder of the list of topics. */
+@Composable
+internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .clickable(onClick = onToggle)
+            .semantics { contentDescription = "Folder ${row.path}" }
+            .padding(start = indentOf(row.depth), end = 14.dp, top = 4.dp, bottom = 4.dp),
+        horizontalArrangement = Arrangement.spacedBy(4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Icon(if (row.isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
+        Text(
+            withMatches(row.title, query, palette),
+            Modifier.weight(1f),
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        Text(row.count.toString(), color = palette.muted, maxLines = 1)
+    }
+}
+
+/** Returns the indentation at [depth] folders; it is limited, so that there is room for names. */
+internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, MAX_DEPTH)).dp
+
+/** Returns Returns [text] with the matches of the words of [query] highlighted. */
+internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
+    val isFound = BooleanArray(text.length)
+    for (word in Query(query).words) {
+        var at = text.indexOf(word, ignoreCase = true)
+        while (at >= 0) {
+            isFound.fill(true, at, at + word.length)
+            at = text.indexOf(word, at + word.length, ignoreCase = true)
+        }
+    }
+    text.forEachIndexed { index, char ->
+        if (isFound[index]) withStyle(SpanStyle(palette.accent, background = palette.accentSoft)) { append(char) } else append(char)
+    }
+}
+
+/** In a narrower pane, a value would leave no room for the name. */
+private val ROOMY = 190.dp
+
+private const val MAX_DEPTH = 6

@@ -1,0 +1,102 @@
+package badlog.window.topics
+
+import badlog.viewer.shown.search.Query
+import badlog.window.log.Signal
+import badlog.window.log.isFoundBy
+
+/**
+ * Returns the rows of the list of topics for [signals]: in each folder its signals in their order, then its folders by
+ * name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
+ *
+ * @param found the names of the topics that a finding is about.
+ */
+internal fun topicRows(
+    signals: List<Signal>,
+    query: String,
+    folded: Set<String>,
+    empty: List<Signal> = emptyList(),
+    found: Set<String> = emptySet(),
+): List<TopicRow> {
+    val wanted = Query(query)
+    val root = TopicFolder("", "")
+    for (signal in if (wanted.isEmpty) signals else signals + empty) {
+        if (signal.isFoundBy(wanted, found)) root.at(signal.folder).signals += signal
+    }
+    val rows = ArrayList<TopicRow>()
+    root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())
+    return rows
+}
+
+/** Returns the paths of all folders that contain [signals]. */
+internal fun foldersOf(signals: List<Signal>): Set<String> {
+    val folders = HashSet<String>()
+    for (signal in signals) {
+        val parts = signal.folder.split('/').filter { it.isNotEmpty() }
+        parts.indices.mapTo(folders) { parts.take(it + 1).joinToString("/") }
+    }
+    return folders
+}
+
+/** Returns those of [signals] that are in the folder [path] or in its folders. */
+internal fun topicsIn(path: String, signals: List<Signal>): List<Signal> = signals.filter { signal ->
+    val folder = signal.folder.split('/').filter { it.isNotEmpty() }.joinToString("/")
+    folder == path || folder.startsWith("$path/")
+}
+
+private class TopicFolder(val path: String, val title: String) {
+    val signals = ArrayList<Signal>()
+    private val folders = HashMap<String, TopicFolder>()
+
+    private val count: Int get() = signals.size + folders.values.sumOf { it.count }
+
+    fun at(path: String): TopicFolder {
+        var folder = this
+        for (part in path.split('/')) {
+            if (part.isEmpty()) continue
+            val parent = folder
+            folder = parent.folders.getOrPut(part) {
+                TopicFolder(if (parent.path.isEmpty()) part else "${parent.path}/$part", part)
+            }
+        }
+        return folder
+    }
+
+    fun list(rows: MutableList<TopicRow>, depth: Int, folded: Set<String>) {
+        signals.mapTo(rows) { SignalRow(depth, it) }
+        for (folder in folders.values.sortedWith(BY_TITLE)) {
+            val isOpen = folder.path !in folded
+            rows += FolderRow(depth, folder.path, folder.title, folder.count, isOpen)
+            if (isOpen) folder.list(rows, depth + 1, folded)
+        }
+    }
+}
+
+private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::title).thenBy { it.title }
+
+/**
+ * A row of the list of topics.
+ *
+ * @property depth the number of folders around it.
+ * @property key identifies it among the rows.
+ */
+internal sealed interface TopicRow {
+    val depth: Int
+    val key: String
+}
+
+/**
+ * A folder.
+ *
+ * @property path its full name.
+ * @property title its own name.
+ * @property count the number of signals listed in it and its folders.
+ */
+internal data class FolderRow(override val depth: Int, val path: String, val title: String, val count: Int, val isOpen: Boolean) :
+    TopicRow {
+    override val key: String get() = "folder $path"
+}
+
+/** A signal. */
+internal class SignalRow(override val depth: Int, val signal: Signal) : TopicRow {
+    override val key: String get() = (if (signal.isDerived) "derived " else "signal ") + signal.name
+}

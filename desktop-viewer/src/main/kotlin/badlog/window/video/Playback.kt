@@ -1,0 +1,46 @@
+package badlog.window.video
+
+import badlog.core.analysis.Span
+
+/**
+ * The playback of the cursor.
+ *
+ * @property isPlaying whether it is running.
+ * @property speed the speed relative to the recording; an x that is not a time takes a minute at 1.
+ * @property loops whether it starts over at the end of what it plays: the selection, or else the visible range.
+ */
+internal data class Playback(val isPlaying: Boolean = false, val speed: Double = 1.0, val loops: Boolean = false) {
+    /**
+     * Returns where the cursor is after advancing by [distance] of x, which is not negative, and the playback from there on.
+     * It stays within [range]: at the end, it starts over if it loops, otherwise it stops. From outside, it begins at the
+     * start of [range].
+     */
+    fun advanced(cursor: Double?, distance: Double, range: Span): Step {
+        val from = cursor?.takeIf { it in range } ?: range.from
+        val next = from + distance
+        return when {
+            next < range.to -> Step(next, this)
+            !loops || range.width <= 0 -> Step(range.to, copy(isPlaying = false))
+            else -> Step(range.from + (next - range.from).mod(range.width), this)
+        }
+    }
+
+    /** Returns the next faster of [SPEEDS], or slower if [steps] is negative. */
+    fun faster(steps: Int): Playback {
+        val nearest = SPEEDS.indices.minBy { kotlin.math.abs(SPEEDS[it] - speed) }
+        return copy(speed = SPEEDS[(nearest + steps).coerceIn(SPEEDS.indices)])
+    }
+
+    /**
+     * A step of playback.
+     *
+     * @property cursor the cursor's new place.
+     * @property playback the new state of playback.
+     */
+    data class Step(val cursor: Double, val playback: Playback)
+
+    companion object {
+        /** The selectable speeds. */
+        val SPEEDS: List<Double> = listOf(0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
+    }
+}

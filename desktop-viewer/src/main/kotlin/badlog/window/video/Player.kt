@@ -1,0 +1,76 @@
+package badlog.window.video
+
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.withFrameNanos
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.state.Part
+
+/** Plays the recording by moving the cursor. */
+internal class Player(private val current: CurrentRecording, private val view: AxisView) : Part<Playback>(Playback()) {
+    /** The played range: when looping, the selection or the visible range; otherwise, up to the end of the selection or of everything. */
+    private val range: Span get() = view.selection ?: if (state.loops) view.viewport.visible else view.viewport.full
+
+    /** Starts playback, from the start if the cursor is at the end; or pauses it. */
+    fun toggle() {
+        if (!state.isPlaying && current.recording == null) return
+        val range = range
+        val cursor = view.cursor
+        if (!state.isPlaying && (cursor == null || cursor !in range || cursor >= range.to)) {
+            val isAnywhere = cursor == null && !state.loops
+            view.placeCursor(if (isAnywhere) view.viewport.visible.from.coerceIn(range.from, range.to) else range.from)
+        }
+        change { copy(isPlaying = !isPlaying) }
+    }
+
+    /** Turns looping on or off. */
+    fun toggleLoop() = change { copy(loops = !loops) }
+
+    /** Advances by [seconds]. */
+    fun advance(seconds: Double) {
+        val open = current.recording ?: return change { copy(isPlaying = false) }
+        // After sleeping, the machine must not jump to the end.
+        val distance = seconds.coerceIn(0.0, MAX_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
+        val step = state.advanced(view.cursor, distance, range)
+        view.placeCursor(step.cursor)
+        change { step.playback }
+        follow(step.cursor)
+    }
+
+    private fun follow(x: Double) {
+        val visible = view.viewport.visible
+        if (x in visible) return
+        // Leaves most of the room for what follows, and does not fill the history with steps.
+        val from = x - visible.width * LEAD
+        view.change { moved(from, from + visible.width) }
+    }
+
+    private companion object {
+        const val MAX_STEP = 0.25
+        const val LEAD = 0.1
+    }
+}
+
+/** Advances [player] frame by frame, while it plays. */
+@Composable
+internal fun PlayerFrames(player: Player) {
+    if (!player.state.isPlaying) return
+    LaunchedEffect(player) {
+        var before = withFrameNanos { it }
+        while (player.state.isPlaying) {
+            val now = withFrameNanos { it }
+            player.advance((now - before) / NANOS)
+            before = now
+        }
+    }
+}
+
+/** Returns how much of x passes in a second at speed 1: according to its unit, or else all of it in a minute. */
+internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
+
+private const val NANOS = 1e9
+private const val SECONDS_OF_MINUTE = 60

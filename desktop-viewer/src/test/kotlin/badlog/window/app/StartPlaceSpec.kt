@@ -1,0 +1,33 @@
+package badlog.window.app
+
+import badlog.window.settings.Settings
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+
+class StartPlaceSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val file = Files.createFile(folder.resolve("match.bag"))
+
+    test("a folder or a file that is named is opened") {
+        StartPlace.of("$folder", Settings(), null) shouldBe StartPlace(folder, null, null)
+        StartPlace.of("$file", Settings(), null) shouldBe StartPlace(folder, file, null)
+    }
+
+    test("without one it is the folder of last time that is still there") {
+        val remembered = Settings(recentFolders = listOf("$folder/gone", "\u0000", "$folder"))
+        StartPlace.of(null, remembered, null) shouldBe StartPlace(folder, null, null)
+        StartPlace.of(null, Settings(), folder) shouldBe StartPlace(folder, null, null)
+    }
+
+    test("a name that nothing has, or can have, is said") {
+        for (name in listOf("$folder/matsch.bag", "match\u0000.bag")) {
+            val place = StartPlace.of(name, Settings(recentFolders = listOf("$folder")), null)
+            place.folder shouldBe folder
+            place.complaint.shouldNotBeNull() shouldContain name
+        }
+    }
+})

@@ -1,0 +1,64 @@
+package badlog.window.choice
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.window.bagOf
+import badlog.window.export.recordingOf
+import badlog.window.graph.TestGraphs
+import badlog.window.graph.viewerOf
+import badlog.window.log.OpenRecording
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+
+@OptIn(ExperimentalTestApi::class)
+class AxisChoiceSpec : FunSpec({
+    val text = bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" })
+
+    test("a bag that names no x axis is drawn over its time once a person wants that, and over its rows again") {
+        val viewer = viewerOf(recordingOf(text))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            onNodeWithText("This log names no x axis. “Time” rises from row to row.").assertExists()
+            onNodeWithText("Draw over “Time”").performClick()
+            onNodeWithText("Keep row numbers").assertDoesNotExist()
+        }
+        viewer.view.viewport.full shouldBe Span(10.0, 19.5)
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Angle"))
+        viewer.axis.choose(false)
+        viewer.view.viewport.full shouldBe Span(0.0, 19.0)
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Time"), listOf("Arm/Angle"))
+    }
+
+    test("a person's own graphs stay, and so do formulas") {
+        val viewer = viewerOf(recordingOf(text).withFormulas(listOf("Twice = 2 * Arm/Angle")))
+        viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle"))
+        val own = Board().withGraph(listOf("Twice"))
+        viewer.board.replace(own)
+        viewer.axis.choose(true)
+        viewer.board.state shouldBe own
+        viewer.current.recording?.signal("Twice")?.series?.size shouldBe 20
+    }
+
+    test("once it is known, logs are read so, and nobody is asked again") {
+        val log = Files.writeString(tempdir().toPath().resolve("a.bag"), text)
+        val viewer = viewerOf(null)
+        viewer.axis.choose(true)
+        viewer.show(OpenRecording.read(log))
+        viewer.view.viewport.full shouldBe Span(10.0, 19.5)
+        viewer.axis.offered.shouldBeNull()
+        OpenRecording.read(log, overTime = { true }).span shouldBe Span(10.0, 19.5)
+    }
+
+    test("nothing is asked of a log with an x axis, and of plain CSV, which is drawn over its time anyway") {
+        viewerOf(recordingOf(text.replace("\"Time\",\"unit\":\"V\",\"attrs\":[]", "\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]"))).axis.offered.shouldBeNull()
+        val log = Files.writeString(tempdir().toPath().resolve("a.csv"), "Time,Angle\n1,2\n2,3\n")
+        viewerOf(OpenRecording.read(log)).axis.offered.shouldBeNull()
+    }
+})

@@ -1,0 +1,64 @@
+package badlog.window.choice
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.signals.clock.ClockFit
+import badlog.window.export.partOf
+import badlog.window.findings.findingsOf
+import badlog.window.graph.TestGraphs
+import badlog.window.graph.viewerOf
+import badlog.window.log.OpenRecording
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.launch
+
+@OptIn(ExperimentalTestApi::class)
+class StationChoiceSpec : FunSpec({
+    test("the Driver Station's log of the match is offered, shown over the same time, used by rules, and left out again") {
+        val log = putPair(tempdir().toPath())
+        val viewer = viewerOf(OpenRecording.read(log))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            val search = viewer.scope.launch { viewer.stations.run() }
+            waitFor { viewer.stations.offered != null }
+            onNodeWithText("Driver Station log found: 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
+            onNodeWithText("Show").performClick()
+            onNodeWithText("With the Driver Station log 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
+            search.cancel()
+        }
+        val shown = checkNotNull(viewer.current.recording)
+        shown.span shouldBe Span(-3.0, 13.98)
+        viewer.view.viewport.full shouldBe shown.span
+        findingsOf(shown.forRules, log, null).all.flatMap { it.evidence } shouldContain "Driver Station/Battery Voltage"
+        // What a person saves is of the robot's log alone.
+        partOf(shown, Span(0.0, 1.0)).recording.topics.map { it.name } shouldBe listOf("Time", "Robot/Enabled", "Arm/Angle")
+        viewer.stations.choose(false)
+        checkNotNull(viewer.current.recording).run { station.shouldBeNull() }
+        viewer.settings.state.stations shouldBe mapOf(log.toString() to false)
+        viewer.stations.offered.shouldBeNull()
+    }
+
+    test("what a person chose for a log holds when it is opened again, and formulas may name the Driver Station's topics") {
+        val log = putPair(tempdir().toPath())
+        val viewer = viewerOf(OpenRecording.read(log))
+        viewer.stations.change { StationOfLog(log, stationBeside(OpenRecording.read(log), null)) }
+        viewer.stations.choose(true)
+        viewer.show(OpenRecording.read(log))
+        val shown = checkNotNull(viewer.current.recording)
+        shown.station?.log?.name shouldBe "2026_03_07 10_04_05 Sat.dslog"
+        shown.withFormulas(listOf("Twice = 2 * Driver Station/Trip Time")).signal("Twice")?.series?.y?.max() shouldBe 180.0
+    }
+
+    test("the error is not said to be less than the Driver Station's period, and clocks alone are said to be so") {
+        alignmentText(ClockFit(1.0, 4, 0.0)) shouldBe "± 0.02 s"
+        alignmentText(ClockFit(1.0, 4, 0.031)) shouldBe "± 0.04 s"
+        alignmentText(ClockFit(1.0, 0, 1.0)) shouldBe "± 1 s, by the clocks alone"
+    }
+})

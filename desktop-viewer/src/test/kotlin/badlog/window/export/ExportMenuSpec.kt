@@ -1,0 +1,179 @@
+package badlog.window.export
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onFirst
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.choices.range.Viewport
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.compare.Comparison
+import badlog.window.files.ChosenFiles
+import badlog.window.folder.LibraryState
+import badlog.window.waiting.waitForNotice
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.coroutines.MainScope
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+
+@OptIn(ExperimentalTestApi::class)
+class ExportMenuSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = Files.writeString(home.resolve("match.bag"), armBag(500))
+
+    fun window(chosen: Path?, hasLog: Boolean = true, test: ComposeUiTest.(Viewer, ChosenFiles) -> Unit) {
+        val files = ChosenFiles(chosen)
+        runDesktopComposeUiTest(1200, 900) {
+            val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
+            if (hasLog) {
+                val recording = recordingOf(armBag(500), log)
+                viewer.current.replace(recording)
+                viewer.board.replace(defaultBoard(recording.view))
+                viewer.view.show(recording.span)
+            }
+            setContent { ViewerScreen(viewer) }
+            test(viewer, files)
+        }
+    }
+
+    fun ComposeUiTest.choose(menu: String, entry: String) {
+        onNodeWithText(menu).performClick()
+        onNodeWithContentDescription(entry).performClick()
+    }
+
+    test("without a log, every entry that needs one is off and says why") {
+        window(null, hasLog = false) { _, _ ->
+            onNodeWithText("Export").performClick()
+            onNodeWithContentDescription("Export the page of this log…").assertIsNotEnabled()
+            onNodeWithContentDescription("Figure for a report…").assertIsNotEnabled()
+            onNodeWithContentDescription("The visible range as CSV…").assertIsNotEnabled()
+            onAllNodesWithText("Open a log first.").onFirst().assertExists()
+            onNodeWithText("Check logs in the list first.").assertExists()
+            onNodeWithText("Open a folder first.").assertExists()
+        }
+    }
+
+    test("the page of the open log is made where the person says") {
+        val page = home.resolve("page.html")
+        window(page) { viewer, _ ->
+            choose("Export", "Export the page of this log…")
+            waitForNotice(viewer, "Saved $page")
+            Files.readString(page).lowercase() shouldStartWith "<!doctype html>"
+        }
+    }
+
+    test("the pages of checked logs are made, and those that cannot be are reported") {
+        val folder = home.resolve("pages")
+        window(folder) { viewer, _ ->
+            viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
+            choose("Export", "Export the pages of 2 checked logs…")
+            waitForNotice(viewer, "gone.bag")
+            viewer.notices.all.map { it.text } shouldContain "Saved ${folder.resolve("match.bag.html")}."
+        }
+    }
+
+    test("the pages of a whole folder are made") {
+        val logs = Files.createDirectories(home.resolve("logs"))
+        for (name in listOf("a.bag", "b.bag")) Files.writeString(logs.resolve(name), armBag(10))
+        val folder = home.resolve("all pages")
+        window(folder) { viewer, _ ->
+            viewer.library.change { LibraryState(logs) }
+            choose("Export", "Export the pages of all logs…")
+            waitForNotice(viewer, "Saved 2 pages in $folder")
+        }
+    }
+
+    test("a figure is saved with what was selected for it") {
+        val file = home.resolve("figure.svg")
+        window(file) { viewer, files ->
+            choose("Export", "Figure for a report…")
+            onNodeWithText("3 of 3 graphs").assertExists()
+            onNodeWithContentDescription("In the figure: Arm/Current").performClick()
+            onNodeWithContentDescription("File: SVG").performClick()
+            onNodeWithContentDescription("Width: 600").performClick()
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitForNotice(viewer, "Saved $file")
+            val svg = Files.readString(file)
+            svg shouldContain "width=\"600.0\""
+            svg shouldContain "Arm/Angle"
+            ("Arm/Current" in svg) shouldBe false
+            files.questions shouldBe listOf("Save the figure")
+        }
+    }
+
+    test("a figure has the values at the pinned cursor, and says where it stands") {
+        val file = home.resolve("cursor.svg")
+        window(file) { viewer, _ ->
+            viewer.view.changeCursors { pinnedAt(1.0) }
+            choose("Export", "Figure for a report…")
+            onNodeWithContentDescription("File: SVG").performClick()
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitForNotice(viewer, "Saved $file")
+            Files.readString(file) shouldContain "match.bag · 0.00"
+            Files.readString(file) shouldContain " s · cursor at 1.00"
+        }
+    }
+
+    test("a picture gets its ending, and is twice as large as its points") {
+        window(home.resolve("picture")) { viewer, _ ->
+            choose("Export", "Figure for a report…")
+            onNodeWithContentDescription("Save the figure").performClick()
+            waitForNotice(viewer, "Saved ${home.resolve("picture.png")}")
+            ImageIO.read(home.resolve("picture.png").toFile()).width shouldBe 1800
+        }
+    }
+
+    test("the selection is saved rather than the visible range, when there is one") {
+        val file = home.resolve("part.csv")
+        window(file) { viewer, _ ->
+            viewer.view.select(Span(1.0, 1.1))
+            choose("Export", "The selection as CSV…")
+            waitForNotice(viewer, "Wrote 6 rows to $file")
+            Files.readAllLines(file).size shouldBe 7
+        }
+    }
+
+    test("the topics of the graphs alone are a table for a spreadsheet, with their units") {
+        val file = home.resolve("board.csv")
+        window(file) { viewer, _ ->
+            viewer.board.change { without(graphs.first { "Arm/Angle" in it.lines }.id) }
+            viewer.view.select(Span(1.0, 1.1))
+            choose("Export", "The graphs as CSV…")
+            waitForNotice(viewer, "Wrote 6 rows to $file")
+            Files.readAllLines(file).first() shouldBe "Time (s),Arm/Current (A),Arm/Mode"
+        }
+    }
+
+    test("who thinks better of it gets nothing, and hears nothing") {
+        window(null) { viewer, files ->
+            choose("Export", "The visible range as a bag…")
+            files.questions.size shouldBe 1
+            viewer.tasks.all.shouldBeEmpty()
+            viewer.notices.all.shouldBeEmpty()
+        }
+    }
+
+    test("a file that is there is not replaced when the person has not named it in full") {
+        val there = Files.writeString(home.resolve("there.csv"), "mine")
+        window(home.resolve("there")) { viewer, _ ->
+            choose("Export", "The visible range as CSV…")
+            waitForNotice(viewer, "there.csv exists already")
+            Files.readString(there) shouldBe "mine"
+        }
+    }
+})

@@ -1,0 +1,61 @@
+package badlog.window.findings
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onFirst
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.window.app.Viewer
+import badlog.window.graph.TestGraphs
+import badlog.window.graph.sample
+import badlog.window.graph.savePicture
+import badlog.window.graph.viewerOf
+import badlog.window.graph.waitForPictures
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+
+@OptIn(ExperimentalTestApi::class)
+class FindingEvidenceSpec : FunSpec({
+    fun investigating(): Viewer = viewerOf(sample("qualification-42.bag")).apply {
+        findings.change { knowing(findingsIn(checkNotNull(current.recording))) }
+    }
+
+    test("why a match browned out takes one click: voltage, current and outputs together, around the moment") {
+        val viewer = investigating()
+        val incident = checkNotNull(viewer.findings.state.list).incidents.first()
+        runDesktopComposeUiTest(1006, 600) {
+            setContent { TestGraphs(viewer) }
+            runOnIdle { viewer.findings.goTo(incident.sentences.first { it.finding.rule == "Browned out" }.finding) }
+            waitForPictures(viewer)
+            val evidence = viewer.board.state.graphs.filter { it !in viewer.board.kept.graphs }
+            evidence.flatMap { it.lines } shouldContainAll listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
+            (93.7 in viewer.view.viewport.visible) shouldBe true
+            viewer.view.viewport.visible.width shouldBeLessThan 60.0
+            for (graph in evidence) onAllNodesWithContentDescription("Graph ${graph.title}").onFirst().assertIsDisplayed()
+            savePicture("finding-evidence")
+        }
+    }
+
+    test("the graphs of a finding take the place of those of the finding before, and no layout keeps them") {
+        val viewer = investigating()
+        val arranged = viewer.board.state
+        val list = checkNotNull(viewer.findings.state.list)
+        viewer.findings.goTo(list.all.first { it.rule == "Browned out" })
+        val first = viewer.board.state
+        viewer.findings.goTo(list.all.first { it.evidence != list.all.first { one -> one.rule == "Browned out" }.evidence && it.time.isFinite() })
+        viewer.board.kept shouldBe arranged
+        viewer.layouts.layout.graphs shouldBe null
+        (viewer.board.state.graphs.size - arranged.graphs.size <= 4) shouldBe true
+        (first == viewer.board.state) shouldBe false
+    }
+
+    test("a graph of a finding that a person has changed stays theirs") {
+        val viewer = investigating()
+        viewer.findings.goTo(checkNotNull(viewer.findings.state.list).all.first { it.rule == "Browned out" })
+        val top = viewer.board.state.graphs.first()
+        viewer.board.change { withLine(top.id, "System/Loop Time") }
+        viewer.board.kept.graphs.map { it.id }.contains(top.id) shouldBe true
+    }
+})

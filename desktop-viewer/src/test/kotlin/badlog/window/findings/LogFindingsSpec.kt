@@ -1,0 +1,130 @@
+package badlog.window.findings
+
+import androidx.compose.runtime.snapshots.Snapshot
+import badlog.core.analysis.LogView
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.sidebar.MainView
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import java.nio.file.Path
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
+
+class LogFindingsSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    /** A window without graphs, which the rules do not wait for. */
+    fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
+
+    /** The findings of [viewer], found by [find]. */
+    fun findingsBy(viewer: Viewer, find: (LogView, Path, Path?) -> FindingList) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, find)
+
+    suspend fun over(test: suspend (Viewer) -> Unit) {
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        try {
+            test(viewerIn(scope))
+        } finally {
+            scope.cancel()
+        }
+    }
+
+    // Who waits for a change of the state hears of it when a frame is drawn, which nobody does here.
+    suspend fun change(change: () -> Unit) = withContext(Dispatchers.Main) {
+        change()
+        Snapshot.sendApplyNotifications()
+    }
+
+    test("the rules run over what is opened, and again when somebody wants it") {
+        val folder = tempdir().toPath()
+        writeRules(folder, ruleText("Half", "A > 50"))
+        over { viewer ->
+            viewer.scope.launch { viewer.findings.run() }
+            change { viewer.current.replace(counted(folder)) }
+            eventually(60.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Half") }
+            writeRules(folder, ruleText("Other", "A > 70"))
+            change { viewer.findings.runAgain() }
+            eventually(60.seconds) { viewer.findings.state.list?.all?.map { it.rule } shouldBe listOf("Other") }
+        }
+    }
+
+    test("a log that grows all the time is not looked at all the time, but its last state is") {
+        val folder = tempdir().toPath()
+        val runs = AtomicInteger()
+        over { viewer ->
+            val findings = findingsBy(viewer) { view, _, _ ->
+                runs.incrementAndGet()
+                FindingList(trouble = "${view.recording.rowCount} rows")
+            }
+            viewer.scope.launch { findings.run() }
+            val began = TimeSource.Monotonic.markNow()
+            repeat(20) { step ->
+                change { viewer.current.replace(counted(folder, rows = step + 1)) }
+                delay(50.milliseconds)
+            }
+            eventually(60.seconds) { findings.state.list?.trouble shouldBe "20 rows" }
+            // At once, perhaps for two of the first, and then not sooner than every 2 s, however long a busy machine takes for the 20 steps.
+            runs.get() shouldBeLessThanOrEqual 2 + began.elapsedNow().inWholeSeconds.toInt() / 2
+        }
+    }
+
+    test("the worst finding of a log that is being opened is gone to when it is known, but not after another one was opened") {
+        val folder = tempdir().toPath()
+        writeRules(folder, ruleText("Note", "A > 10", "note"), ruleText("Error", "A > 50", "error"))
+        val wanted = counted(folder)
+        over { viewer ->
+            viewer.scope.launch { viewer.findings.run() }
+            change { viewer.findings.showWorst(wanted.file) }
+            change { viewer.current.replace(wanted) }
+            eventually(60.seconds) { viewer.findings.state.selected?.rule shouldBe "Error" }
+            change { viewer.findings.change { copy(selected = null) } }
+            change { viewer.findings.showWorst(wanted.file) }
+            viewer.findings.state.selected?.rule shouldBe "Error"
+
+            change { viewer.findings.showWorst(folder.resolve("never opened.bag")) }
+            change { viewer.current.replace(counted(home)) }
+            // Not the findings of the log before, which stay until the window hears of the other one.
+            eventually(60.seconds) { viewer.findings.state.list?.all?.none { it.rule == "Error" } shouldBe true }
+            viewer.findings.state.selected shouldBe null
+        }
+    }
+
+    test("another recording gives up what runs") {
+        val began = CountDownLatch(1)
+        val interrupted = CountDownLatch(1)
+        over { viewer ->
+            val findings = findingsBy(viewer) { _, file, _ ->
+                if (file.endsWith("slow/counted.bag")) {
+                    began.countDown()
+                    try {
+                        Thread.sleep(60_000)
+                    } catch (e: InterruptedException) {
+                        interrupted.countDown()
+                        throw e
+                    }
+                }
+                FindingList(trouble = "quick")
+            }
+            viewer.scope.launch { findings.run() }
+            change { viewer.current.replace(counted(home.resolve("slow"))) }
+            began.await(60, TimeUnit.SECONDS) shouldBe true
+            change { viewer.current.replace(counted(home.resolve("other"))) }
+            interrupted.await(60, TimeUnit.SECONDS) shouldBe true
+            eventually(60.seconds) { findings.state.list?.trouble shouldBe "quick" }
+        }
+    }
+})

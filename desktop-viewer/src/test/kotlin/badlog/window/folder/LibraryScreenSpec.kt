@@ -1,0 +1,182 @@
+package badlog.window.folder
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertCountEquals
+import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.doubleClick
+import androidx.compose.ui.test.hasText
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.app.libraryCommands
+import badlog.window.folder.index.bag
+import badlog.window.folder.index.put
+import badlog.window.folder.index.putSamples
+import badlog.window.sidebar.MainView
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Path
+
+@OptIn(ExperimentalTestApi::class)
+class LibraryScreenSpec : FunSpec({
+    fun onFolder(folder: Path, main: MainView = MainView.GRAPHS, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
+        val home = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        viewer.panels.change { copy(main = main) }
+        runDesktopComposeUiTest(1600, 800) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.newest.run() }
+            viewer.library.open(folder)
+            waitFor {
+                viewer.library.state.hasLooked && viewer.library.state.reading == null &&
+                    (viewer.current.recording != null || viewer.library.state.newest == null)
+            }
+            try {
+                steps(viewer)
+            } finally {
+                viewer.library.close()
+            }
+        }
+    }
+
+    fun sampleFolder() = tempdir().toPath().also { it.putSamples() }
+
+    fun shown(viewer: Viewer) = viewer.library.state.visible.map { it.title }
+
+    test("the samples are listed with their matches, and a click opens one") {
+        onFolder(sampleFolder()) { viewer ->
+            onNodeWithText("Qualification 42", substring = true).assertExists()
+            onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.73 V").assertExists()
+            onNodeWithContentDescription("Log practice.bag").performClick()
+            waitFor { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
+            onNodeWithContentDescription("Log practice.bag").assertIsSelected()
+        }
+    }
+
+    test("a search leaves what has all words, and can be taken back") {
+        onFolder(sampleFolder()) { viewer ->
+            onNodeWithContentDescription("Search logs").performTextInput("qual blue")
+            shown(viewer) shouldContainExactly listOf("Qualification 42")
+            onNodeWithText("1 of 4 logs").assertExists()
+            onNodeWithContentDescription("Search logs").performKeyInput { pressKey(Key.Enter) }
+            waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" }
+            onNodeWithContentDescription("Search logs").performTextInput(" nothing")
+            onNodeWithText("List all logs").performClick()
+            shown(viewer).size shouldBe 4
+        }
+    }
+
+    test("the slash puts the keyboard into the search") {
+        onFolder(sampleFolder()) { viewer ->
+            viewer.commands.first { it.meaning == "Search the logs" }.action()
+            onNodeWithContentDescription("Search logs").assertIsFocused()
+        }
+    }
+
+    test("a tick takes a log into the comparison and out of it") {
+        onFolder(sampleFolder()) { viewer ->
+            onNodeWithContentDescription("Compare practice.bag").performClick()
+            viewer.compared.state.checked.map { "${it.fileName}" } shouldContainExactly listOf("practice.bag")
+            onNodeWithContentDescription("Compare practice.bag").performClick()
+            viewer.compared.state.checked.size shouldBe 0
+        }
+    }
+
+    test("clicks on the heads of the table sort it, either way round") {
+        onFolder(sampleFolder(), MainView.LOGS) { viewer ->
+            onNodeWithContentDescription("Sort by Match").performClick()
+            shown(viewer).take(2) shouldContainExactly listOf("Qualification 42", "Qualification 57")
+            onNodeWithContentDescription("Sort by Match").performClick()
+            shown(viewer).take(2) shouldContainExactly listOf("Qualification 57", "Qualification 42")
+            onNodeWithContentDescription("Sort by Battery min").performClick()
+            shown(viewer).first() shouldBe "Qualification 42"
+            shown(viewer).last() shouldBe "elevator-bench.csv"
+        }
+    }
+
+    test("the keyboard goes through the table, and Enter opens the log in the graphs") {
+        onFolder(sampleFolder(), MainView.LOGS) { viewer ->
+            val table = onNodeWithContentDescription("Table of logs")
+            table.performKeyInput { pressKey(Key.MoveHome) }
+            viewer.library.state.selected shouldBe viewer.library.state.visible[0].file
+            table.performKeyInput { pressKey(Key.DirectionDown) }
+            val second = viewer.library.state.visible[1].file
+            viewer.library.state.selected shouldBe second
+            table.performKeyInput { pressKey(Key.Enter) }
+            waitFor { viewer.current.recording?.file == second }
+            viewer.panels.state.main shouldBe MainView.GRAPHS
+        }
+    }
+
+    test("a click on a row of the table selects it, a double click opens it") {
+        onFolder(sampleFolder(), MainView.LOGS) { viewer ->
+            onNodeWithContentDescription("Log practice.bag").performMouseInput { click() }
+            viewer.library.state.selected?.fileName.toString() shouldBe "practice.bag"
+            viewer.panels.state.main shouldBe MainView.LOGS
+            onNodeWithContentDescription("Log practice.bag").performMouseInput { doubleClick() }
+            viewer.panels.state.main shouldBe MainView.GRAPHS
+        }
+    }
+
+    test("idle logs say so, and can be hidden") {
+        val folder = sampleFolder()
+        folder.put("reboot.bag", bag(0))
+        folder.put("idle.bag", bag(voltage = { 12.0 }))
+        onFolder(folder) { viewer ->
+            onNodeWithText("no samples", substring = true).assertExists()
+            onNodeWithText("idle log", substring = true).assertExists()
+            onNodeWithContentDescription("Hide idle logs").performClick()
+            shown(viewer).size shouldBe 4
+            onAllNodesWithText("idle log", substring = true).assertCountEquals(0)
+        }
+    }
+
+    test("a log that cannot be read is complained of, not opened") {
+        val folder = tempdir().toPath()
+        folder.put("diary.bag", "Dear diary\ntoday I was happy\n")
+        onFolder(folder) { viewer ->
+            onNodeWithContentDescription("Log diary.bag").performClick()
+            viewer.current.recording shouldBe null
+            viewer.notices.all.single().isError shouldBe true
+        }
+    }
+
+    test("an empty folder says what badlog looks for") {
+        onFolder(tempdir().toPath()) { onNodeWithText("No logs here yet", substring = true).assertExists() }
+    }
+
+    test("the preview can be that of any topic of any log") {
+        onFolder(sampleFolder()) { viewer ->
+            onNodeWithContentDescription("Preview: the battery’s voltage").performClick()
+            onNodeWithContentDescription("Search topics for the preview").performTextInput("pos elevator/")
+            onNode(hasText("Elevator/Position")).performClick()
+            viewer.settings.state.previewTopic shouldBe "Elevator/Position"
+        }
+    }
+
+    test("page up and page down open the logs one after the other") {
+        onFolder(sampleFolder()) { viewer ->
+            viewer.library.change { copy(selected = viewer.library.state.visible[1].file) }
+            libraryCommands(viewer.library, viewer.panels, viewer.opener).single { it.keys.single().key == Key.PageUp }.action()
+            waitFor { viewer.current.recording?.file == viewer.library.state.visible[0].file }
+        }
+    }
+})

@@ -1,0 +1,214 @@
+package badlog.window.folder
+
+import badlog.core.recording.Severity
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.folder.index.Content
+import badlog.window.folder.index.IndexCache
+import badlog.window.folder.index.IndexQueue
+import badlog.window.folder.index.bag
+import badlog.window.folder.index.matchValues
+import badlog.window.folder.index.put
+import badlog.window.folder.index.putSamples
+import badlog.window.folder.index.samples
+import badlog.window.layout.FolderLayouts
+import badlog.window.layout.Layout
+import badlog.window.layout.LayoutComparison
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.nio.file.attribute.FileTime
+import java.nio.file.attribute.PosixFilePermissions
+import java.util.concurrent.TimeUnit
+import kotlin.time.Duration.Companion.seconds
+
+class LibrarySpec : FunSpec({
+    val longest = 60.seconds
+
+    fun newViewer(home: Path = tempdir().toPath()) = Viewer(MainScope(), UserFolders(home, home))
+
+    /** Opens [folder] in [viewer], waits for what [until] wants, and closes it. */
+    suspend fun watching(folder: Path, viewer: Viewer = newViewer(), steps: suspend (Viewer) -> Unit) {
+        try {
+            withContext(Dispatchers.Main) {
+                viewer.scope.launch { viewer.newest.run() }
+                viewer.library.open(folder)
+            }
+            steps(viewer)
+        } finally {
+            withContext(Dispatchers.Main) { viewer.library.close() }
+        }
+    }
+
+    fun names(viewer: Viewer) = viewer.library.state.entries.map { it.fileName }
+
+    test("a new file appears, a growing one is read again, a renamed one follows, a deleted one vanishes") {
+        val folder = tempdir().toPath()
+        val first = folder.put("first.bag", bag(100))
+        watching(folder) { viewer ->
+            eventually(longest) { names(viewer) shouldContainExactly listOf("first.bag") }
+            folder.put("new folder/second.bag", bag(200))
+            eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("first.bag", "second.bag") }
+            Files.writeString(first, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
+            eventually(longest) { viewer.library.state.entries.single { it.fileName == "first.bag" }.samples shouldBe 450 }
+            viewer.library.state.entries.single { it.fileName == "first.bag" }.batteryMinimum shouldBe 5.5
+            Files.move(first, folder.resolve("third.bag"))
+            eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("third.bag", "second.bag") }
+            Files.delete(folder.resolve("third.bag"))
+            eventually(longest) { names(viewer) shouldContainExactly listOf("second.bag") }
+        }
+    }
+
+    test("the newest log is shown before anybody asks") {
+        val folder = tempdir().toPath()
+        for (number in 1..5) folder.put("$number.bag", bag(values = matchValues(number)))
+        watching(folder) { viewer ->
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("5.bag") }
+            viewer.library.state.selected shouldBe folder.resolve("5.bag")
+        }
+    }
+
+    test("a newer log takes the place of the one that was shown unasked, unless somebody is looking closer at that") {
+        val folder = tempdir().toPath()
+        folder.put("1.bag", bag(values = matchValues(1)))
+        watching(folder) { viewer ->
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("1.bag") }
+            folder.put("2.bag", bag(values = matchValues(2)))
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            withContext(Dispatchers.Main) { viewer.view.change { showing(1.0, 2.0) } }
+            folder.put("3.bag", bag(values = matchValues(3)))
+            eventually(longest) { viewer.library.state.newest?.fileName shouldBe "3.bag" }
+            withContext(Dispatchers.Main) { viewer.newest.update(IndexQueue(), isComplete = true) }
+            viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag")
+        }
+    }
+
+    test("what a layout ticks does not keep the newest log from being shown, nor a newer one") {
+        val folder = tempdir().toPath()
+        val home = tempdir().toPath()
+        for (number in 1..2) folder.put("$number.bag", bag(values = matchValues(number)))
+        FolderLayouts(home.resolve("layouts")).write(folder, Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))))
+        val viewer = newViewer(home)
+        watching(folder, viewer) {
+            withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.autosave() } }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
+            eventually(longest) { viewer.compared.state.loaded.keys shouldBe setOf(folder.resolve("1.bag")) }
+            folder.put("3.bag", bag(values = matchValues(3)))
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("3.bag") }
+        }
+        viewer.scope.cancel()
+    }
+
+    test("a file that cannot be opened leaves the one that is shown, which is followed on") {
+        val folder = tempdir().toPath()
+        val file = folder.put("1.bag", bag(100))
+        val viewer = newViewer()
+        watching(folder, viewer) {
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe file }
+            withContext(Dispatchers.Main) { viewer.opener.openNamed(listOf(folder.put("picture.png", "\u0089PNG\r\n\u001a\n\u0000\u0000"))) }
+            eventually(longest) { viewer.notices.all.single().isError shouldBe true }
+            Files.writeString(file, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().view.recording.rowCount shouldBe 150 }
+            viewer.current.recording.shouldNotBeNull().file shouldBe file
+        }
+        viewer.scope.cancel()
+    }
+
+    test("the second time, what is known is there without reading a file") {
+        val folder = tempdir().toPath()
+        val home = tempdir().toPath()
+        val file = folder.put("a.bag", bag(100))
+        watching(folder, newViewer(home)) { viewer -> eventually(longest) { names(viewer).size shouldBe 1 } }
+        eventually(longest) { Files.list(home).use { files -> files.filter { "$it".endsWith(".index") }.count() } shouldBe 1 }
+        // The same size at the same time with other content: who reads it, knows.
+        val written = Files.getLastModifiedTime(file)
+        Files.writeString(file, Files.readString(file).replace("System/Battery Voltage", "System/Cattery Voltage"))
+        Files.setLastModifiedTime(file, written)
+        watching(folder, newViewer(home)) { viewer ->
+            eventually(longest) { viewer.library.state.entries.single().topics.map { it.name } shouldContain "System/Battery Voltage" }
+        }
+    }
+
+    test("the rules run over each log in the background, and what they found is there the next time") {
+        val folder = tempdir().toPath()
+        val home = tempdir().toPath()
+        folder.putSamples()
+        Files.list(folder).use { files -> files.forEach { Files.setLastModifiedTime(it, FileTime.fromMillis(System.currentTimeMillis() - 60_000)) } }
+        fun found(viewer: Viewer) = viewer.library.state.entries.associate { it.fileName to it.found?.worst }
+        watching(folder, newViewer(home)) { viewer ->
+            eventually(longest) { found(viewer)["qualification-42.bag"] shouldBe Severity.ERROR }
+        }
+        fun kept() = IndexCache(home, folder).load().find { it.fileName == "qualification-42.bag" }?.found?.worst
+        eventually(longest) { kept() shouldBe Severity.ERROR }
+    }
+
+    test("a folder of broken files is listed with a sentence for each, and nothing hangs") {
+        val folder = tempdir().toPath()
+        Files.write(folder.resolve("random.bag"), ByteArray(5000) { (it * 31 + it / 7).toByte() })
+        val gz = Files.readAllBytes(samples.resolve("qualification-57.bag.gz"))
+        Files.write(folder.resolve("half.bag.gz"), gz.copyOf(gz.size / 2))
+        Files.write(folder.resolve("none.bag.gz"), gz.copyOf(5))
+        folder.put("empty.bag", "")
+        folder.put("folder.bag/inside.bag", bag())
+        Files.createSymbolicLink(folder.resolve("folder.bag/loop"), folder)
+        Files.createSymbolicLink(folder.resolve("dangling.bag"), folder.resolve("nowhere"))
+        folder.put(".hidden.bag", bag())
+        folder.put("build.gradle", "")
+        folder.put("build/built.bag", bag())
+        if (Path.of("/usr/bin/mkfifo").let(Files::exists)) {
+            ProcessBuilder("mkfifo", folder.resolve("pipe.bag").toString()).start().waitFor(5, TimeUnit.SECONDS)
+        }
+        watching(folder) { viewer ->
+            eventually(longest) {
+                names(viewer) shouldContainExactlyInAnyOrder
+                    listOf("random.bag", "half.bag.gz", "none.bag.gz", "empty.bag", "inside.bag")
+            }
+            val entries = viewer.library.state.entries.associateBy { it.fileName }
+            entries.getValue("random.bag").trouble.shouldNotBeNull()
+            entries.getValue("half.bag.gz").content shouldBe Content.SOMETHING
+            entries.getValue("empty.bag").isGray shouldBe true
+            entries.getValue("inside.bag").content shouldBe Content.SOMETHING
+        }
+    }
+
+    test("a folder that is not there says so, and is looked for again") {
+        val folder = tempdir().toPath().resolve("not yet")
+        watching(folder) { viewer ->
+            eventually(longest) { viewer.library.state.trouble.shouldNotBeNull() }
+            folder.put("a.bag", bag())
+            eventually(longest) { names(viewer) shouldContainExactly listOf("a.bag") }
+            viewer.library.state.trouble shouldBe null
+        }
+    }
+
+    test("a folder that may not be read is reported, and the others are listed") {
+        val folder = tempdir().toPath()
+        val closed = folder.put("closed/a.bag", bag()).parent
+        folder.put("b.bag", bag())
+        Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("---------"))
+        try {
+            // Nothing is closed to an administrator.
+            if (!Files.isReadable(closed)) {
+                watching(folder) { viewer ->
+                    eventually(longest) { names(viewer) shouldContainExactly listOf("b.bag") }
+                    viewer.library.state.trouble.shouldNotBeNull()
+                }
+            }
+        } finally {
+            Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("rwx------"))
+        }
+    }
+})

@@ -1,0 +1,58 @@
+package badlog.window.graph
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.viewer.shown.cursor.Cursors
+import badlog.window.theme.Palette
+import badlog.window.theme.Theme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+
+/** Pictures for a person to look at, under `build/pictures`; the tests tell that the lines of the graphs are in them. */
+@OptIn(ExperimentalTestApi::class)
+class GraphPicturesSpec : FunSpec({
+    test("a match in light colors") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        viewer.view.placeCursor(93.7)
+        runDesktopComposeUiTest(1100, 860) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            savePicture("graphs-light").shouldShow(Palette.LIGHT, lines = 1)
+        }
+    }
+
+    test("the middle of a match in dark colors, with a selection and two axes") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
+        viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
+        viewer.view.change { showing(85.0, 102.0) }
+        viewer.view.changeCursors { Cursors(pinned = 93.7, second = 97.0, hover = 100.0) }
+        viewer.view.select(Span(92.0, 97.2))
+        runDesktopComposeUiTest(1100, 860) {
+            setContent { TestGraphs(viewer, Theme.DARK) }
+            waitForPictures(viewer)
+            savePicture("graphs-dark").shouldShow(Palette.DARK, lines = 2)
+        }
+    }
+
+    test("a narrow window") {
+        val viewer = viewerOf(sample("practice.bag"))
+        runDesktopComposeUiTest(380, 700) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            savePicture("graphs-narrow").shouldShow(Palette.LIGHT, lines = 1)
+        }
+    }
+})
+
+/** Expects much of the [palette]'s background, and enough of its first [lines] colors to be lines. */
+private fun ImageBitmap.shouldShow(palette: Palette, lines: Int) {
+    val pixels = toPixelMap().buffer.map { Color(it) }.groupingBy { it }.eachCount()
+    pixels.getOrDefault(palette.surface, 0) shouldBeGreaterThan width * height / 5
+    for (line in 0 until lines) pixels.getOrDefault(palette.line(line), 0) shouldBeGreaterThan width / 8
+}

@@ -1,0 +1,242 @@
+package badlog.window.graph
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.MouseButton
+import androidx.compose.ui.test.ScrollWheel
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.doubleClick
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performMultiModalInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.window.app.Viewer
+import badlog.window.log.OpenRecording
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import kotlin.math.sin
+
+@OptIn(ExperimentalTestApi::class)
+class PlotGesturesSpec : FunSpec({
+    val recording: OpenRecording by lazy { recordingOf(bagOf(1001) { 10 + sin(it / 50.0) }) }
+
+    /** A graph of 100 s, with what is done over its plot. */
+    fun graph(test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(900, 600) {
+        val viewer = viewerOf(recording)
+        setContent { TestGraphs(viewer) }
+        waitForPictures(viewer)
+        test(viewer)
+    }
+
+    fun DesktopComposeUiTest.plot() = onNodeWithContentDescription("Plot A/Voltage")
+
+    test("the wheel with Ctrl leaves the place under the pointer where it stands; without, it is left to the list") {
+        graph { viewer ->
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.25f, centerY))
+                scroll(-3f, ScrollWheel.Vertical)
+            }
+            viewer.view.viewport.isZoomed shouldBe false
+            plot().performMultiModalInput {
+                key { keyDown(Key.CtrlLeft) }
+                mouse {
+                    moveTo(Offset(width * 0.25f, centerY))
+                    scroll(-3f, ScrollWheel.Vertical)
+                }
+                key { keyUp(Key.CtrlLeft) }
+            }
+            val visible = viewer.view.viewport.visible
+            visible.width shouldBeLessThan 65.0
+            (25.0 - visible.from) / visible.width shouldBe (0.25 plusOrMinus 0.002)
+        }
+    }
+
+    test("the wheel sideways moves along, and so does Shift with the wheel") {
+        graph { viewer ->
+            viewer.view.change { showing(40.0, 60.0) }
+            waitForIdle()
+            plot().performMouseInput {
+                moveTo(center)
+                scroll(1f, ScrollWheel.Horizontal)
+            }
+            viewer.view.viewport.visible.from shouldBe (41.0 plusOrMinus 0.2)
+            viewer.view.viewport.visible.width shouldBe (20.0 plusOrMinus 1e-6)
+        }
+    }
+
+    test("a drag shows what it has gone over, and a double click everything") {
+        graph { viewer ->
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.2f, centerY))
+                press()
+                moveTo(Offset(width * 0.4f, centerY))
+            }
+            viewer.view.viewport.isZoomed shouldBe false
+            plot().performMouseInput { release() }
+            viewer.view.viewport.visible.from shouldBe (20.0 plusOrMinus 0.2)
+            viewer.view.viewport.visible.to shouldBe (40.0 plusOrMinus 0.2)
+            plot().performMouseInput { doubleClick() }
+            viewer.view.viewport.visible shouldBe viewer.view.viewport.full
+            viewer.view.isCursorPinned shouldBe false
+        }
+    }
+
+    test("a drag with Alt shows a part of y of its graph, until that is reset") {
+        graph { viewer ->
+            plot().performMultiModalInput {
+                key { keyDown(Key.AltLeft) }
+                mouse {
+                    moveTo(Offset(centerX, height * 0.5f))
+                    press()
+                    moveTo(Offset(centerX, height * 0.25f))
+                    release()
+                }
+                key { keyUp(Key.AltLeft) }
+            }
+            val range = viewer.board.state.graphs.single().yRange.shouldNotBeNull()
+            range.from shouldBe (10.0 plusOrMinus 0.02)
+            range.to shouldBe (10.57 plusOrMinus 0.03)
+            viewer.view.viewport.isZoomed shouldBe false
+            waitForIdle()
+            onNodeWithContentDescription("Reset Y zoom").performClick()
+            viewer.board.state.graphs.single().yRange.shouldBeNull()
+        }
+    }
+
+    test("a drag with the other button selects, and the selection can be zoomed to and cleared") {
+        graph { viewer ->
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.5f, centerY))
+                press(MouseButton.Secondary)
+                moveTo(Offset(width * 0.6f, centerY))
+                release(MouseButton.Secondary)
+            }
+            val selection = viewer.view.selection.shouldNotBeNull()
+            selection.from shouldBe (50.0 plusOrMinus 0.2)
+            selection.to shouldBe (60.0 plusOrMinus 0.2)
+            viewer.view.viewport.isZoomed shouldBe false
+            waitForIdle()
+            onNodeWithContentDescription("Zoom to the selection (Z)").performClick()
+            viewer.view.viewport.visible shouldBe selection
+            onNodeWithContentDescription("Clear the selection (Escape)").performClick()
+            viewer.view.selection.shouldBeNull()
+        }
+    }
+
+    test("the middle button, Shift and the axis move the graphs along") {
+        graph { viewer ->
+            viewer.view.change { showing(40.0, 60.0) }
+            waitForIdle()
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.5f, centerY))
+                press(MouseButton.Tertiary)
+                moveTo(Offset(width * 0.25f, centerY))
+                release(MouseButton.Tertiary)
+            }
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
+            plot().performMultiModalInput {
+                key { keyDown(Key.ShiftLeft) }
+                mouse {
+                    moveTo(Offset(width * 0.5f, centerY))
+                    press()
+                    moveTo(Offset(width * 0.25f, centerY))
+                    release()
+                    moveTo(Offset(width * 0.25f, centerY))
+                    press()
+                    moveTo(Offset(width * 0.5f, centerY))
+                    release()
+                }
+                key { keyUp(Key.ShiftLeft) }
+            }
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
+            onNodeWithContentDescription("Axis").performMouseInput {
+                moveTo(Offset(width * 0.25f, centerY))
+                press()
+                moveTo(Offset(width * 0.5f, centerY))
+                release()
+            }
+            viewer.view.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
+            viewer.view.viewport.back().visible.from shouldBe (45.0 plusOrMinus 0.1)
+        }
+    }
+
+    test("Escape gives up a drag, then the selection, then the pinned cursor, then the cursor") {
+        graph { viewer ->
+            viewer.view.select(Span(1.0, 2.0))
+            plot().performMouseInput {
+                moveTo(Offset(width * 0.5f, centerY))
+                click()
+                press()
+                moveTo(Offset(width * 0.75f, centerY))
+            }
+            viewer.view.gesture.shouldNotBeNull()
+            viewer.view.cancel() shouldBe true
+            plot().performMouseInput { release() }
+            viewer.view.viewport.isZoomed shouldBe false
+            viewer.view.selection shouldBe Span(1.0, 2.0)
+            viewer.view.cancel()
+            viewer.view.selection.shouldBeNull()
+            viewer.view.isCursorPinned shouldBe true
+            viewer.view.cancel()
+            viewer.view.isCursorPinned shouldBe false
+            viewer.view.cancel()
+            viewer.view.cursor.shouldBeNull()
+            viewer.view.cancel() shouldBe false
+        }
+    }
+
+    test("the cursor follows the pointer until a click pins it, and again after another click on it") {
+        graph { viewer ->
+            plot().performMouseInput { moveTo(Offset(width * 0.3f, centerY)) }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            plot().performMouseInput {
+                click(Offset(width * 0.3f, centerY))
+                moveTo(Offset(width * 0.8f, centerY))
+            }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            plot().performMouseInput {
+                advanceEventTime(1000)
+                click(Offset(width * 0.3f, centerY))
+                moveTo(Offset(width * 0.8f, centerY))
+            }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
+        }
+    }
+
+    test("a click with Shift sets a second cursor, which Escape takes away first, and the pointer moves neither") {
+        graph { viewer ->
+            plot().performMouseInput { click(Offset(width * 0.3f, centerY)) }
+            plot().performMultiModalInput {
+                key { keyDown(Key.ShiftLeft) }
+                mouse { click(Offset(width * 0.5f, centerY)) }
+                key { keyUp(Key.ShiftLeft) }
+                mouse { moveTo(Offset(width * 0.8f, centerY)) }
+            }
+            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
+            viewer.view.secondCursor.shouldNotBeNull() shouldBe (50.0 plusOrMinus 0.2)
+            viewer.view.cursors.hover.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
+            viewer.view.viewport.isZoomed shouldBe false
+            viewer.view.cancel()
+            viewer.view.secondCursor.shouldBeNull()
+            viewer.view.isCursorPinned shouldBe true
+        }
+    }
+
+    test("the wheel over the title is left to the list") {
+        graph { viewer ->
+            onNodeWithContentDescription("Graph A/Voltage").performMouseInput {
+                moveTo(Offset(200f, 8f))
+                scroll(-3f, ScrollWheel.Vertical)
+            }
+            viewer.view.viewport.isZoomed shouldBe false
+        }
+    }
+})

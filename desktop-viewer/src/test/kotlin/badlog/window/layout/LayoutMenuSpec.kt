@@ -1,0 +1,79 @@
+package badlog.window.layout
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.choices.range.Viewport
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.export.armBag
+import badlog.window.export.recordingOf
+import badlog.window.files.ChosenFiles
+import badlog.window.waiting.waitFor
+import badlog.window.waiting.waitForNotice
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import java.nio.file.Files
+
+@OptIn(ExperimentalTestApi::class)
+class LayoutMenuSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = Files.writeString(home.resolve("match.bag"), armBag(500))
+    val recording = recordingOf(armBag(500), log)
+
+    fun ComposeUiTest.choose(entry: String) {
+        onNodeWithText("Layout").performClick()
+        onNodeWithContentDescription(entry).performClick()
+    }
+
+    test("without a log there is nothing to arrange") {
+        runDesktopComposeUiTest(1200, 800) {
+            setContent { ViewerScreen(Viewer(MainScope(), UserFolders(home, home))) }
+            onNodeWithText("Layout").performClick()
+            onNodeWithContentDescription("Save the layout as…").assertIsNotEnabled()
+            onNodeWithContentDescription("Default graphs").assertIsNotEnabled()
+        }
+    }
+
+    test("a layout that is dropped before there is a log is not read as one; a log that is dropped with it is") {
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        val layout = home.resolve("dropped${Layout.ENDING}")
+        viewer.openDropped(listOf(layout))
+        viewer.notices.all.single().text shouldBe "Open a log first."
+        viewer.loader.isReading shouldBe false
+        viewer.openDropped(listOf(layout, log))
+        viewer.library.state.folder shouldBe home
+    }
+
+    test("a layout is saved and opened, the default graphs come back, and a file that is not a layout is reported") {
+        val file = home.resolve("mine${Layout.ENDING}")
+        val files = ChosenFiles(file)
+        runDesktopComposeUiTest(1200, 800) {
+            val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
+            viewer.current.replace(recording)
+            viewer.board.replace(Board().withGraph(listOf("Arm/Current")))
+            viewer.view.show(recording.span)
+            setContent { ViewerScreen(viewer) }
+            choose("Save the layout as…")
+            waitForNotice(viewer, "Saved the layout to $file")
+            choose("Default graphs")
+            waitForIdle()
+            viewer.board.state shouldBe defaultBoard(recording.view)
+            choose("Open a layout…")
+            waitFor { viewer.board.state.graphs.size == 1 }
+            viewer.board.state.graphs.single().title shouldBe "Arm/Current"
+            files.file = log
+            choose("Open a layout…")
+            waitForNotice(viewer, "match.bag is not a layout")
+        }
+    }
+})

@@ -1,0 +1,184 @@
+package badlog.window.layout
+
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardLayout
+import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.choices.range.Viewport
+import badlog.window.app.Viewer
+import badlog.window.export.armBag
+import badlog.window.export.recordingOf
+import badlog.window.folder.LibraryState
+import badlog.window.log.OpenRecording
+import badlog.window.sidebar.Panels
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import java.nio.file.Files
+import java.nio.file.Path
+
+@OptIn(ExperimentalTestApi::class)
+class LayoutStoreSpec : FunSpec({
+    /** What a new start of the program shows over [folder] once [recording] is opened. */
+    fun started(home: Path, folder: Path, recording: OpenRecording, then: (Viewer) -> Unit) {
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+            viewer.library.change { LibraryState(folder) }
+            waitForIdle()
+            viewer.board.replace(viewer.layouts.graphsOf(recording))
+            viewer.view.show(recording.span)
+            viewer.current.replace(recording)
+            waitFor { viewer.board.state.graphs.isNotEmpty() }
+            waitForIdle()
+            then(viewer)
+            viewer.layouts.saveNow()
+        }
+    }
+
+    fun hasArranged(home: Path, folder: Path) = FolderLayouts(home.resolve("layouts")).read(folder)
+
+    test("a folder that is opened again is arranged as it was left, whichever of its recordings is opened") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val one = recordingOf(armBag(500), folder.resolve("one.bag"))
+        val other = recordingOf(armBag(500), folder.resolve("other.bag"))
+        started(home, folder, one) {
+            it.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Mode")))
+            it.view.change { showing(2.0, 3.0) }
+            it.panels.change { Panels(topics = false) }
+        }
+        hasArranged(home, folder)?.graphs?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
+        started(home, folder, other) { viewer ->
+            viewer.board.state.graphs.single().lines shouldHaveSize 2
+            viewer.panels.state.topics shouldBe false
+            viewer.view.viewport.visible shouldBe other.span
+        }
+        started(home, folder, recordingOf(armBag(500), folder.resolve("other.bag"))) { it.board.state.graphs shouldHaveSize 1 }
+        started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe defaultBoard(one.view) }
+    }
+
+    test("the recording that was open is shown where it was left") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(500), home.resolve("one.bag"))
+        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        started(home, home, one) { it.view.viewport.visible shouldBe Span(2.0, 3.0) }
+    }
+
+    test("a recording that lacks signals does not make the others forget them") {
+        val home = tempdir().toPath()
+        val whole = recordingOf(armBag(500), home.resolve("one.bag"))
+        val poor = recordingOf(armBag(500).replace("Arm/Current", "Other"), home.resolve("poor.bag"))
+        started(home, home, whole) { it.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Angle"))) }
+        started(home, home, poor) { viewer ->
+            viewer.board.state.graphs.single().lines shouldBe listOf("Arm/Angle")
+            viewer.notices.all shouldHaveSize 1
+            viewer.panels.change { Panels(library = false) }
+        }
+        started(home, home, whole) { it.board.state.graphs.single().lines shouldHaveSize 2 }
+    }
+
+    test("formulas belong to the folder, and those of a layout join them") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val one = recordingOf(armBag(500), folder.resolve("one.bag"))
+        val formula = "Arm/Twice = 2 * Arm/Angle"
+        started(home, folder, one) {
+            it.formulas.replaceAll(listOf(formula))
+            it.board.replace(Board().withGraph(listOf("Arm/Twice")))
+        }
+        started(home, folder, one.withFormulas(listOf(formula))) { viewer ->
+            viewer.formulas.definitions shouldBe listOf(formula)
+            viewer.board.state.graphs.single().lines.single() shouldBe "Arm/Twice"
+            viewer.layouts.apply(Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
+            viewer.formulas.definitions shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
+            viewer.current.recording?.signal("B")?.definition shouldBe "B = 1"
+        }
+        started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
+    }
+
+    test("two windows over one folder keep each other's formulas") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("B = 2")))
+            viewer.formulas.replaceAll(listOf("A = 1"))
+        }
+        hasArranged(home, home)?.formulas shouldBe listOf("A = 1", "B = 2")
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("A = 3")))
+            viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
+            viewer.layouts.saveNow()
+            viewer.formulas.definitions shouldBe listOf("A = 3")
+        }
+    }
+
+    test("two windows over one folder keep each other's graphs") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        val theirs = Board().withGraph(listOf("Arm/Current"))
+        started(home, home, one) { viewer ->
+            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, theirs))
+            viewer.panels.change { Panels(topics = false) }
+        }
+        hasArranged(home, home)?.graphs shouldBe theirs
+        hasArranged(home, home)?.panels?.topics shouldBe false
+    }
+
+    test("a layout for a type of matches brings its formulas, once, where nobody arranged the graphs") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val log = Files.writeString(folder.resolve("one.bag"), armBag(50).replace("Match Number", "Match Type").replace("\"8\"", "\"Practice\""))
+        val layout = BoardLayout(Board().withGraph(listOf("Twice")), formulas = listOf("Twice = 2 * Arm/Angle", "Spare = 1"))
+        Files.writeString(folder.resolve("practice.badlog-layout.json"), layout.toJson())
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+            viewer.library.change { LibraryState(folder) }
+            waitForIdle()
+            viewer.show(OpenRecording.read(log, folder))
+            viewer.formulas.definitions shouldBe layout.formulas
+            viewer.board.state.graphs.single().lines shouldBe listOf("Twice")
+            viewer.formulas.remove("Spare = 1")
+            viewer.show(OpenRecording.read(log, folder))
+            viewer.formulas.definitions shouldBe listOf("Twice = 2 * Arm/Angle")
+            viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
+            viewer.layouts.saveNow()
+            viewer.formulas.replaceAll(emptyList())
+        }
+        val later = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { later.layouts.autosave() } }
+            later.library.change { LibraryState(folder) }
+            waitForIdle()
+            later.formulas.replaceAll(emptyList())
+            later.show(OpenRecording.read(log, folder))
+            later.formulas.definitions shouldBe emptyList()
+        }
+    }
+
+    test("the log that was open over a folder is known at the next start") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        fun last() = Viewer(MainScope(), UserFolders(home, home)).layouts.lastOpenIn(home)
+        last() shouldBe null
+        Files.createFile(one.file)
+        last()?.file shouldBe one.file
+    }
+
+    test("a damaged memory is as none") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(50), home.resolve("one.bag"))
+        started(home, home, one) { it.board.replace(Board().withGraph(listOf("Arm/Angle"))) }
+        Files.list(home.resolve("layouts")).use { files -> files.forEach { Files.writeString(it, "{") } }
+        started(home, home, one) { it.board.state shouldBe defaultBoard(one.view) }
+    }
+})

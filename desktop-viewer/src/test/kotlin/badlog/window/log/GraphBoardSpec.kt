@@ -1,0 +1,145 @@
+package badlog.window.log
+
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.input.Action
+import badlog.window.app.Viewer
+import badlog.window.findings.findingsIn
+import badlog.window.graph.graphActions
+import badlog.window.graph.sample
+import badlog.window.graph.viewerOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+
+class GraphBoardSpec : FunSpec({
+    fun abc() = GraphBoard().apply { replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))) }
+
+    fun lines(board: GraphBoard) = board.state.graphs.map { it.lines }
+
+    fun Viewer.perform(action: Action) = commands.single { it.meaning == action.meaning }.action()
+
+    fun Viewer.choose(label: String, id: Int) = graphActions(graphs, board.state.graphs.single { it.id == id }).flatten().single { it.label == label }.run()
+
+    test("what was changed comes back, and goes again; another log begins anew") {
+        val board = abc()
+        val before = board.state
+        board.canUndo shouldBe false
+        board.change { without(2) }
+        board.change { moved(3, -1) }
+        lines(board) shouldBe listOf(listOf("C"), listOf("A"))
+        board.undo()
+        board.undo()
+        board.state shouldBe before
+        board.redo()
+        lines(board) shouldBe listOf(listOf("A"), listOf("C"))
+        board.canRedo shouldBe true
+        board.replace(before)
+        board.canUndo shouldBe false
+    }
+
+    test("a graph that is added out of sight is gone to, and so is one that gets a line there") {
+        val board = abc()
+        board.inSight = setOf(1, 2)
+        board.change { withGraph(listOf("D")) }
+        board.wanted shouldBe 4
+        board.goTo(null)
+        board.change { withLinesInLast(listOf("E")) }
+        board.wanted shouldBe 4
+        board.goTo(null)
+        board.change { withLine(1, "F").without(3) }
+        board.wanted shouldBe null
+    }
+
+    test("keys are for the graph that was pointed at last, else for the first in sight") {
+        val board = abc()
+        board.current?.id shouldBe 1
+        board.inSight = setOf(2, 3)
+        board.current?.id shouldBe 2
+        board.pointed = 3
+        board.current?.id shouldBe 3
+        board.change { without(3) }
+        board.current?.id shouldBe 2
+    }
+
+    test("only one graph, none, or its height: by the menu, and taken back by a key") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        val before = viewer.board.state
+        viewer.choose("Only this graph", before.graphs[1].id)
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(before.graphs[1].lines)
+        viewer.perform(Action.UNDO)
+        viewer.board.state shouldBe before
+        viewer.choose("Remove all graphs", before.graphs[0].id)
+        viewer.board.state.graphs.size shouldBe 0
+        viewer.perform(Action.UNDO)
+        viewer.perform(Action.REDO)
+        viewer.board.state.graphs.size shouldBe 0
+        viewer.perform(Action.UNDO)
+        viewer.board.pointed = before.graphs[0].id
+        viewer.perform(Action.NEXT_HEIGHT)
+        (viewer.board.state.graphs[0].height == null) shouldBe false
+        viewer.perform(Action.MOVE_DOWN)
+        viewer.board.state.graphs[1].id shouldBe before.graphs[0].id
+    }
+
+    test("the default graphs come with a way back to a person's own") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        viewer.board.replace(Board().withGraph(listOf("System/Battery Voltage")))
+        val own = viewer.board.state
+        viewer.layouts.showDefaultGraphs()
+        (viewer.board.state == own) shouldBe false
+        viewer.notices.all.single().action?.run?.invoke()
+        viewer.board.state shouldBe own
+    }
+
+    test("the graphs of a finding before, which undo and redo bring back, are not a person's own until they are kept") {
+        val board = abc()
+        val own = board.state
+        board.showEvidence(Board().withGraph(listOf("X")))
+        board.showEvidence(Board().withGraph(listOf("Y")))
+        board.undo()
+        lines(board).first() shouldBe listOf("X")
+        board.kept shouldBe own
+        board.isEvidence(board.state.graphs.first().id) shouldBe true
+        board.redo()
+        lines(board).first() shouldBe listOf("Y")
+        board.kept shouldBe own
+        board.keep()
+        board.undo()
+        board.kept shouldBe own
+        board.redo()
+        board.kept shouldBe board.state
+    }
+
+    test("a graph of a finding that is pinned stays when the next finding comes") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        viewer.findings.change { knowing(findingsIn(checkNotNull(viewer.current.recording))) }
+        viewer.findings.goTo(checkNotNull(viewer.findings.state.list).all.first { it.rule == "Browned out" })
+        val graph = viewer.board.state.graphs.first()
+        viewer.board.isEvidence(graph.id) shouldBe true
+        viewer.board.kept.graphs shouldNotContain graph
+        viewer.board.pointed = graph.id
+        viewer.perform(Action.PIN)
+        viewer.board.kept.graphs shouldContain graph
+        viewer.perform(Action.PIN)
+        viewer.board.state.graphs shouldNotContain graph
+    }
+
+    test("what findings point at joins the graphs that a log begins with, as no change of a person's, and makes room for another finding") {
+        val board = abc()
+        board.beginWith(board.state.withGraphs(listOf(BoardGraph(0, "Found", listOf("D"))), before = 2))
+        lines(board) shouldBe listOf("A", "D", "B", "C").map(::listOf)
+        board.canUndo shouldBe false
+        board.kept.graphs.flatMap { it.lines } shouldBe listOf("A", "B", "C")
+        board.showEvidence(Board().withGraph(listOf("E")))
+        lines(board) shouldBe listOf("E", "A", "B", "C").map(::listOf)
+    }
+
+    test("what findings point at comes too late for graphs that a person has arranged") {
+        val board = abc()
+        board.change { without(2) }
+        board.beginWith(board.state.withGraph(listOf("D")))
+        lines(board) shouldBe listOf("A", "C").map(::listOf)
+    }
+})

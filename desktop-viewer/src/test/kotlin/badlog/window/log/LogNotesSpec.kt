@@ -1,0 +1,98 @@
+package badlog.window.log
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.exporter.NotesFile
+import badlog.files.UserFolders
+import badlog.protocol.Note
+import badlog.window.TestInspector
+import badlog.window.app.Viewer
+import badlog.window.sidebar.FrontPart
+import badlog.window.sidebar.InspectorTab
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import java.nio.file.Files
+
+@OptIn(ExperimentalTestApi::class)
+class LogNotesSpec : FunSpec({
+    val home = tempdir().toPath()
+    val log = home.resolve("q42.csv")
+    Files.writeString(log, "Time,A\n" + (0..100).joinToString("") { "$it,${it % 7}\n" })
+
+    fun viewer(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply {
+        val open = OpenRecording.read(log)
+        current.replace(open)
+        view.show(open.span)
+        panels.change { copy(inspector = InspectorTab.NOTES) }
+    }
+
+    test("a note is written at the cursor, changed and removed, and is in the file beside the log each time") {
+        runDesktopComposeUiTest(360, 600) {
+            val scope = CoroutineScope(Dispatchers.Unconfined + Job())
+            val viewer = viewer(scope)
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            scope.launch { viewer.notes.run() }
+            waitFor { viewer.notes.state.log == log.toAbsolutePath() }
+            viewer.view.placeCursor(42.0)
+            onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
+            onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
+            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            waitFor { viewer.notes.draft == null }
+            NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
+            viewer.panels.change { copy(front = FrontPart.DETAILS) }
+            onNodeWithText("hit by 254").performClick()
+            runOnIdle { viewer.panels.state.front shouldBe FrontPart.GRAPHS }
+            onNodeWithText("Change").performClick()
+            onNodeWithContentDescription("Text of the note").performTextInput("again ")
+            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            waitFor { viewer.notes.draft == null }
+            NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
+            onNodeWithText("Remove").performClick()
+            waitFor { viewer.notes.state.notes.isEmpty() }
+            Files.exists(NotesFile.of(log)) shouldBe false
+            scope.coroutineContext[Job]?.cancel()
+        }
+    }
+
+    test("a note that is written before those of the log are read replaces none of them") {
+        val earlier = listOf(Note(7.0, "from yesterday"))
+        NotesFile.write(log, earlier)
+        // Nothing reads them here.
+        val viewer = viewer(CoroutineScope(Dispatchers.Unconfined))
+        viewer.notes.write(1.0)
+        viewer.notes.type("too early")
+        viewer.notes.keep()
+        NotesFile.read(log) shouldBe earlier
+        viewer.notes.draft?.text shouldBe "too early"
+        viewer.notices.all.single().text shouldBe "The notes of this log are still being read; try again in a moment."
+        Files.delete(NotesFile.of(log))
+    }
+
+    test("damaged notes are reported, and nothing replaces them") {
+        Files.writeString(NotesFile.of(log), "damaged")
+        runDesktopComposeUiTest(360, 600) {
+            val scope = CoroutineScope(Dispatchers.Unconfined + Job())
+            val viewer = viewer(scope)
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            scope.launch { viewer.notes.run() }
+            waitFor { viewer.notes.state.isDamaged }
+            viewer.notes.write(1.0)
+            viewer.notes.draft shouldBe null
+            scope.coroutineContext[Job]?.cancel()
+        }
+        Files.readString(NotesFile.of(log)) shouldBe "damaged"
+        Files.delete(NotesFile.of(log))
+    }
+})

@@ -1,0 +1,94 @@
+package badlog.window.log
+
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.bagOf
+import badlog.window.graph.viewerOf
+import badlog.window.loggedTopic
+import badlog.window.recordingOf
+import badlog.window.wpilogOf
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Files
+import kotlin.time.Duration.Companion.seconds
+
+class RecordingWatcherSpec : FunSpec({
+    val file = tempdir().resolve("live.bag").apply { writeText("x") }
+    val shown = recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage"), listOf("0,1", "1,2")), file.path)
+    val before = FileStamp(size = 1, modifiedMillis = 0)
+
+    test("a log that outgrows the memory stays as it was, and that is said once") {
+        val viewer = viewerOf(shown)
+        val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, viewer.current::replace)
+        withContext(Dispatchers.Main) { watcher.watch(shown, before) }
+        viewer.notices.all.single().text shouldContain "larger than the available memory"
+        viewer.current.recording shouldBe shown
+    }
+
+    test("a log that is gone when it is to be read again stays, and that is said once") {
+        val viewer = viewerOf(shown)
+        val gone = { _: OpenRecording, _: Boolean ->
+            file.delete()
+            throw IOException("It is gone.")
+        }
+        val watcher = RecordingWatcher(viewer.notices, gone, viewer.current::replace)
+        withContext(Dispatchers.Main) { watcher.watch(shown, before) }
+        viewer.notices.all.single().text shouldContain "was removed from its folder"
+        viewer.current.recording shouldBe shown
+    }
+
+    test("formulas are calculated anew when a log has grown") {
+        val home = tempdir().toPath()
+        val file = home.resolve("growing.bag")
+        fun bag(rows: Int) = bagOf(listOf("Time|xaxis", "A/Voltage"), List(rows) { "$it,$it" })
+        Files.writeString(file, bag(3))
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        val viewer = Viewer(scope, UserFolders(home, home)).apply { formulas.replaceAll(listOf("Twice = 2 * A/Voltage")) }
+        try {
+            withContext(Dispatchers.Main) { viewer.loader.open(file) }
+            eventually(60.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 4.0 }
+            Files.writeString(file, bag(6))
+            eventually(60.seconds) { viewer.current.recording?.signal("Twice")?.series?.y?.last() shouldBe 10.0 }
+        } finally {
+            scope.cancel()
+        }
+    }
+
+    test("a WPILOG that grows is followed, and the half of its last record is not a problem while it does") {
+        val home = tempdir().toPath()
+        val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))
+        val file = home.resolve("growing.wpilog")
+        Files.write(file, whole.copyOf(whole.size / 2))
+        val scope = CoroutineScope(Dispatchers.Main + Job())
+        val viewer = Viewer(scope, UserFolders(home, home))
+        fun size() = viewer.current.recording.shouldNotBeNull().view.recording.sampleCount
+        try {
+            withContext(Dispatchers.Main) { viewer.loader.open(file) }
+            eventually(60.seconds) { size() }
+            val before = size()
+            // What is cut is cut inside a record.
+            Files.write(file, whole.copyOf(whole.size - 3))
+            eventually(60.seconds) {
+                size() shouldBe 99
+                viewer.current.recording.shouldNotBeNull().view.recording.problems.shouldBeEmpty()
+            }
+            (before in 1..98) shouldBe true
+            eventually(60.seconds) { viewer.view.viewport.visible.to shouldBe 98.0 }
+            Files.write(file, whole)
+            eventually(60.seconds) { size() shouldBe 100 }
+        } finally {
+            scope.cancel()
+        }
+    }
+})

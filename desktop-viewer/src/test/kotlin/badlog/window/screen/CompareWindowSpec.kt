@@ -1,0 +1,39 @@
+package badlog.window.screen
+
+import badlog.window.compare.Alignment
+import badlog.window.folder.index.putSamples
+import badlog.window.sidebar.MainView
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
+import java.nio.file.Files
+
+class CompareWindowSpec : FunSpec({
+    test("two matches that are checked lie over each other, and a table has their figures").config(
+        enabledOrReasonIf = { needsDisplay },
+    ) {
+        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
+        RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag")).use { window ->
+            window.awaitState("the match, and all logs") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
+            window.click("Compare qualification-42.bag")
+            window.click("Compare qualification-57.bag.gz")
+            window.awaitState("two recordings") { it.compared.drawn.size == 2 }
+            window.look { viewer -> viewer.compared.state.checked.size } shouldBe 2
+            window.click(Alignment.ENABLED.hint)
+            window.awaitState("the alignment") { it.compared.state.alignment == Alignment.ENABLED }
+            window.awaitGraphs()
+            window.point("Plot Battery and current", 0.5, 0.5)
+            window.picture("compare", guide = "viewer-compare")
+
+            window.press(KeyEvent.VK_S)
+            window.awaitState("the statistics") { it.panels.state.main == MainView.STATISTICS }
+            window.awaitState("the battery") { it.statistics.state.topics == listOf("System/Battery Voltage") }
+            window.click("Search topics for the table")
+            window.type("total current")
+            window.click("Statistics of PDP/Total Current")
+            window.awaitState("one more topic") { "PDP/Total Current" in it.statistics.state.topics }
+            window.picture("statistics")
+        }
+    }
+})

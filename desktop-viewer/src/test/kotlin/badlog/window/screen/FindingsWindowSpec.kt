@@ -1,0 +1,99 @@
+package badlog.window.screen
+
+import badlog.window.folder.index.putSamples
+import badlog.window.sidebar.InspectorTab
+import badlog.window.theme.Theme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import java.awt.event.KeyEvent
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.math.abs
+
+class FindingsWindowSpec : FunSpec({
+    test("why a match browned out takes two clicks, and all that shows it is on the screen of a small laptop").config(enabledOrReasonIf = { needsDisplay }) {
+        RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag"), width = 1366, height = 768).use { window ->
+            window.awaitState("its findings") { viewer -> viewer.findings.state.list?.all?.any { it.rule == "Browned out" } == true }
+            window.awaitGraphs()
+            window.click(window.look { viewer -> "Findings: ${viewer.findings.state.list?.all?.size}" })
+            window.click("Finding, error: Browned out")
+            window.awaitState("the brownout") { viewer -> viewer.view.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            window.awaitState("what shows it, all on the screen") { viewer -> viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id }) }
+            window.look { viewer -> viewer.board.evidence.graphs.flatMap { it.lines } } shouldContainAll
+                listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
+            window.awaitGraphs()
+            window.picture("evidence", guide = "viewer-findings")
+            window.look { viewer -> viewer.settings.change { copy(theme = Theme.DARK) } }
+            window.awaitGraphs()
+            window.picture("evidence-dark", guide = "viewer-dark")
+        }
+    }
+
+    test("from the table of logs to why a match browned out takes one click").config(enabledOrReasonIf = { needsDisplay }) {
+        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
+        RealWindow(tempdir().toPath(), folder, width = 1366, height = 768).use { window ->
+            window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
+            window.press(KeyEvent.VK_T)
+            window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
+            window.click("Findings of qualification-42.bag")
+            window.awaitState("the match, and the worst that was found in it") { viewer ->
+                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.state.selected != null
+            }
+            window.awaitState("what shows it, all on the screen") { viewer ->
+                viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })
+            }
+            window.look { viewer -> viewer.board.evidence.graphs.flatMap { it.lines } } shouldContainAll
+                listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
+            window.look { viewer -> 93.7096 in viewer.view.viewport.visible } shouldBe true
+            window.look { viewer -> viewer.panels.state.inspector } shouldBe InspectorTab.FINDINGS
+            window.awaitGraphs()
+            window.picture("from-table")
+        }
+    }
+
+    test("a match says by itself that it browned out, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
+        val home = tempdir().toPath()
+        val match = Path.of("../samples/qualification-42.bag")
+        RealWindow(home, match).use { window ->
+            window.awaitState("the match") { it.current.recording != null }
+            window.awaitGraphs()
+            window.awaitState("its findings") { viewer -> viewer.findings.state.list?.all?.any { it.rule == "Browned out" } == true }
+            window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
+            window.awaitText("Finding, error: Browned out")
+            window.press(KeyEvent.VK_N)
+            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.timeline?.places?.first()?.span?.from }
+            window.press(KeyEvent.VK_N)
+            window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
+            window.click("Finding, error: Browned out")
+            window.awaitState("the brownout") { viewer -> viewer.view.cursor?.let { abs(it - 93.7096) < 1e-3 } == true }
+            repeat(6) { window.press(KeyEvent.VK_EQUALS) }
+            window.awaitText("error: Browned out")
+            window.awaitGraphs()
+            window.picture("findings")
+            window.press(KeyEvent.VK_1, KeyEvent.VK_CONTROL)
+            window.awaitText("Search events")
+            window.picture("brownout", guide = "viewer-recording")
+
+            window.click("Plot Battery and current")
+            window.press(KeyEvent.VK_F)
+            window.awaitText("Formula sheet")
+            window.type("twice = battery vol")
+            window.awaitText("Insert System/Battery Voltage")
+            window.press(KeyEvent.VK_TAB)
+            window.press(KeyEvent.VK_ENTER)
+            window.awaitState("the formula") { it.current.recording?.signal("twice") != null && it.formulas.sheet == null }
+            window.awaitText("Plot twice")
+            window.awaitGraphs()
+            window.picture("formula")
+        }
+        RealWindow(home, match).use { window ->
+            window.awaitState("the formula of last time") { it.current.recording?.signal("twice") != null }
+            // A log is open a moment before the layout of last time is laid over it.
+            window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull() == "twice" }
+            window.look { it.current.recording }.shouldNotBeNull().formulas.single().error shouldBe null
+        }
+    }
+})

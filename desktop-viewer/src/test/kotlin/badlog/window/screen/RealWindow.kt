@@ -1,0 +1,336 @@
+package badlog.window.screen
+
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.runtime.tooling.ComposeToolingApi
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.awt.ComposeWindow
+import androidx.compose.ui.semantics.SemanticsNode
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.semantics.getOrNull
+import androidx.compose.ui.window.application
+import badlog.fetch.RobotAddress
+import badlog.files.UserFolders
+import badlog.window.app.StartPlace
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerWindow
+import badlog.window.settings.Settings
+import badlog.window.settings.SettingsFile
+import badlog.window.settings.WindowPlace
+import kotlinx.coroutines.delay
+import java.awt.MouseInfo
+import java.awt.Rectangle
+import java.awt.Robot
+import java.awt.event.InputEvent
+import java.awt.event.KeyEvent
+import java.awt.event.WindowEvent
+import java.awt.image.BufferedImage
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.CopyOnWriteArrayList
+import javax.imageio.ImageIO
+import javax.swing.SwingUtilities
+import kotlin.concurrent.thread
+import kotlin.math.roundToInt
+
+/**
+ * The program as a person has it: a real window, on a screen, with a mouse and a keyboard. Found by what screen readers are
+ * told, so a test says what it clicks.
+ *
+ * @param home where the user's settings and cache are.
+ * @param opened the folder or file it is started on, null for none.
+ */
+@OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
+internal class RealWindow(
+    home: Path,
+    opened: Path?,
+    width: Int = 1400,
+    height: Int = 860,
+    robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
+) : AutoCloseable {
+    // Never asked to wait until all is quiet: something always moves.
+    private val robot = Robot().apply { autoDelay = 15 }
+
+    @Volatile private var shown: ComposeWindow? = null
+
+    @Volatile private var state: Viewer? = null
+
+    private val said = CopyOnWriteArrayList<String>()
+
+    init {
+        // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
+        val settings = home.resolve("settings.json")
+        if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)), Settings())
+        robot.mouseMove(FAR, FAR)
+    }
+
+    private val application = thread(name = "viewer under test") {
+        application(exitProcessOnExit = false) {
+            ViewerWindow(
+                folders = UserFolders(settings = home, cache = home),
+                start = { StartPlace.of(opened?.toString(), it.settings.state, samples = null) },
+                robots = robots,
+            ) { viewer ->
+                state = viewer
+                LaunchedEffect(Unit) {
+                    shown = window
+                    snapshotFlow { viewer.notices.all.map { it.text } }.collect { said += it }
+                }
+            }
+        }
+    }
+
+    init {
+        await("the window") { shown?.isShowing == true }
+        await("the keyboard") { window.isFocused }
+    }
+
+    /** The state of the window. To be read through [look]. */
+    private val viewer: Viewer get() = checkNotNull(state)
+    private val window: ComposeWindow get() = checkNotNull(shown)
+
+    /** What [question] finds in the state of the window, asked on its thread. */
+    fun <T> look(question: (Viewer) -> T): T {
+        var answer: Result<T>? = null
+        SwingUtilities.invokeAndWait { answer = runCatching { question(viewer) } }
+        return checkNotNull(answer).getOrThrow()
+    }
+
+    /** Waits until [isSo] holds of the state. */
+    fun awaitState(what: String, isSo: (Viewer) -> Boolean) = await(what) { look(isSo) }
+
+    /** Waits until it has said something that has [text] in it, and may have taken that away again. */
+    fun awaitSaid(text: String) = await("a notice “$text”") { said.any { text in it } }
+
+    /** Whether something is described by, or says, [text]. */
+    fun shows(text: String): Boolean = placeOf(text) != null
+
+    /** Waits until something is described by, or says, [text]. */
+    fun awaitText(text: String) = await("“$text”") { shows(text) }
+
+    /** Waits until nothing is described by, or says, [text]. */
+    fun awaitNo(text: String) = await("no “$text”") { !shows(text) }
+
+    /**
+     * Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. Its thread is asked
+     * again and again, since the time alone says nothing about a thread that a busy machine has stopped.
+     */
+    fun awaitRest(text: String) {
+        var before: Rectangle? = null
+        var looks = 0
+        await("“$text” to stand still") {
+            val now = placeOf(text)
+            looks = if (now == before) looks + 1 else 0
+            before = now
+            now != null && looks >= REST_LOOKS
+        }
+    }
+
+    /** Clicks [times] times what is described by, or says, [text]; again if a busy machine made pauses between the clicks. */
+    fun click(text: String, times: Int = 1) {
+        awaitRest(text)
+        point(text, 0.5, 0.5)
+        while (true) {
+            val begin = System.nanoTime()
+            repeat(times) {
+                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+            }
+            if (times == 1 || System.nanoTime() - begin < DOUBLE_CLICK_MILLIS * 1_000_000) return
+            // The next click must not be the second of a double one.
+            Thread.sleep(DOUBLE_CLICK_MILLIS * 2)
+        }
+    }
+
+    /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
+    fun drag(text: String, fromX: Double, fromY: Double, toX: Double, toY: Double, vararg held: Int) {
+        awaitRest(text)
+        val place = checkNotNull(placeOf(text)) { "There is no “$text” to drag over." }
+        fun move(x: Double, y: Double) = robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
+        move(fromX, fromY)
+        for (key in held) robot.keyPress(key)
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        for (step in 1..10) move(fromX + (toX - fromX) * step / 10, fromY + (toY - fromY) * step / 10)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+        for (key in held) robot.keyRelease(key)
+    }
+
+    /**
+     * Takes what is described by [text] to the middle of what is described by [target], until [isDone] holds: on a busy machine, a drop may come
+     * before the drag that it ends.
+     */
+    fun dragTo(text: String, target: String, isDone: (Viewer) -> Boolean) = await("“$text” on “$target”") {
+        awaitRest(text)
+        awaitRest(target)
+        dragOnce(text, target)
+        (1..DROP_LOOKS).any {
+            Thread.sleep(POLL_MILLIS)
+            look(isDone)
+        }
+    }
+
+    private fun dragOnce(text: String, target: String) {
+        val to = checkNotNull(placeOf(target)) { "There is no “$target” to drag to." }
+        point(text, 0.5, 0.5)
+        val from = MouseInfo.getPointerInfo().location
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        for (step in 1..20) {
+            robot.mouseMove(
+                (from.x + (to.centerX - from.x) * step / 20).roundToInt(),
+                (from.y + (to.centerY - from.y) * step / 20).roundToInt(),
+            )
+            // A drag between programs is talked over with the screen; who lets go before that has begun drops nothing.
+            if (step == 5 || step == 20) robot.delay(HOLD_MILLIS)
+        }
+        robot.mouseMove(to.centerX.roundToInt() + 1, to.centerY.roundToInt() + 1)
+        robot.delay(HOLD_MILLIS)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+    }
+
+    /** Points at the share ([x], [y]) of what is described by [text], without a click. */
+    fun point(text: String, x: Double, y: Double) {
+        val place = checkNotNull(placeOf(text)) { "There is no “$text” to point at." }
+        robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
+    }
+
+    /** Turns the wheel by [notches], towards the person when positive. */
+    fun wheel(notches: Int, vararg held: Int) {
+        for (key in held) robot.keyPress(key)
+        robot.mouseWheel(notches)
+        for (key in held) robot.keyRelease(key)
+    }
+
+    /** Presses [key] of [java.awt.event.KeyEvent] while [held] are down. */
+    fun press(key: Int, vararg held: Int) {
+        for (other in held) robot.keyPress(other)
+        robot.keyPress(key)
+        robot.keyRelease(key)
+        for (other in held) robot.keyRelease(other)
+    }
+
+    /** Types the small letters, digits and signs of [text], as they are on an American keyboard, once a field takes them. */
+    fun type(text: String) {
+        awaitState("a field to type into") { it.keyboard.isTyping }
+        for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
+    }
+
+    /** Presses Tab until what is described by [text] has the keyboard. */
+    fun tabTo(text: String) = await("the keyboard at “$text”") {
+        val before = focused()
+        press(KeyEvent.VK_TAB)
+        // Else a key that comes late would lead on from there.
+        for (i in 1..REST_LOOKS) if (focused() == before) Thread.sleep(POLL_MILLIS)
+        isFocused(text)
+    }
+
+    /** Waits until every graph in sight is drawn. */
+    fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
+
+    /** Waits until the window looks as [isSo] wants: what is drawn may still be on its way to the screen. */
+    fun awaitLook(what: String, isSo: (BufferedImage) -> Boolean) = await(what) { isSo(capture()) }
+
+    /**
+     * Keeps a picture of the window under build/screenshots, and returns it. With the environment variable `BADLOG_WRITE_GUIDE` it is also written
+     * into docs, as the picture [guide] of the guides.
+     */
+    fun picture(name: String, guide: String? = null): BufferedImage {
+        Thread.sleep(PICTURE_MILLIS)
+        val picture = capture()
+        val folder = Files.createDirectories(Path.of("build/screenshots"))
+        ImageIO.write(picture, "png", folder.resolve("$name.png").toFile())
+        if (guide != null && System.getenv("BADLOG_WRITE_GUIDE") != null) writeGuidePicture(picture, guide)
+        return picture
+    }
+
+    /** What the screen shows of the window now, with a mouse pointer where that is. */
+    fun captureWithPointer(): BufferedImage {
+        Thread.sleep(PICTURE_MILLIS)
+        val corner = window.locationOnScreen
+        val pointer = MouseInfo.getPointerInfo().location
+        return capture().also { drawPointer(it, pointer.x - corner.x, pointer.y - corner.y) }
+    }
+
+    private fun capture(): BufferedImage = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
+
+    /** Asks the window to close, as its frame does, and waits until it has. */
+    override fun close() {
+        SwingUtilities.invokeLater { window.dispatchEvent(WindowEvent(window, WindowEvent.WINDOW_CLOSING)) }
+        application.join(WAIT_MILLIS)
+        check(!application.isAlive) { "The window does not close." }
+    }
+
+    /** Identifies the element with the keyboard focus; null if screen readers do not know it. */
+    private fun focused(): Int? {
+        var id: Int? = null
+        SwingUtilities.invokeAndWait {
+            id = window.semanticsOwners.firstNotNullOfOrNull { focusedIn(it.unmergedRootSemanticsNode) }
+        }
+        return id
+    }
+
+    private fun focusedIn(node: SemanticsNode): Int? = if (node.config.getOrNull(SemanticsProperties.Focused) == true) node.id else node.children.firstNotNullOfOrNull(::focusedIn)
+
+    private fun isFocused(text: String): Boolean {
+        var isSo = false
+        SwingUtilities.invokeAndWait {
+            val node = window.semanticsOwners.firstNotNullOfOrNull { find(it.unmergedRootSemanticsNode, text) }
+            isSo = node?.config?.getOrNull(SemanticsProperties.Focused) == true
+        }
+        return isSo
+    }
+
+    private fun placeOf(text: String): Rectangle? {
+        var place: Rectangle? = null
+        SwingUtilities.invokeAndWait {
+            val node = window.semanticsOwners.firstNotNullOfOrNull { find(it.unmergedRootSemanticsNode, text) }
+            val bounds = node?.boundsInWindow ?: return@invokeAndWait
+            val scale = window.graphicsConfiguration.defaultTransform.scaleX
+            val corner = window.contentPane.locationOnScreen
+            place = Rectangle(
+                corner.x + (bounds.left / scale).toInt(),
+                corner.y + (bounds.top / scale).toInt(),
+                (bounds.width / scale).toInt(),
+                (bounds.height / scale).toInt(),
+            )
+        }
+        return place
+    }
+
+    private fun find(node: SemanticsNode, text: String): SemanticsNode? {
+        val said = node.config.getOrNull(SemanticsProperties.ContentDescription).orEmpty() +
+            node.config.getOrNull(SemanticsProperties.Text).orEmpty().map { it.text }
+        if (text in said && !node.boundsInWindow.isEmpty) return node
+        return node.children.firstNotNullOfOrNull { find(it, text) }
+    }
+
+    private fun await(what: String, isSo: () -> Boolean) {
+        val end = System.nanoTime() + WAIT_MILLIS * 1_000_000
+        while (!isSo()) {
+            check(System.nanoTime() < end) { "Waited in vain for $what." }
+            Thread.sleep(POLL_MILLIS)
+        }
+    }
+
+    private companion object {
+        const val WAIT_MILLIS = 180_000L
+        const val POLL_MILLIS = 20L
+
+        /** So long a person holds what is dragged, before and after it is carried. */
+        const val HOLD_MILLIS = 300
+
+        /** Beyond any window. */
+        const val FAR = 5000
+
+        /** What has not moved between so many looks, one every [POLL_MILLIS], can be clicked. */
+        const val REST_LOOKS = 8
+
+        /** So often one looks whether a drop was taken, before what was dragged is dragged again. */
+        const val DROP_LOOKS = 500
+
+        /** Clicks within this time are a double click. */
+        const val DOUBLE_CLICK_MILLIS = 300L
+
+        /** So long a picture may still be on its way to the screen. */
+        const val PICTURE_MILLIS = 400L
+    }
+}

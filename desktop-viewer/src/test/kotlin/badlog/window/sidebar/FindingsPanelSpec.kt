@@ -1,0 +1,174 @@
+package badlog.window.sidebar
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotSelected
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.text.TextLayoutResult
+import badlog.viewer.input.Action
+import badlog.viewer.shown.search.hiddenBySearch
+import badlog.window.TestInspector
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.findings.counted
+import badlog.window.findings.findingsIn
+import badlog.window.findings.ruleText
+import badlog.window.findings.word
+import badlog.window.findings.writeRules
+import badlog.window.graph.sample
+import badlog.window.graph.savePicture
+import badlog.window.graph.viewerOf
+import badlog.window.graph.waitForPictures
+import badlog.window.log.OpenRecording
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import java.nio.file.Path
+
+@OptIn(ExperimentalTestApi::class)
+class FindingsPanelSpec : FunSpec({
+    fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
+        findings.change { knowing(findingsIn(recording)) }
+        panels.change { copy(inspector = InspectorTab.FINDINGS, library = false, front = FrontPart.DETAILS) }
+    }
+
+    fun folderOf(vararg rules: String): Path = tempdir().toPath().also { writeRules(it, *rules) }
+
+    test("a click on a finding takes the cursor and the view there, and the keys go on from it") {
+        val recording = counted(folderOf(ruleText("Early", "A < 5", "error"), ruleText("Late", "A > 90"), ruleText("None", "X > 1")))
+        val viewer = inspecting(recording)
+        viewer.view.change { showing(40.0, 50.0) }
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            onNodeWithText("1 error, 1 warning").assertExists()
+            onNodeWithContentDescription("Finding, warning: Late").performClick()
+            runOnIdle {
+                viewer.view.cursor shouldBe viewer.findings.state.list?.timeline?.places?.last()?.span?.from
+                (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
+                viewer.panels.state.front shouldBe FrontPart.GRAPHS
+                viewer.findings.step(-1)
+            }
+            onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
+            onNodeWithText("None").assertDoesNotExist()
+            onNodeWithText("1 rule skipped (topics missing)").performClick()
+            onNodeWithText("None").assertExists()
+        }
+    }
+
+    test("all of a finding that the keys go to is seen, and all that it says") {
+        val text = "What a rule says may take many lines of a panel that is narrow. ".repeat(6)
+        val viewer = inspecting(counted(folderOf(*Array(12) { ruleText("Rule $it", "A > ${it * 8} and A < ${it * 8 + 3}", text = text) })))
+        runDesktopComposeUiTest(320, 700) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            val all = viewer.findings.state.list.shouldNotBeNull().all
+            for (finding in all + all.asReversed()) {
+                runOnIdle { viewer.findings.goTo(finding) }
+                waitForIdle()
+                val line = onNodeWithContentDescription("Finding, warning: ${finding.rule}").fetchSemanticsNode()
+                line.boundsInRoot.height shouldBe line.size.height.toFloat()
+            }
+            val layouts = ArrayList<TextLayoutResult>()
+            onAllNodesWithText(text.trim(), substring = true, useUnmergedTree = true).fetchSemanticsNodes()
+                .forEach { it.config[SemanticsActions.GetTextLayoutResult].action?.invoke(layouts) }
+            layouts.shouldNotBeEmpty()
+            layouts.forEach { it.hasVisualOverflow shouldBe false }
+        }
+    }
+
+    test("a search narrows findings and incidents, says how many it hides, and shows them again") {
+        val viewer = inspecting(sample("qualification-42.bag"))
+        val list = viewer.findings.state.list.shouldNotBeNull()
+        runDesktopComposeUiTest(380, 900) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            onNodeWithContentDescription("Search findings").performTextInput("brown -arm")
+            val left = list.foundBy("brown -arm")
+            left.findings.map { it.rule } shouldContain "Browned out"
+            onNodeWithText(hiddenBySearch(list.incidents.size - left.incidents.size, list.all.size - left.findings.size)).assertExists()
+            onNodeWithContentDescription("Search findings").performTextReplacement("no such thing")
+            onNodeWithText(hiddenBySearch(list.incidents.size, list.all.size)).assertExists()
+            savePicture("findings-searched")
+            onNodeWithText("Show them").performClick()
+            onNodeWithContentDescription("Incident: ${list.incidents.first().name}").assertExists()
+        }
+    }
+
+    test("an incident’s name leads to what came first, and it is marked as long as a finding of it is open") {
+        val viewer = inspecting(sample("qualification-42.bag"))
+        val list = viewer.findings.state.list.shouldNotBeNull()
+        val incident = list.incidents.first()
+        runDesktopComposeUiTest(380, 900) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            val name = onNodeWithContentDescription("Incident: ${incident.name}")
+            name.assertIsNotSelected()
+            name.performClick()
+            viewer.findings.state.selected shouldBe incident.sentences.first().finding
+            name.assertIsSelected()
+            savePicture("incident-open")
+            runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }
+            name.assertIsNotSelected()
+        }
+    }
+
+    test("the key for the next finding opens the panel that says what to look at next, unless another one is read") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        viewer.findings.change { knowing(findingsIn(viewer.current.recording.shouldNotBeNull())) }
+        val next = viewer.commands.single { it.meaning == Action.NEXT_FINDING.meaning }
+        next.action()
+        viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
+        viewer.panels.state.front shouldBe FrontPart.GRAPHS
+        viewer.panels.change { inspecting(InspectorTab.EVENTS) }
+        next.action()
+        viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
+    }
+
+    test("a wrong file of rules, and a log in which nothing was found, are reported") {
+        val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(wrong) } }
+            onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
+            savePicture("findings-wrong-rules")
+        }
+        val nothing = inspecting(counted(folderOf(ruleText("Never", "A > 1000"))))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(nothing) } }
+            onNodeWithText("Nothing was found.").assertExists()
+        }
+    }
+
+    test("sixty findings are marked on the time axis, and the pointer on one shows its text") {
+        val severities = listOf("error", "warning", "note")
+        val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
+        for (theme in listOf(Theme.LIGHT, Theme.DARK)) {
+            val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))
+            viewer.settings.change { copy(theme = theme) }
+            runDesktopComposeUiTest(1200, 700) {
+                setContent { ViewerScreen(viewer) }
+                waitForPictures(viewer)
+                val strip = onNodeWithContentDescription("Findings on the time axis")
+                strip.performMouseInput { moveTo(Offset(width * 0.45f, height / 2f)) }
+                val pointed = viewer.findings.state.pointed.shouldNotBeNull()
+                onNodeWithText("${pointed.severity.word}: ${pointed.rule}").assertExists()
+                savePicture("findings-${theme.name.lowercase()}")
+                strip.performMouseInput { click(Offset(width * 0.45f, height / 2f)) }
+                runOnIdle { viewer.view.cursor shouldBe pointed.time }
+                strip.performMouseInput { exit() }
+                runOnIdle { viewer.findings.state.pointed shouldBe null }
+            }
+        }
+    }
+})

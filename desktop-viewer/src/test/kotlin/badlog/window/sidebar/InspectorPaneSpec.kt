@@ -1,0 +1,135 @@
+package badlog.window.sidebar
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.range.Viewport
+import badlog.window.TestInspector
+import badlog.window.app.Viewer
+import badlog.window.bagOf
+import badlog.window.log.OpenRecording
+import badlog.window.recordingOf
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+
+@OptIn(ExperimentalTestApi::class)
+class InspectorPaneSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    fun viewerOf(recording: OpenRecording, tab: InspectorTab) = Viewer(MainScope(), UserFolders(home, home)).apply {
+        current.replace(recording)
+        view.show(recording.span)
+        panels.change { copy(inspector = tab) }
+    }
+
+    test("a click on an event takes the cursor and the view there; the cursor marks the nearest") {
+        val rows = List(100_000) { "$it,event $it" }
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
+        viewer.view.change { showing(50_000.0, 50_010.0) }
+        viewer.panels.change { copy(front = FrontPart.DETAILS) }
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitFor { onAllNodesWithText("event 3").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Event at 3: event 3").performClick()
+            runOnIdle {
+                viewer.view.cursor shouldBe 3.0
+                (3.0 in viewer.view.viewport.visible) shouldBe true
+                viewer.panels.state.front shouldBe FrontPart.GRAPHS
+            }
+            viewer.view.placeCursor(77_777.4)
+            waitFor { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
+            onNodeWithContentDescription("Search events").performTextInput("event 99999")
+            onNodeWithText("1 of 100 000 events").assertExists()
+        }
+    }
+
+    test("the badge of problems does not count notes, which healthy logs have as well") {
+        val healthy = recordingOf("A,On\n1,true\n2,\n").view
+        (healthy.problems.size > 0) shouldBe true
+        problemsIn(healthy) shouldBe healthy.problems.count { it.severity != Severity.NOTE }
+        problemsIn(recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view) shouldBe
+            recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view.problems.count { it.severity != Severity.NOTE }
+    }
+
+    test("values are found by name and text, and the panel closes") {
+        val values = mapOf("Event Name" to "OHCL", "Arm/Gain" to "0.5")
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"), values)), InspectorTab.VALUES)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            onNodeWithText("OHCL").assertExists()
+            onNodeWithText("Arm").assertExists()
+            onNodeWithContentDescription("Search metadata").performTextInput("gain")
+            onNodeWithText("OHCL").assertDoesNotExist()
+            onNodeWithText("0.5").assertExists()
+            onNodeWithContentDescription("Close the panel").performClick()
+            runOnIdle { viewer.panels.state.inspector shouldBe null }
+        }
+    }
+
+    test("the statistics follow the selection") {
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1", "1,2", "2,6"))), InspectorTab.STATISTICS)
+        viewer.board.replace(Board().withGraph(listOf("A")))
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitFor { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
+            onAllNodesWithText("1.5 V").fetchSemanticsNodes().size shouldBe 2
+            viewer.view.select(Span(1.0, 2.0))
+            waitFor { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithText("1.5 V").assertDoesNotExist()
+            onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
+        }
+    }
+
+    test("the panel of values draws a topic that a search finds, and then leads to its graph") {
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A", "Bus"), listOf("0,1,4", "1,2,5"))), InspectorTab.CURSOR)
+        viewer.board.replace(Board().withGraph(listOf("A")))
+        viewer.view.placeCursor(1.0)
+        runDesktopComposeUiTest(320, 600) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitFor { onAllNodesWithContentDescription("Go to the graph of A").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Search topics").performTextInput("bus")
+            waitFor { onAllNodesWithContentDescription("Draw Bus").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Draw Bus").performClick()
+            waitFor { onAllNodesWithContentDescription("Go to the graph of Bus").fetchSemanticsNodes().isNotEmpty() }
+            viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("A"), listOf("Bus"))
+            onNodeWithContentDescription("Go to the graph of Bus").performClick()
+            viewer.board.wanted shouldBe viewer.board.state.graphs.last().id
+        }
+    }
+
+    test("each panel opens on a recording of one row, of nothing, and of long names") {
+        val long = "Name ".repeat(100)
+        val odd = listOf(
+            bagOf(listOf("Time|xaxis", "A"), listOf("0,1")),
+            "",
+            bagOf(listOf("Time|xaxis", long, "$long 2|log"), listOf("0,1,$long", "NaN,2,$long"), mapOf(long to long)),
+        )
+        for (text in odd) {
+            for (tab in InspectorTab.entries) {
+                val viewer = viewerOf(recordingOf(text), tab)
+                viewer.board.replace(Board().withGraph(listOf(long, "A")))
+                runDesktopComposeUiTest(320, 600) {
+                    setContent { ViewerTheme(Theme.DARK) { TestInspector(viewer) } }
+                    onNodeWithText(tab.title).assertExists()
+                    waitForIdle()
+                }
+            }
+        }
+    }
+})

@@ -1,0 +1,45 @@
+package badlog.window.task
+
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.isActive
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import java.nio.file.Files
+import kotlin.time.Duration.Companion.seconds
+
+class FailuresSpec : FunSpec({
+    test("what fails is said and kept, and ends nothing else") {
+        val notices = Notices()
+        val log = FailureLog(tempdir().toPath().resolve("cache"))
+        val scope = Failures(log, notices).guarded(MainScope())
+        repeat(2) { scope.launch { error("a defect") }.join() }
+        eventually(60.seconds) { notices.all.single().text shouldContain log.file.toString() }
+        scope.isActive shouldBe true
+        Files.readString(log.file) shouldContain "a defect"
+    }
+
+    test("what cannot be kept is said all the same") {
+        val notices = Notices()
+        val file = tempdir().toPath().resolve("file")
+        Files.writeString(file, "where a folder should be")
+        Failures(FailureLog(file.resolve("cache")), notices).hear(IllegalStateException())
+        eventually(60.seconds) { notices.all.single().isError shouldBe true }
+    }
+
+    test("a task that is given up before it has begun leaves no trace") {
+        withContext(Dispatchers.Main) {
+            val tasks = LongTasks(MainScope(), Notices())
+            val job = tasks.run("Waiting", { Thread.sleep(60_000) }) {}
+            tasks.all.single().cancel()
+            job.join()
+            tasks.all.shouldBeEmpty()
+        }
+    }
+})

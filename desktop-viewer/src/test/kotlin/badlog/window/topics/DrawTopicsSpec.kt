@@ -1,0 +1,42 @@
+package badlog.window.topics
+
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardGraph
+import badlog.window.graph.bagOf
+import badlog.window.graph.recordingOf
+import badlog.window.graph.viewerOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class DrawTopicsSpec : FunSpec({
+    test("a click on a topic goes to its graph where that is out of sight, and only then takes it away") {
+        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
+        val board = Board(listOf(BoardGraph(1, "B", listOf("B")), BoardGraph(2, "A/Voltage", listOf("A/Voltage"))))
+        viewer.board.replace(board)
+        fun click() = toggleDrawn(viewer.current, viewer.board, viewer.events, viewer.panels, signal)
+        viewer.board.inSight = setOf(1)
+        click()
+        viewer.board.state shouldBe board
+        viewer.board.wanted shouldBe 2
+        viewer.board.inSight = setOf(1, 2)
+        click()
+        viewer.board.state.graphs.map { it.id } shouldBe listOf(1)
+    }
+
+    test("topics that are added to a graph are clicked into it and out again, until that ends") {
+        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
+        viewer.board.replace(Board(listOf(BoardGraph(7, "B", listOf("B")))))
+        fun click() = toggleIn(viewer.current, viewer.board, viewer.events, viewer.topics, viewer.panels, signal)
+        viewer.graphs.addTopics(7)
+        viewer.topics.state.searchesAsked shouldBe 1
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B", "A/Voltage"))
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B"))
+        viewer.topics.change { adding(null) }
+        click()
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("A/Voltage"))
+    }
+})

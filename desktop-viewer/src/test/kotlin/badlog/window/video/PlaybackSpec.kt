@@ -1,0 +1,77 @@
+package badlog.window.video
+
+import badlog.core.analysis.Span
+import badlog.window.graph.bagOf
+import badlog.window.graph.recordingOf
+import badlog.window.graph.viewerOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.checkAll
+
+class PlaybackSpec : FunSpec({
+    val playing = Playback(isPlaying = true)
+
+    test("the cursor never leaves what is played, and time never goes back but at the end of a loop") {
+        checkAll(Arb.numericDouble(-10.0, 20.0), Arb.numericDouble(0.0, 100.0), Arb.boolean()) { cursor, distance, loops ->
+            val step = playing.copy(loops = loops).advanced(cursor, distance, Span(0.0, 10.0))
+            (step.cursor in 0.0..10.0) shouldBe true
+            if (!loops && cursor in 0.0..10.0) (step.cursor >= cursor) shouldBe true
+            step.playback.isPlaying shouldBe (loops || step.cursor < 10.0)
+        }
+    }
+
+    test("a loop goes on from its beginning by what was too much") {
+        playing.copy(loops = true).advanced(9.0, 3.0, Span(0.0, 10.0)).cursor shouldBe 2.0
+    }
+
+    test("two steps are one of both lengths") {
+        checkAll(Arb.numericDouble(0.0, 4.0), Arb.numericDouble(0.0, 4.0)) { one, other ->
+            val range = Span(0.0, 10.0)
+            val first = playing.advanced(1.0, one, range)
+            first.playback.advanced(first.cursor, other, range).cursor shouldBe
+                (playing.advanced(1.0, one + other, range).cursor plusOrMinus 1e-9)
+        }
+    }
+
+    test("speeds go up and down by steps and stop at their ends") {
+        playing.faster(1).speed shouldBe 2.0
+        playing.faster(-1).speed shouldBe 0.5
+        playing.faster(100).speed shouldBe 10.0
+        playing.faster(-100).speed shouldBe 0.1
+    }
+
+    test("the view follows the cursor when that leaves it, and the way back is not filled with it") {
+        val viewer = viewerOf(recordingOf(bagOf(1001) { 0.0 }))
+        viewer.view.change { showing(0.0, 10.0) }
+        viewer.view.placeCursor(9.9)
+        viewer.player.toggle()
+        viewer.player.advance(0.2)
+        viewer.view.cursor.shouldNotBeNull() shouldBe (10.1 plusOrMinus 1e-9)
+        (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
+        viewer.view.viewport.back().isZoomed shouldBe false
+    }
+
+    test("play at the end begins again") {
+        val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
+        viewer.view.placeCursor(10.0)
+        viewer.player.toggle()
+        viewer.view.cursor shouldBe 0.0
+        viewer.player.state.isPlaying shouldBe true
+    }
+
+    test("a selection is what is played") {
+        val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
+        viewer.view.select(Span(2.0, 2.1))
+        viewer.player.change { Playback(loops = true) }
+        viewer.player.toggle()
+        repeat(20) {
+            viewer.player.advance(0.03)
+            (viewer.view.cursor.shouldNotBeNull() in Span(2.0, 2.1)) shouldBe true
+        }
+    }
+})

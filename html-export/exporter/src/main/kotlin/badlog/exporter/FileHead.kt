@@ -1,0 +1,40 @@
+package badlog.exporter
+
+import badlog.core.analysis.matchTitle
+import badlog.core.bag.RecordingParser
+import badlog.core.recording.ProblemKind
+import badlog.files.GzipReader
+import badlog.formats.LOG_FORMATS
+
+/**
+ * What the first bytes of a file show before the rest is read.
+ *
+ * @property isGzip whether the file is compressed.
+ * @property hasLines whether it is text in lines.
+ * @property title the match, from the values in the header, or null if they name none.
+ * @property refusal why the file is certainly not a recording, whatever follows; null if it may be one.
+ */
+internal class FileHead private constructor(val isGzip: Boolean, val hasLines: Boolean, val title: String?, val refusal: String?) {
+    companion object {
+        /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */
+        const val BYTES = 1 shl 18
+
+        /** Examines the beginning of a file. */
+        fun of(bytes: ByteArray): FileHead {
+            val isGzip = GzipReader.isGzip(bytes)
+            val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
+            if (isGzip) {
+                GzipReader { inflated, size -> parser.accept(inflated, 0, size) }
+                    .use { it.accept(bytes, 0, minOf(bytes.size, BYTES / 4)) }
+            } else {
+                parser.accept(bytes)
+            }
+            val recording = parser.finish()
+            // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers further down.
+            val refusal = recording.problems
+                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
+                ?.message
+            return FileHead(isGzip, recording.format.hasRows, matchTitle(recording.values), refusal)
+        }
+    }
+}

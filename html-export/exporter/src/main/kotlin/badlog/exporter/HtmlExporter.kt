@@ -1,0 +1,146 @@
+package badlog.exporter
+
+import badlog.core.bag.RecordingParser
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.exporter.NotesFile
+import badlog.files.AtomicFile
+import badlog.files.Unpacked
+import badlog.files.partsOfLog
+import badlog.files.unpacked
+import badlog.files.withGzipCut
+import badlog.formats.LOG_FORMATS
+import badlog.protocol.NotesException
+import badlog.protocol.PageAdditions
+import badlog.terminal.Progress
+import java.io.ByteArrayInputStream
+import java.io.InputStream
+import java.io.SequenceInputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Turns recordings into HTML pages that need nothing else: each contains the file's exact bytes, and the program that
+ * shows them. Works on all cores, in memory that does not grow with the file. Reusable for any number of exports, also
+ * concurrently.
+ *
+ * @param attachments files to put into every page beside the recording.
+ * @param parts the program and the styles of the pages.
+ */
+class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
+    /**
+     * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
+     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
+     * only by a complete page; its folder is created if necessary.
+     *
+     * To cancel, interrupt the calling thread or throw from [progress].
+     *
+     * @param additions what the page shows besides the recording and the notes in the file beside [input].
+     * @throws ExportException if there is nothing to show, or a file cannot be read or written.
+     * @throws InterruptedException if the thread was interrupted.
+     */
+    fun export(
+        input: Path,
+        output: Path,
+        additions: PageAdditions = PageAdditions(),
+        progress: Progress = Progress { _, _ -> },
+    ): ExportReport {
+        val page = output.toAbsolutePath().normalize()
+        val logParts = partsOfLog(input)
+        val files = attachments + logParts
+        files.forEach(::checkReadable)
+        checkWritable(page, files)
+        return refusing {
+            unpacked(input, { progress.advanced(0, Files.size(input)) }) { log ->
+                export(log, if (log.path == input) logParts else listOf(log.path), input, page, withNotes(additions, input), progress)
+            }
+        }
+    }
+
+    private fun export(
+        log: Unpacked,
+        logParts: List<Path>,
+        input: Path,
+        page: Path,
+        additions: PageAdditions,
+        progress: Progress,
+    ): ExportReport = reading(input) { Files.newInputStream(log.path) }.use { stream ->
+        val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
+        val head = FileHead.of(first)
+        if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
+        val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
+        withOthers(source, logParts).use { whole ->
+            passingOn(progress) { heard -> writing(page) { write(log, logParts, input, whole, head, page, additions, heard) } }
+        }
+    }
+
+    /** Returns [first], the bytes of the first of [logParts], followed by those of the others. */
+    private fun withOthers(first: InputStream, logParts: List<Path>): InputStream = logParts.drop(1).fold(first) { before, part ->
+        SequenceInputStream(before, ReadGuard(part, reading(part) { Files.newInputStream(part) }))
+    }
+
+    private fun withNotes(additions: PageAdditions, log: Path): PageAdditions = try {
+        val notes = NotesFile.read(log)
+        if (notes.isEmpty()) additions else additions.withNotes(notes, null)
+    } catch (e: NotesException) {
+        additions.withNotes(emptyList(), e.message)
+    }
+
+    private fun write(
+        log: Unpacked,
+        logParts: List<Path>,
+        input: Path,
+        source: InputStream,
+        head: FileHead,
+        page: Path,
+        additions: PageAdditions,
+        progress: Progress,
+    ): ExportReport {
+        val name = log.name
+        val firstBytes = Files.size(log.path)
+        val total = logParts.sumOf(Files::size)
+        val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
+        Files.createDirectories(page.parent)
+        return AtomicFile(page).use { file ->
+            val writer = PageWriter(file.out, parts)
+            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name, additions.video != null)
+            writer.program(additions)
+            val embedded = ExportThreads().use { threads ->
+                // Only a large file is worth several workers, and reading while the page is still being loaded.
+                val lineBytes = total.takeIf { head.hasLines && !head.isGzip && it > MANY_BYTES }
+                val embedded = writer.recording(name, lineBytes) { out ->
+                    val heard: (Long) -> Unit = { progress.advanced(it, total) }
+                    if (head.isGzip) {
+                        GzipEmbedding(threads, out, parser::accept).embed(source, heard)
+                    } else {
+                        RawEmbedding(threads, out, parser::accept).embed(source, heard)
+                    }
+                }
+                attachments.forEach { attach(it, writer, threads) }
+                embedded
+            }
+            val parsed = parser.finish()
+            val read = if (embedded.isCut) parsed.withGzipCut(embedded.inflatedBytes) else parsed
+            val recording = read.copy(problems = log.problems + read.problems)
+            recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
+                throw ExportException.NotARecording(input, "$input: ${problem.message}")
+            }
+            writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
+            file.commit()
+            ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
+        }
+    }
+
+    private fun titleIn(file: Path): String? = reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } }
+        .let(FileHead::of).title
+
+    private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {
+        reading(file) { Files.newInputStream(file) }.use { stream ->
+            writer.attachment(file.fileName.toString()) { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) }
+        }
+    }
+
+    private companion object {
+        const val MANY_BYTES = 4_000_000L
+    }
+}

@@ -1,0 +1,29 @@
+package badlog.exporter
+
+import badlog.files.UnreadableFileException
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.matchOf
+import badlog.viewer.choices.board.FolderLayout
+import java.nio.file.Path
+
+/**
+ * Returns the layout with which a page of [log] begins, see [FolderLayout.of]. Reads the log if there is a layout for a type of
+ * match.
+ *
+ * @param signals the names of the topics that have the type.
+ * @param top the folder up to which a layout is searched for; null for only the log's own folder.
+ */
+fun layoutFor(log: Path, signals: SignalVocabulary, top: Path? = null): FolderLayout =
+    FolderLayout.of(log, top) { matchTypeOf(log, signals) }
+
+private fun matchTypeOf(log: Path, signals: SignalVocabulary): String? = try {
+    val recording = readRecording(log, LOG_FORMATS, keepSamples = false)
+    // A bag has the type at its beginning; a log of records mostly has it in numbers.
+    signals.matchOf(recording).type
+        ?: if (recording.format.hasRows) null else signals.matchOf(readRecording(log, LOG_FORMATS)).type
+} catch (_: UnreadableFileException) {
+    // The caller, which makes the page, reports the reason.
+    null
+}

@@ -1,0 +1,94 @@
+package badlog.exporter
+
+import badlog.core.json.quotedJson
+import badlog.protocol.PageAdditions
+import badlog.protocol.inScript
+import badlog.protocol.toJson
+import java.io.OutputStream
+
+/** Writes a page from beginning to end. Call the functions in the order in which they are declared. */
+internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
+    /** Writes everything before the recording. [hasVideo], whether there is a video beside the page, affects its policy. */
+    fun begin(title: String, hasVideo: Boolean = false) {
+        text(
+            """
+            $PAGE_START>
+            <html lang="en">
+            <head>
+            <meta charset="utf-8">
+            <meta http-equiv="Content-Security-Policy" content="${parts.policy(hasVideo)}">
+            <meta name="viewport" content="width=device-width, initial-scale=1">
+            <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
+            <title>
+            """.trimIndent() + escapeHtml(title) + "</title>\n<style>${parts.waitingStyle}",
+        )
+        text(
+            """
+            </style>
+            </head>
+            <body>
+            <noscript><p>$NO_SCRIPT</p></noscript>
+            <main id="page"><p class="screen waiting">$WAITING</p></main>
+
+            """.trimIndent(),
+        )
+    }
+
+    /** Writes what the page shows besides the recording, if anything, then the program, which runs while the rest is loaded. */
+    fun program(additions: PageAdditions) {
+        val json = additions.toJson()
+        if (json != NO_ADDITIONS) {
+            text("<script type=\"application/octet-stream\" id=\"packed-additions\">")
+            out.write(packed(json))
+            text("</script>\n")
+        }
+        text("<script type=\"application/octet-stream\" id=\"packed\">")
+        out.write(parts.packedProgram)
+        text("</script>\n<script id=\"unpacking\">$UNPACKING</script>\n")
+    }
+
+    /**
+     * Writes the recording from the file [name]; [embed] passes its gzip stream to the base64 stream.
+     *
+     * @param lineBytes the length of the file, if each line of the base64, except the first and the last, holds some of its rows that
+     *   can be read before the others have arrived; otherwise null.
+     */
+    fun <T> recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> T): T {
+        val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
+        return base64("id=\"recording\" data-name=\"${escapeHtml(name)}\"$bytes", embed)
+    }
+
+    /** Writes an attached file with its [name]; [embed] as in [recording]. */
+    fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
+        base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
+
+    /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
+    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, second: SecondPart? = null) {
+        val cut = if (file.isCut) ",\"cut\":true" else ""
+        val more = if (second == null) "" else ",\"second\":${inScript(quotedJson(second.name))},\"firstBytes\":${second.from}"
+        text(
+            "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
+                "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$more," +
+                "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n</body>\n</html>\n",
+        )
+    }
+
+    private fun <T> base64(attributes: String, embed: (Base64Stream) -> T): T {
+        text("<script type=\"application/octet-stream\" $attributes>")
+        val base64 = Base64Stream(out)
+        val result = embed(base64)
+        base64.finish()
+        text("</script>\n")
+        return result
+    }
+
+    private fun text(text: String) = out.write(text.encodeToByteArray())
+
+    private companion object {
+        val NO_ADDITIONS = PageAdditions().toJson()
+
+        // Shown until the program runs, or if it does not run.
+        const val WAITING = "Loading… If this stays, the file is incomplete: copy it again."
+        const val NO_SCRIPT = "This page needs JavaScript to draw its log: allow scripts for this file, or open it in another browser."
+    }
+}

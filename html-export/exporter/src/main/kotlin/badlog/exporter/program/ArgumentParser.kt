@@ -1,0 +1,92 @@
+package badlog.exporter.program
+
+import badlog.exporter.BADLOG_VERSION
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.context
+import com.github.ajalt.clikt.core.parse
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.help
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.help
+import com.github.ajalt.clikt.parameters.options.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.versionOption
+import com.github.ajalt.clikt.parameters.types.path
+
+/** Reads the command line. */
+internal class ArgumentParser {
+    /** What the command line asks for: to do something, or to print something and exit. */
+    sealed interface Result {
+        /** Make pages. */
+        class Run(val arguments: Arguments) : Result
+
+        /** Print the requested [text]. */
+        class Say(val text: String) : Result
+
+        /** Print why the arguments are invalid. */
+        class Refuse(val text: String) : Result
+    }
+
+    /** Parses [arguments]. */
+    fun parse(arguments: List<String>): Result {
+        val command = Command()
+        return try {
+            command.parse(arguments)
+            Result.Run(command.result())
+        } catch (e: CliktError) {
+            val text = command.getFormattedHelp(e).orEmpty().trim()
+            if (e.statusCode == 0) Result.Say(text) else Result.Refuse("$text\nTry: $NAME --help")
+        }
+    }
+
+    private class Command : CoreCliktCommand(NAME) {
+        private val paths by argument("INPUT").path().multiple(required = true)
+            .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
+        private val outFolder by option("--out", metavar = "DIR").path()
+            .help("Write the pages into this folder; it is created if needed.")
+        private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
+            .help("Include this file in each page; may be repeated.")
+        private val isWithoutRules by option("--no-rules").flag()
+            .help("The pages run no rules: neither those of badlog-rules.toml beside a log nor the built-in ones.")
+        private val field by option("--field", metavar = "FILE").path()
+            .help("WPILib's field file; default: field.json beside the log.")
+        private val video by option("--video", metavar = "FILE").path()
+            .help("Show this video, which is in the folder of the only page.")
+        private val opensPage by option("-o", "--open").flag()
+            .help("Open the page in the default browser; of several, the page of the newest log.")
+
+        init {
+            // The flags of the original badlog are still accepted, although they no longer have an effect.
+            registerPast("-t", "--trim-doubles", "Retry parsing doubles without whitespace; now always on.")
+            registerPast("-c", "--csv", "Input is a CSV file; now detected from its content.")
+            registerPast("-g", "--gzip", "Compress the embedded CSV file; now always on.")
+            versionOption(BADLOG_VERSION, names = setOf("-V", "--version"), message = { "$NAME $it" })
+            context { readArgumentFile = null }
+        }
+
+        private fun registerPast(short: String, long: String, text: String) = registerOption(option(short, long).flag().help(text))
+
+        override fun help(context: Context): String = """
+            Makes a web page of each log: one that opens from disk and needs nothing else.
+            With one INPUT the page is INPUT.html beside it. A second argument is the page (OUTPUT)
+            when it ends in .html or .htm, when it is an older page, or when it does not exist yet and is
+            not named like a log (.bag, .badbag, .csv, .wpilog, .wpilogxz, .revlog,
+            .dslog, .dsevents, .gz).
+            What exists is a log by its content, never by its name.
+        """.trimIndent()
+
+        override fun helpEpilog(context: Context): String =
+            "Exit code: 0 success, 3 some data was lost or left out, 1 no page was made, 2 wrong usage."
+
+        override fun run() = Unit
+
+        fun result() = Arguments(paths, outFolder, attachments, !isWithoutRules, field, video, opensPage)
+    }
+
+    private companion object {
+        const val NAME = "badlog-html"
+    }
+}

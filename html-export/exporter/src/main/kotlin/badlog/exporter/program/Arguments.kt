@@ -1,0 +1,25 @@
+package badlog.exporter.program
+
+import java.nio.file.Path
+
+/**
+ * What the command line asks for.
+ *
+ * @property paths the inputs, and possibly the output, in order; at least one.
+ * @property outFolder the folder for all pages, or null to put them beside their inputs.
+ * @property attachments files to put into each page.
+ * @property hasRules whether the pages run rules.
+ * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
+ * logs.
+ * @property video a video of the match for the only page; null for none.
+ * @property opensPage whether to open a page in the browser.
+ */
+internal class Arguments(
+    val paths: List<Path>,
+    val outFolder: Path?,
+    val attachments: List<Path>,
+    val hasRules: Boolean,
+    val field: Path?,
+    val video: Path?,
+    val opensPage: Boolean,
+)

@@ -1,0 +1,155 @@
+package badlog.exporter.program
+
+import badlog.core.recording.Severity
+import badlog.exporter.ExportException
+import badlog.exporter.ExportReport
+import badlog.exporter.HtmlExporter
+import badlog.exporter.checkReadable
+import badlog.exporter.fieldFor
+import badlog.exporter.layoutFor
+import badlog.exporter.videoFor
+import badlog.protocol.PageAdditions
+import badlog.rules.FolderRules
+import badlog.rules.RuleSet
+import badlog.terminal.Progress
+import badlog.terminal.ProgressBar
+import badlog.terminal.printable
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Makes the page of an input, like [HtmlExporter.export]. */
+internal typealias Export = (input: Path, page: Path, additions: PageAdditions, progress: Progress) -> ExportReport
+
+/**
+ * The command line: makes the requested pages, prints where they are, and reports what went wrong.
+ *
+ * @param out receives one line for each page: its absolute path.
+ * @param err receives all other messages for people.
+ * @param isTerminal whether [err] is a terminal, which can show a progress bar.
+ * @param exporterOf creates the function that exports, with these attachments in each page.
+ * @param open opens a page in the browser; returns false if that failed.
+ */
+internal class BadlogHtml(
+    private val out: PrintStream,
+    private val err: PrintStream,
+    private val isTerminal: Boolean,
+    private val exporterOf: (attachments: List<Path>) -> Export = { attachments ->
+        val exporter = HtmlExporter(attachments)
+        val export: Export = exporter::export
+        export
+    },
+    private val open: (Path) -> Boolean,
+) {
+    private val made = ArrayList<ExportReport>()
+    private var failed = 0
+    private var skipped = 0
+    private val rulesOfFolder = HashMap<Path, FolderRules>()
+    private val problemsBeside = HashSet<String>()
+
+    /** Does what [arguments] ask for. Call it once. */
+    fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
+        is ArgumentParser.Result.Run -> export(parsed.arguments)
+        is ArgumentParser.Result.Say -> ExitCode.WHOLE.also { out.println(parsed.text) }
+        is ArgumentParser.Result.Refuse -> ExitCode.USAGE.also { err.println(parsed.text) }
+    }
+
+    private fun export(arguments: Arguments): ExitCode {
+        arguments.field?.let { fieldFor(it, it).problem }?.let {
+            err.println(printable(it))
+            return ExitCode.USAGE
+        }
+        val jobs = try {
+            (arguments.attachments + listOfNotNull(arguments.video)).forEach(::checkReadable)
+            ExportPlan(arguments).jobs()
+        } catch (e: ExportException) {
+            err.println(e.message)
+            return ExitCode.NOTHING
+        }
+        if (arguments.video != null && jobs.size > 1) {
+            err.println("--video shows one match; name its log only.")
+            return ExitCode.USAGE
+        }
+        val export = exporterOf(arguments.attachments)
+        jobs.forEachIndexed { index, job ->
+            val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
+            make(job, { additions(job, arguments) }, export, ProgressBar(label, err, isTerminal))
+        }
+        sayWhatIsMissing()
+        if (arguments.opensPage) openNewest(jobs)
+        return when {
+            made.isEmpty() -> ExitCode.NOTHING
+
+            failed > 0 || rulesOfFolder.values.any { it.problem != null } || problemsBeside.isNotEmpty() ||
+                made.any { it.recording.isSalvaged } -> ExitCode.SALVAGED
+
+            else -> ExitCode.WHOLE
+        }
+    }
+
+    private fun additions(job: ExportJob, arguments: Arguments): PageAdditions {
+        val rules = rulesOfFolder.getOrPut(job.input.toAbsolutePath().normalize().parent) {
+            FolderRules.of(job.input).also { rules -> rules.problem?.lines()?.forEach { err.println(printable(it)) } }
+        }
+        val layout = layoutFor(job.input, rules.rules.signals)
+        val field = fieldFor(job.input, arguments.field)
+        for (problem in listOfNotNull(layout.problem, field.problem)) if (problemsBeside.add(problem)) err.println(printable(problem))
+        return PageAdditions(
+            // A page without rules must still know when the robot was enabled.
+            rules = if (arguments.hasRules) rules.rules else RuleSet.NONE.with(rules.rules.signals),
+            rulesProblem = rules.problem.takeIf { arguments.hasRules },
+            layout = layout.text,
+            field = field.json,
+            video = arguments.video?.let { videoFor(job.page, it) },
+        )
+    }
+
+    private fun make(job: ExportJob, additions: () -> PageAdditions, export: Export, bar: ProgressBar) {
+        try {
+            val report = bar.use { export(job.input, job.page, additions(), it) }
+            made += report
+            out.println(report.page)
+            saySalvaged(job, report)
+        } catch (e: ExportException) {
+            if (e is ExportException.NotARecording && job.isFound) {
+                skipped++
+            } else {
+                fail(e.message)
+            }
+        } catch (_: OutOfMemoryError) {
+            fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
+        } catch (e: Throwable) {
+            // Whatever it is, the other files should still get their pages.
+            val defect = e.toString().lineSequence().first()
+            fail("${job.input} was not exported: this is a bug in badlog; report it with the file ($defect).")
+        }
+    }
+
+    private fun fail(message: String?) {
+        failed++
+        err.println(message)
+    }
+
+    private fun saySalvaged(job: ExportJob, report: ExportReport) {
+        val losses = report.recording.problems.filter { it.severity == Severity.ERROR }
+        val first = losses.firstOrNull() ?: return
+        val line = first.line?.let { " (line $it)" }.orEmpty()
+        val others = if (losses.size > 1) " The page lists ${losses.size - 1} more." else ""
+        err.println("${job.input}: salvaged. ${first.message}$line$others")
+    }
+
+    private fun sayWhatIsMissing() {
+        if (skipped == 1) err.println("1 file is not a log and was skipped.")
+        if (skipped > 1) err.println("$skipped files are not logs and were skipped.")
+        if (made.isEmpty() && failed == 0) {
+            err.println("No page was made: no log was found. Name a log, or the folder it is in.")
+        }
+    }
+
+    private fun openNewest(jobs: List<ExportJob>) {
+        val pages = made.mapTo(HashSet()) { it.page }
+        val newest = jobs.filter { it.page.toAbsolutePath().normalize() in pages }
+            .maxByOrNull { Files.getLastModifiedTime(it.input) } ?: return
+        if (!open(newest.page)) err.println("No browser could be started; open ${newest.page} yourself.")
+    }
+}

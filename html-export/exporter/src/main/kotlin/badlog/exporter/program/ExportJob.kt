@@ -1,0 +1,12 @@
+package badlog.exporter.program
+
+import java.nio.file.Path
+
+/**
+ * One page to make.
+ *
+ * @property input the file to read.
+ * @property page the file to write; neither another job's page nor any job's input.
+ * @property isFound whether [input] was found in a folder, so that it may not be a log.
+ */
+internal class ExportJob(val input: Path, val page: Path, val isFound: Boolean)

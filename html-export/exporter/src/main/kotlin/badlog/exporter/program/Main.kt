@@ -1,0 +1,12 @@
+package badlog.exporter.program
+
+import badlog.terminal.openInBrowser
+import kotlin.system.exitProcess
+
+/** The program `badlog-html`. */
+fun main(arguments: Array<String>) {
+    // The start script can find this out; Java cannot before version 22.
+    val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)
+    val program = BadlogHtml(System.out, System.err, isTerminal, open = { openInBrowser(it) })
+    exitProcess(program.run(arguments.toList()).code)
+}

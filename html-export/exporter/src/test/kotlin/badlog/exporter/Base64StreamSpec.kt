@@ -1,0 +1,48 @@
+package badlog.exporter
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.byte
+import io.kotest.property.arbitrary.byteArray
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+import java.io.ByteArrayOutputStream
+import java.util.Base64
+
+class Base64StreamSpec : FunSpec({
+    fun encode(pieces: List<ByteArray>): String {
+        val out = ByteArrayOutputStream()
+        val base64 = Base64Stream(out)
+        pieces.forEach { base64.write(it) }
+        base64.finish()
+        return out.toString()
+    }
+
+    test("nothing is an empty text") {
+        encode(emptyList()) shouldBe ""
+    }
+
+    test("any pieces are one text with padding at its end only") {
+        checkAll(300, Arb.list(Arb.byteArray(Arb.int(0..7), Arb.byte()), 0..20)) { pieces ->
+            encode(pieces) shouldBe Base64.getEncoder().encodeToString(pieces.fold(ByteArray(0), ByteArray::plus))
+        }
+    }
+
+    test("pieces larger than its buffer, at every remainder of three") {
+        for (size in 49_150..49_156) {
+            val piece = ByteArray(size) { it.toByte() }
+            encode(listOf(piece, piece)) shouldBe Base64.getEncoder().encodeToString(piece + piece)
+        }
+    }
+
+    test("writes a part of an array") {
+        val out = ByteArrayOutputStream()
+        Base64Stream(out).apply {
+            write("0123456789".encodeToByteArray(), 2, 5)
+            finish()
+        }
+        out.toString() shouldBe Base64.getEncoder().encodeToString("234".encodeToByteArray())
+    }
+})

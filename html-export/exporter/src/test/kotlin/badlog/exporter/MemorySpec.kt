@@ -1,0 +1,49 @@
+package badlog.exporter
+
+import badlog.files.inFolder
+import badlog.rules.RulesFile
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import java.io.File
+import java.util.zip.GZIPOutputStream
+import kotlin.io.path.div
+import kotlin.io.path.outputStream
+import kotlin.io.path.writeText
+
+class MemorySpec : FunSpec({
+    val row = "0.02,1.2345,2.3456,-3.4567\n".encodeToByteArray()
+
+    fun exportIn(heap: String, gzips: Boolean, rules: String = ""): Int = inFolder { folder ->
+        if (rules.isNotEmpty()) (folder / RulesFile.NAME).writeText(rules)
+        val input = folder / "large.bag"
+        input.outputStream().buffered().let { if (gzips) GZIPOutputStream(it) else it }.use { out ->
+            out.write("Time,A,B,C\n".encodeToByteArray())
+            repeat(MEGABYTES * 1_000_000 / row.size) { out.write(row) }
+        }
+        val java = File(System.getProperty("java.home"), "bin/java").path
+        ProcessBuilder(java, heap, "-cp", System.getProperty("java.class.path"), "badlog.exporter.program.MainKt", "$input")
+            .redirectErrorStream(true)
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .start()
+            .waitFor()
+    }
+
+    test("memory grows with a piece, never with the file") {
+        exportIn("-Xmx24m", gzips = false) shouldBe 0
+    }
+
+    test("nor for rules, which the page runs and not the exporter, though they look at every topic") {
+        val rules = List(50) { number ->
+            "[[rule]]\nname = \"$number\"\nseverity = \"note\"\neach = [\"*\"]\nwhen = \"topic > $number for 1 s\"\ntext = \"t\"\n"
+        }
+        exportIn("-Xmx24m", gzips = false, rules.joinToString("")) shouldBe 0
+    }
+
+    test("nor with what a compressed file inflates to") {
+        exportIn("-Xmx24m", gzips = true) shouldBe 0
+    }
+}) {
+    private companion object {
+        const val MEGABYTES = 60
+    }
+}

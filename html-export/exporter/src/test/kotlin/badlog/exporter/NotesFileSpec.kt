@@ -1,0 +1,54 @@
+package badlog.exporter
+
+import badlog.core.bag.Mutant
+import badlog.files.FolderScan
+import badlog.protocol.Note
+import badlog.protocol.NotesException
+import badlog.protocol.notesOfJson
+import badlog.protocol.toJson
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Files
+import kotlin.random.Random
+
+private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
+
+class NotesFileSpec : FunSpec({
+    val log = tempdir().toPath().resolve("q42.bag")
+    val notes = listOf(Note(1.0, "first \"hit\"\n‹second line›"), Note(93.7, "brownout"))
+
+    test("notes stand beside their log, are no log themselves, and go with the last of them") {
+        Files.writeString(log, "Time,A\n0,1\n")
+        NotesFile.read(log) shouldBe emptyList()
+        NotesFile.write(log, notes)
+        NotesFile.read(log) shouldBe notes
+        NotesFile.of(log).fileName.toString() shouldBe "q42.bag.notes.json"
+        FolderScan.of(log.parent).files.map { it.path } shouldBe listOf(log)
+        NotesFile.write(log, emptyList())
+        Files.exists(NotesFile.of(log)) shouldBe false
+    }
+
+    test("damaged notes say which file is to be mended") {
+        Files.writeString(NotesFile.of(log), "{\"notes\":7}")
+        shouldThrow<NotesException> { NotesFile.read(log) }.message shouldBe
+            "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Mend the file, or delete it."
+        Files.write(NotesFile.of(log), byteArrayOf(-1, -2, 7))
+        shouldThrow<NotesException> { NotesFile.read(log) }.message shouldStartWith "The notes in q42.bag.notes.json are damaged"
+    }
+
+    test("whatever happens to the file, there are notes in bounds, or a sentence") {
+        val whole = notes.toJson()
+        val random = Random(12)
+        repeat(MUTANTS) {
+            val mutant = Mutant.of(whole.encodeToByteArray(), random, whole.length)
+            try {
+                for (note in notesOfJson(mutant.bytes.decodeToString())) note.x.isFinite() shouldBe true
+            } catch (e: NotesException) {
+                e.message.isNullOrBlank() shouldBe false
+            }
+        }
+    }
+})

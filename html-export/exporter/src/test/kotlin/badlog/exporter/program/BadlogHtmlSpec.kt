@@ -1,0 +1,331 @@
+package badlog.exporter.program
+
+import badlog.exporter.BADLOG_VERSION
+import badlog.exporter.BAG
+import badlog.exporter.CUT_BAG
+import badlog.exporter.HtmlExporter
+import badlog.exporter.ReadPage
+import badlog.exporter.additionsIn
+import badlog.exporter.names
+import badlog.files.gzip
+import badlog.files.inFolder
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.nio.file.Path
+import java.nio.file.attribute.FileTime
+import javax.imageio.ImageIO
+import kotlin.io.path.createDirectory
+import kotlin.io.path.div
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.setLastModifiedTime
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+class BadlogHtmlSpec : FunSpec({
+    class Ended(val code: ExitCode, out: String, val err: String, val opened: List<Path>) {
+        val lines = out.lines().filter { it.isNotEmpty() }
+    }
+
+    // Makes pages, but of a file named so it fails as no exporter should.
+    fun failingOn(name: String) = { attachments: List<Path> ->
+        val exporter = HtmlExporter(attachments)
+        val export: Export = { input, page, additions, progress ->
+            check(input.name != name) { "Out of cheese\n+++" }
+            exporter.export(input, page, additions, progress)
+        }
+        export
+    }
+
+    fun run(vararg arguments: Any, canOpen: Boolean = true, failsOn: String = ""): Ended {
+        val out = ByteArrayOutputStream()
+        val err = ByteArrayOutputStream()
+        val opened = ArrayList<Path>()
+        val program = BadlogHtml(PrintStream(out), PrintStream(err), false, failingOn(failsOn)) { page ->
+            opened.add(page)
+            canOpen
+        }
+        val code = program.run(arguments.map { it.toString() })
+        err.toString() shouldNotContain "\tat "
+        return Ended(code, out.toString(), err.toString(), opened)
+    }
+
+    fun Path.with(name: String, content: String = BAG): Path = (this / name).apply { writeText(content) }
+
+    test("one input: its page stands beside it and is named on the standard output") {
+        inFolder { folder ->
+            val ended = run(folder.with("match.bag"))
+            ended.code shouldBe ExitCode.WHOLE
+            ended.lines shouldContainExactly listOf("${folder / "match.bag.html"}")
+            ended.err shouldBe ""
+            ReadPage(folder / "match.bag.html").inflated().decodeToString() shouldBe BAG
+        }
+    }
+
+    test("input and output, as the original has them, with all of its flags") {
+        inFolder { folder ->
+            val notes = folder.with("notes.txt", "hello")
+            val ended = run("-tcg", "-o", "-a", notes, folder.with("match.bag"), folder / "page")
+            ended.code shouldBe ExitCode.WHOLE
+            ended.opened shouldContainExactly listOf(folder / "page")
+            ReadPage(folder / "page").attachments.getValue("notes.txt").decodeToString() shouldBe "hello"
+            run("--trim-doubles", "--csv", "--gzip", folder / "match.bag").code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("a page begins with the layout beside its log, by the type of its match; a mistake in it is said once, and leaves nothing out") {
+        inFolder { folder ->
+            val layouts = ArrayList<String?>()
+            val export: Export = { input, page, additions, progress ->
+                layouts += additions.layout
+                HtmlExporter().export(input, page, additions, progress)
+            }
+            fun made(): String {
+                val err = ByteArrayOutputStream()
+                BadlogHtml(PrintStream(ByteArrayOutputStream()), PrintStream(err), false, { export }) { true }.run(listOf("$folder"))
+                return err.toString()
+            }
+            folder.with("a.bag")
+            folder.with("b.bag", BAG.replace("\"values\":[", "\"values\":[{\"name\":\"Match Type\",\"value\":\"Practice\"},"))
+            val all = (folder / "default.badlog-layout.json").apply { writeText("""{"badlog-layout":1,"graphs":[]}""") }
+            val practice = (folder / "practice.badlog-layout.json").apply { writeText("""{"badlog-layout":1,"formulas":[]}""") }
+            made() shouldBe ""
+            layouts shouldContainExactly listOf(all.readText(), practice.readText())
+            all.writeText("""{"badlog-layout":1,"graphs":[7]}""")
+            practice.writeText("no")
+            layouts.clear()
+            val said = made().lines().filter { it.isNotEmpty() }
+            said shouldContainExactly listOf(
+                "The layout $all is not used: The graphs are damaged: graph 1 is not an object (line 1, column 30); select a file that badlog has saved.",
+                "The layout $practice is not used: It is not a layout, or is damaged in line 1, column 1; select a file that badlog has saved.",
+            )
+            layouts shouldContainExactly listOf(null, null)
+        }
+    }
+
+    test("a page carries the field that was named, or the one beside its log; a mistake in the named one stops before any work") {
+        inFolder { folder ->
+            val log = folder.with("a.bag")
+            val field = """{"field-image":"f.png","field-corners":{"top-left":[0,0],"bottom-right":[4,2]},"field-size":[54,27],"field-unit":"foot"}"""
+            val named = folder.with("other.json", field)
+            run(log, "--field", named).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "other.json is not used: Its picture “f.png” cannot be read"
+            }
+            folder.names() shouldContainExactly listOf("a.bag", "other.json")
+            ImageIO.write(BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", (folder / "f.png").toFile())
+            run(log, "--field", named).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "data:image/png;base64,"
+            run(log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldNotContain "data:image"
+            folder.with("field.json", field)
+            run(log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "data:image/png;base64,"
+        }
+    }
+
+    test("a page names the video in its folder or below, and may play that alone; any other is refused, and why is said") {
+        inFolder { folder ->
+            val log = folder.with("a.bag")
+            val video = (folder / "video").createDirectory().with("match 1.mp4", "a video")
+            run(log, "--video", video).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "\"video\":\"video/match 1.mp4\""
+            (folder / "a.bag.html").readText() shouldContain "media-src blob: 'self';"
+            run(log, "--video", folder / "nix.mp4").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "There is no file"
+            }
+            run(log, "--video", video, "--out", folder / "pages").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldContain "$video is not in the folder of ${folder / "pages" / "a.bag.html"}; move it there"
+            }
+            run(log, folder.with("b.bag"), "--video", video).run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "name its log only"
+            }
+        }
+    }
+
+    test("an output is one by its ending, whether it exists or not") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            for (name in listOf("p.html", "p.htm", "P.HTM")) {
+                folder.with("old$name", "old")
+                for (page in listOf(folder / name, folder / name, folder / "old$name")) {
+                    run(folder / "a.bag", page).lines shouldContainExactly listOf("$page")
+                    ReadPage(page).inflated().decodeToString() shouldBe BAG
+                }
+            }
+        }
+    }
+
+    test("an output without such an ending is replaced by the second run") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            repeat(2) { run(folder / "a.bag", folder / "page").lines shouldContainExactly listOf("${folder / "page"}") }
+            folder.names() shouldContainExactly listOf("a.bag", "page")
+        }
+    }
+
+    test("any other second path is an input: what exists stays as it is") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            for (name in listOf("b.bag", "b", "b.csv")) {
+                run(folder / "a.bag", folder.with(name)).lines.size shouldBe 2
+                (folder / name).readText() shouldBe BAG
+            }
+        }
+    }
+
+    test("a log whose name is mistyped is missed, not made") {
+        inFolder { folder ->
+            folder.with("a.bag")
+            for (name in listOf("nix.bag", "nix.badbag", "nix.CSV", "nix.bag.gz", "nix.wpilog")) {
+                repeat(2) {
+                    val ended = run(folder / "a.bag", folder / name)
+                    ended.code shouldBe ExitCode.SALVAGED
+                    ended.err shouldContain "There is no file ${folder / name}"
+                }
+            }
+            folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
+        }
+    }
+
+    test("a folder: every log right in it, whatever its name, and nothing else") {
+        inFolder { folder ->
+            for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html")) folder.with(name)
+            (folder / "z.gz").writeBytes(gzip(BAG.encodeToByteArray()))
+            (folder / "video.mp4").writeBytes(byteArrayOf(0, 0, 0, 32, 1, 2))
+            (folder / "sub").createDirectory().with("deep.bag")
+            val ended = run(folder, "--out", folder / "out")
+            ended.code shouldBe ExitCode.WHOLE
+            (folder / "out").names() shouldContainExactly
+                listOf("A.html", "b.bag.html", "c.csv.html", "log.bag1519.html", "z.gz.html")
+            ended.err shouldBe "1 file is not a log and was skipped.\n"
+        }
+    }
+
+    test("pages of equal names in one folder do not collide") {
+        inFolder { folder ->
+            val second = (folder / "second").createDirectory().with("a.bag")
+            val third = (folder / "third").createDirectory().with("A.bag")
+            val first = folder.with("a.bag")
+            run(first, folder.with("a.bag.gz"), second, third, first, "--out=${folder / "out"}").lines.size shouldBe 4
+            (folder / "out").names() shouldContainExactlyInAnyOrder
+                listOf("a.bag.html", "a.bag.gz.html", "a.bag (2).html", "A.bag (3).html")
+        }
+    }
+
+    test("no page takes the place of an input") {
+        inFolder { folder ->
+            run(folder.with("a"), folder.with("a.html"), folder.with("b")).code shouldBe ExitCode.WHOLE
+            (folder / "a.html").readText() shouldBe BAG
+            folder.names() shouldContain "a (2).html"
+            run(folder / "b", folder / "b").lines shouldContainExactly listOf("${folder / "b.html"}")
+        }
+    }
+
+    test("what is salvaged has a page, and exit code 3") {
+        inFolder { folder ->
+            val ended = run(folder.with("cut.bag", CUT_BAG), folder.with("whole.bag"))
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.lines.size shouldBe 2
+            ended.err shouldContain "${folder / "cut.bag"}: salvaged. "
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("what cannot be made beside what can: exit code 3; alone: 1") {
+        inFolder { folder ->
+            val missing = folder / "nix.bag"
+            run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED
+            val ended = run(missing)
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldBe "There is no file $missing; check the spelling.\n"
+            folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
+        }
+    }
+
+    test("nonsense is reported when it was named, and leaves nothing") {
+        inFolder { folder ->
+            (folder / "x.bag").writeBytes(byteArrayOf(1, 2, 3))
+            val ended = run(folder / "x.bag")
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "${folder / "x.bag"}: This file is neither"
+            val found = run(folder)
+            found.code shouldBe ExitCode.NOTHING
+            found.err shouldContain "no log was found"
+            folder.names() shouldContainExactly listOf("x.bag")
+        }
+    }
+
+    test("a bug in badlog costs one file its page, and is reported in one line") {
+        inFolder { folder ->
+            for (name in listOf("a.bag", "b.bag", "c.bag")) folder.with(name)
+            val ended = run(folder, failsOn = "b.bag")
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.lines shouldContainExactly listOf("a", "c").map { "${folder / "$it.bag.html"}" }
+            ended.err shouldContain "${folder / "b.bag"} was not exported: this is a bug in badlog; report it"
+            ended.err.lines().size shouldBe 2
+            run(folder / "b.bag", failsOn = "b.bag").code shouldBe ExitCode.NOTHING
+        }
+    }
+
+    test("a missing attachment stops before any work") {
+        inFolder { folder ->
+            val ended = run("-a", folder / "nix.txt", folder.with("a.bag"), folder.with("b.bag"))
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "There is no file ${folder / "nix.txt"}"
+            ended.err.lines().size shouldBe 2
+        }
+    }
+
+    test("an output folder that is a file") {
+        inFolder { folder ->
+            val ended = run(folder.with("a.bag"), "--out", folder.with("file"))
+            ended.code shouldBe ExitCode.NOTHING
+            ended.err shouldContain "${folder / "file"} is a file, not a folder"
+        }
+    }
+
+    test("of several pages the newest input's is opened, and no browser is not a failure") {
+        inFolder { folder ->
+            folder.with("old.bag").setLastModifiedTime(FileTime.fromMillis(1_000_000))
+            folder.with("new.bag").setLastModifiedTime(FileTime.fromMillis(3_000_000))
+            folder.with("z.bag").setLastModifiedTime(FileTime.fromMillis(2_000_000))
+            val ended = run("--open", folder, canOpen = false)
+            ended.code shouldBe ExitCode.WHOLE
+            ended.opened shouldContainExactly listOf(folder / "new.bag.html")
+            ended.err shouldContain "open ${folder / "new.bag.html"} yourself"
+        }
+    }
+
+    test("wrong usage has exit code 2 and says what is wrong") {
+        run().code shouldBe ExitCode.USAGE
+        run("--nix", "a").err shouldContain "--nix"
+        run("a", "--out").code shouldBe ExitCode.USAGE
+        run("--nix", "a").err shouldContain "badlog-html --help"
+    }
+
+    test("help and version are answers, not errors") {
+        val help = run("--help")
+        help.code shouldBe ExitCode.WHOLE
+        val text = help.lines.joinToString("\n")
+        for (part in listOf("-t, --trim", "-c, --csv", "-g, --gzip", "-a, --attach", "-o, --open", "--out", "--field", "--video", "3 some")) {
+            text shouldContain part
+        }
+        run("--version").lines shouldContainExactly listOf("badlog-html $BADLOG_VERSION")
+    }
+
+    test("a file whose name begins with @ or - is a file") {
+        inFolder { folder -> run("--", folder.with("@a.bag")).code shouldBe ExitCode.WHOLE }
+    }
+})

@@ -1,0 +1,339 @@
+package badlog.page.app
+
+import badlog.core.analysis.LogView
+import badlog.page.board.BoardDrag
+import badlog.page.board.BoardKeys
+import badlog.page.board.BoardSection
+import badlog.page.board.TopicDialog
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.embedded.About
+import badlog.page.embedded.GivenLayout
+import badlog.page.findings.EvidenceSection
+import badlog.page.findings.FindingList
+import badlog.page.folder.EventsLink
+import badlog.page.folder.FolderList
+import badlog.page.folder.FolderNavigation
+import badlog.page.folder.folderOf
+import badlog.page.formula.FormulaDialog
+import badlog.page.formula.Formulas
+import badlog.page.graph.VisibleGraphs
+import badlog.page.header.Downloads
+import badlog.page.header.ExportMenu
+import badlog.page.header.LayoutButtons
+import badlog.page.header.Printing
+import badlog.page.header.ProblemStrip
+import badlog.page.header.SearchBox
+import badlog.page.header.ThemeSwitch
+import badlog.page.header.ZoomBar
+import badlog.page.header.additionProblems
+import badlog.page.header.infoSection
+import badlog.page.header.pageHeader
+import badlog.page.panel.CursorPanel
+import badlog.page.panel.HelpOverlay
+import badlog.page.panel.NoteList
+import badlog.page.rules.RuleSearch
+import badlog.page.video.VideoPanel
+import badlog.page.view.Hits
+import badlog.page.view.PageBoard
+import badlog.page.view.Scene
+import badlog.page.view.timelineOf
+import badlog.protocol.PageAdditions
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.firstEvidenceOf
+import badlog.rules.incident.incidentsIn
+import badlog.viewer.choices.board.BoardLayout
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.board.boardAbove
+import badlog.viewer.choices.board.evidenceBoard
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.formula.nameIn
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.draw.path.fieldOfJson
+import badlog.viewer.session.link.PageAddress
+import badlog.viewer.shown.outline.outlineOf
+import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countText
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/** Puts together the page of a recording. */
+internal class LogPage(
+    private val formulas: Formulas,
+    private val about: About,
+    additions: PageAdditions?,
+    private val layout: GivenLayout,
+    downloads: Downloads,
+    theme: ThemeSwitch,
+    axisChoice: HTMLElement?,
+) {
+    private val additions = additions ?: PageAdditions()
+    private val view = formulas.view
+    private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
+    private val signals = this.additions.rules.signals
+    private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
+    private val board = PageBoard(about.fileKey, linesNow())
+    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice).apply {
+        findings = timelineOf(embeddedFindings)
+        notes = this@LogPage.additions.notes
+        this@LogPage.additions.field?.let { field = fieldOfJson(it) }
+    }
+    private val graphs = VisibleGraphs(scene)
+    private val outline = outlineOf(view, signals, formulas.names)
+    private val folders = FolderList(outline, scene, about.fileKey, this.additions.hooks, graphs::add, graphs::remove) {
+        if (formulas.formulaOf(it) == null) "" else "formula"
+    }
+    private val navigation = FolderNavigation(folders)
+    private val search = SearchBox(::filter)
+    private val eventsLink = EventsLink(folders)
+    private val formulaDialog = FormulaDialog(formulas, ::addFormula, ::changeFormula, ::removeFormula)
+    private val formulaButton = element("div", "formula-button") {
+        addButton("", "", "Add a formula (F)") { formulaDialog.open() }.apply {
+            id = "add-formula"
+            setAttribute("aria-label", "Add a formula")
+            appendChild(Icon.FORMULA.draw())
+            add("span", "", "Formula")
+        }
+    }
+    private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
+    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
+    private val video = VideoPanel(scene, about.fileKey, this.additions.video)
+    private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith)
+    private val zoomBar = ZoomBar(scene, ways, link.element)
+    private val help = HelpOverlay()
+    private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
+    private val notes = NoteList(scene)
+    private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
+    private val topicDialog = TopicDialog(scene)
+    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open, video::open)
+    private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
+    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
+    private val export = ExportMenu(scene, printing) { boardSection.cards }
+    private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
+
+    private lateinit var content: HTMLElement
+
+    private val tools = listOf(
+        export.element,
+        downloads.element,
+        video.button,
+        element("div", "page-settings") {
+            appendChild(theme.element)
+            addIconButton("", Icon.HELP, "Keys and gestures (?)") { help.toggle() }.id = "help-button"
+        },
+    )
+
+    val element: HTMLElement = element("div", "log-page") {
+        addButton("skip", "Skip to the graphs") { skip() }
+        appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
+        axisChoice?.let(::appendChild)
+        appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
+        appendChild(findings.element)
+        appendChild(notes.element)
+        appendChild(printing.element)
+        appendChild(zoomBar.element)
+        appendChild(evidence.element)
+        appendChild(boardSection.element)
+        add("div", "columns") {
+            appendChild(navigation.list)
+            content = add("div", "content") {
+                appendChild(nothingFound)
+                appendChild(folders.element)
+                appendChild(infoSection(view, formulas.logged.recording, about))
+            }
+        }
+        appendChild(video.element)
+        appendChild(values.element)
+        appendChild(help.element)
+        appendChild(formulaDialog.element)
+        appendChild(topicDialog.element)
+        appendChild(scene.notice.element)
+    }
+
+    init {
+        nothingFound.isHidden = true
+        board.onChange(values::refresh)
+        BoardDrag(board, graphs, boardSection)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video)
+    }
+
+    /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */
+    fun start() {
+        link.start { asked ->
+            board.begin(asked) { layout.board ?: boardAbove(view, signals) }
+            folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
+        }
+        graphs.start(boardSection.cards + evidence.cards + folders.cards)
+        values.refresh()
+    }
+
+    /**
+     * Lays out the whole page, and runs its rules on [logged], the recording with the exporter's formulas. Call it when the first graphs
+     * are visible.
+     */
+    fun complete(logged: LogView) {
+        folders.layOut(Int.MAX_VALUE)
+        if (additions.rules.rules.isEmpty()) return setRulesState("done")
+        findings.wait()
+        RuleSearch(logged, additions.rules, about.name).start(
+            onFindings = { found ->
+                scene.findings = timelineOf(found.findings + embeddedFindings)
+                val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
+                findings.show(found.skipped, incidents)
+                if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
+                // `has:finding` now finds more.
+                search.again()
+                // The place in the address is known only now.
+                link.followAgain()
+                // Draws into the existing graphs, since somebody may be dragging over one.
+                if (found.findings.isNotEmpty()) {
+                    graphs.redraw()
+                    zoomBar.repaint()
+                }
+                setRulesState("done")
+            },
+            onFailure = { reason ->
+                findings.fail(reason)
+                setRulesState("failed")
+            },
+        )
+    }
+
+    /** Redraws everything that has its own colors. */
+    fun repaint() {
+        graphs.repaint()
+        zoomBar.repaint()
+    }
+
+    private fun filter(query: Query): Hits {
+        boardSection.filter(query)
+        val inFolders = folders.filter(query)
+        val hits = inFolders + Hits(findings = findings.filter(query), notes = notes.filter(query))
+        nothingFound.isHidden = query.isEmpty || !hits.isEmpty
+        navigation.update(isSearching = !query.isEmpty)
+        eventsLink.update()
+        values.filter(query)
+        // The findings begin above the screen if the page was scrolled before, and below it if there is a board above.
+        val top = content.getBoundingClientRect().top
+        val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
+        if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()
+        return hits
+    }
+
+    /** Returns the lines of the board and the evidence, or, if there is neither, all of the log. */
+    private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.graph.series }
+
+    private fun allLines() = folders.cards.flatMap { it.graph.series } +
+        scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
+            .filter { it.states != null || it.topic.samples.isNotEmpty() }
+
+    private fun addFormula(definition: String) {
+        link.leave()
+        search.clear()
+        graphs.add(folders.add(formulas.add(definition)))
+        board.lines = linesNow()
+        navigation.list()
+    }
+
+    /** Adds those of [definitions], from a link or a layout, that can be calculated here. Returns sentences that say why others cannot. */
+    private fun addFormulas(definitions: List<String>, isRemembered: Boolean): List<String> {
+        val problems = ArrayList<String>()
+        for (definition in definitions.filter { !formulas.has(it) }) {
+            val mistake = formulas.mistakeIn(definition)
+            if (mistake != null) problems += "Skipped “$definition”: ${mistake.message}"
+            if (mistake == null) graphs.add(folders.add(formulas.add(definition, isRemembered), isWanted = false))
+        }
+        if (definitions.isEmpty()) return problems
+        board.lines = linesNow()
+        navigation.list()
+        return problems
+    }
+
+    private fun linesNow() = BoardLines(formulas.view, hookGraphs)
+
+    private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
+
+    private fun open(opened: BoardLayout) {
+        val problems = addFormulas(opened.formulas, isRemembered = true)
+        val fitted = opened.board?.fittedTo { board.lines[it] != null }
+        board.change { fitted?.board ?: boardAbove(view, signals) }
+        opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
+        scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
+        boardSection.bringIntoSight()
+    }
+
+    private fun goWith(address: PageAddress) {
+        if (address.board != null && address.finding == null) return boardSection.bringIntoSight()
+        showAnyGraph()
+        address.moment?.let { findings.visitAt(it, address.finding) }
+    }
+
+    private fun pinEvidence(finding: Finding, incident: Incident?) {
+        val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
+        board.change { withGraphs(shown) }
+        scene.notice.say("${countText(shown.size, "graph")} added to the board.")
+    }
+
+    private fun changeFormula(from: String, to: String) {
+        link.leave()
+        search.clear()
+        val users = formulas.usersOf(from)
+        for (definition in users + from) takeAway(definition)
+        formulas.replace(from, to)
+        for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
+        // Before the old name becomes unknown, because the board drops what nothing draws.
+        nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
+        board.lines = linesNow()
+        navigation.list()
+    }
+
+    private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?) {
+        evidence.show(place, incident)
+        values.refresh()
+        if (evidence.cards.isEmpty()) showAnyGraph()
+    }
+
+    private fun removeFormula(definition: String) {
+        link.leave()
+        takeAway(definition)
+        formulas.remove(definition)
+        nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }
+        board.lines = linesNow()
+        navigation.list()
+    }
+
+    private fun takeAway(definition: String) {
+        formulas.nameOf(definition)?.let(folders::remove)?.let(graphs::remove)
+    }
+
+    private fun skip() {
+        val first = (boardSection.cards + folders.cards).firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
+        first.element.bringIntoSight()
+        first.focus()
+    }
+
+    /** Scrolls to the first graph if none is on the screen, so that the cursor is visible. */
+    private fun showAnyGraph() {
+        val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }.filter {
+            it.second.height >
+                0
+        }
+        if (boxes.any { (_, box) -> box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE }) return
+        boxes.firstOrNull()?.first?.bringIntoSight()
+    }
+
+    private companion object {
+        /** The number of pixels of a graph that are enough to see its cursor. */
+        const val MIN_VISIBLE = 120
+
+        /** Hardly any graph is lower than this, in pixels. */
+        const val LOWEST = 100
+    }
+}

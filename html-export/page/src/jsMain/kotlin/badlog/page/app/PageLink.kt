@@ -1,0 +1,123 @@
+package badlog.page.app
+
+import badlog.page.dom.Icon
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.formula.Formulas
+import badlog.page.video.VideoPanel
+import badlog.page.view.Scene
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.session.link.PageAddress
+import badlog.viewer.session.link.pageAddressOf
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLTextAreaElement
+import kotlin.js.Promise
+
+/**
+ * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
+ * address for the current view.
+ *
+ * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
+ * @param onJump called when the cursor and the board are as the address demands.
+ */
+internal class PageLink(
+    private val scene: Scene,
+    private val formulas: Formulas,
+    private val video: VideoPanel,
+    private val onFormulas: (List<String>) -> List<String>,
+    private val onJump: (PageAddress) -> Unit,
+) {
+    /** The address that was followed, until the reader looks elsewhere. */
+    private var followed: PageAddress? = null
+
+    val element: HTMLElement = element("div", "copy-link") {
+        addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
+    }
+
+    /** Starts following the address; [begin] is called with the board in it. */
+    fun start(begin: (Board?) -> Unit) {
+        follow(begin)
+        window.addEventListener("hashchange", { follow { asked -> asked?.let(scene.board::visit) } })
+        scene.board.onKeep = ::leave
+    }
+
+    /**
+     * Makes the board and the formulas of a link the reader's own, because the reader is changing one of them. Otherwise they would return
+     * when the page is loaded again, and replace the reader's changes.
+     */
+    fun leave() {
+        val hash = window.location.hash
+        if ("f=" in hash) formulas.remember()
+        if ("f=" in hash || "board=" in hash) showAddress("")
+    }
+
+    /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
+    fun followAgain() {
+        val address = followed ?: return
+        val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
+        if ((address.board == null || address.finding != null) && isThere) go(address)
+    }
+
+    private fun follow(onBoard: (Board?) -> Unit) {
+        val address = pageAddressOf(window.location.hash)
+        followed = address
+        val problems = address.problems + onFormulas(address.formulas)
+        val board = address.board?.fittedTo { scene.board.lines[it] != null }
+        onBoard(board?.board)
+        go(address)
+        address.video?.let { video.alignment = it }
+        scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
+    }
+
+    private fun go(address: PageAddress) {
+        address.moment?.let(scene::goTo)
+        if (address.moment != null || address.board != null) onJump(address)
+        address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
+    }
+
+    private fun copy() {
+        val address = PageAddress(
+            moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
+            finding = scene.visitedAt(scene.cursor.x),
+            visible = scene.range.now.takeIf { scene.range.isZoomed },
+            board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
+            formulas = formulas.own,
+            video = video.alignment,
+        )
+        val end = address.toText()
+        val link = window.location.href.substringBefore('#') + end
+        val copied = try {
+            window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()
+        } catch (_: Throwable) {
+            Promise.reject(IllegalStateException())
+        }
+        copied.then({ true }, { copyBySelection(link) })
+            .then { isCopied ->
+                if (!isCopied) showAddress(end)
+                scene.notice.say(if (isCopied) "Link copied." else "Copy the link from the address bar.")
+            }
+    }
+
+    /** Makes the page's address end with [end], without following it. */
+    private fun showAddress(end: String) {
+        try {
+            window.history.replaceState(null, "", window.location.href.substringBefore('#') + end)
+        } catch (_: Throwable) {
+            // Pages in some frames have no address of their own.
+        }
+    }
+
+    /** Copies in a way that works for pages that may not use the clipboard. */
+    private fun copyBySelection(link: String): Boolean {
+        val area = element("textarea").unsafeCast<HTMLTextAreaElement>()
+        area.value = link
+        document.body?.appendChild(area)
+        area.select()
+        val isCopied = document.asDynamic().execCommand("copy") == true
+        area.remove()
+        return isCopied
+    }
+}

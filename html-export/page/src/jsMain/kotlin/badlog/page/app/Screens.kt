@@ -1,0 +1,39 @@
+package badlog.page.app
+
+import badlog.page.dom.add
+import badlog.page.dom.element
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/** What the page shows while the log is being read. */
+internal class LoadingScreen(name: String) {
+    private lateinit var bar: HTMLElement
+
+    val element: HTMLElement = element("div", "screen loading") {
+        setAttribute("role", "status")
+        add("p", "screen-title", "Reading $name…")
+        add("div", "progress") { bar = add("div", "progress-bar") }
+    }
+
+    init {
+        // Most logs are loaded before anyone could read this.
+        window.setTimeout({ element.classList.add("is-slow") }, PATIENCE_MILLISECONDS)
+    }
+
+    /** Shows that [share] of the work is done, 0 to 1. */
+    fun show(share: Double) {
+        bar.style.width = "${share * 100}%"
+    }
+
+    private companion object {
+        const val PATIENCE_MILLISECONDS = 300
+    }
+}
+
+/** Returns what the page shows instead of a log that cannot be shown. */
+internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement = element("div", "screen failure") {
+    setAttribute("role", "alert")
+    add("p", "screen-title", title)
+    add("p", "screen-text", explanation)
+    if (tools != null) appendChild(tools)
+}

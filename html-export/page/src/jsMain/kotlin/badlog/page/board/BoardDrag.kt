@@ -1,0 +1,132 @@
+package badlog.page.board
+
+import badlog.page.dom.EscapeKey
+import badlog.page.dom.element
+import badlog.page.graph.GraphCard
+import badlog.page.graph.VisibleGraphs
+import badlog.page.view.PageBoard
+import badlog.viewer.choices.board.asBoardGraph
+import badlog.viewer.choices.board.isDroppedInto
+import badlog.viewer.input.DragKind
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.Element
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.pointerevents.PointerEvent
+import kotlin.math.abs
+
+/**
+ * Drags a graph by its title with a mouse: onto another graph, to combine the two; or between those of the board, to put it there. Touch
+ * and keyboard users have the menus for that.
+ */
+internal class BoardDrag(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
+    private var dragged: GraphCard? = null
+    private var startX = 0.0
+    private var startY = 0.0
+    private var ghost: HTMLElement? = null
+    private var marked: HTMLElement? = null
+    private var drop: (() -> Unit)? = null
+    private val escape = EscapeKey(::stop)
+
+    init {
+        document.addEventListener("pointerdown", { press(it.unsafeCast<PointerEvent>()) })
+        document.addEventListener("pointermove", { move(it.unsafeCast<PointerEvent>()) })
+        document.addEventListener("pointerup", { release() })
+        document.addEventListener("pointercancel", { stop() })
+    }
+
+    private fun press(event: PointerEvent) {
+        val title = event.target.unsafeCast<Element>().closest(".graph-title")
+        if (event.button.toInt() != 0 || event.pointerType == "touch" || title == null) return
+        dragged = title.closest(".graph")?.let(graphs::cardAt)
+        startX = event.clientX.toDouble()
+        startY = event.clientY.toDouble()
+    }
+
+    private fun move(event: PointerEvent) {
+        val card = dragged ?: return
+        val x = event.clientX.toDouble()
+        val y = event.clientY.toDouble()
+        if (ghost == null) {
+            if (maxOf(abs(x - startX), abs(y - startY)) < DragKind.MIN_DISTANCE) return
+            ghost = element("div", "drag-ghost card", card.graph.title).also { document.body?.appendChild(it) }
+            document.body?.classList?.add("is-dragging")
+            escape.take()
+        }
+        ghost?.style?.transform = "translate(${x + GAP}px, ${y + GAP}px)"
+        if (y < EDGE_TOP) {
+            window.scrollBy(0.0, -SCROLL)
+        } else if (y > window.innerHeight - EDGE_BOTTOM) {
+            window.scrollBy(0.0, SCROLL)
+        }
+        aim(card, y, document.elementFromPoint(x, y))
+    }
+
+    /** Finds out what dropping the graph here would do, and shows it. */
+    private fun aim(card: GraphCard, y: Double, below: Element?) {
+        drop = null
+        val own = section.itemOf(card.element)
+        val onBoard = below?.closest("#board") != null
+        val (item, share) = section.itemAt(y)?.takeIf { onBoard } ?: (null to 0.0)
+        val isOnGraph = item != null && item !== own && isDroppedInto(share)
+        when {
+            item != null && isOnGraph -> mark(item.element, "drop-into") { join(card, own, item.spec.id) }
+
+            item != null -> {
+                val isBefore = share < 0.5
+                val before = if (isBefore) item.spec.id else section.after(item)
+                mark(item.element, if (isBefore) "drop-before" else "drop-after") { place(card, own, before) }
+            }
+
+            onBoard -> mark(section.element, "drop-after") { place(card, own, null) }
+
+            else -> {
+                val other = below?.closest(".graph")?.let(graphs::cardAt)?.takeIf { it !== card }
+                if (other == null) mark(null) else mark(other.element, "drop-into") { both(card, other) }
+            }
+        }
+    }
+
+    private fun place(card: GraphCard, own: BoardItem?, before: Int?) = board.change {
+        if (own == null) withGraphs(listOf(card.look), before) else movedBefore(own.spec.id, before)
+    }
+
+    private fun join(card: GraphCard, own: BoardItem?, target: Int) = board.change {
+        if (own != null) joined(target, own.spec.id) else withLines(target, card.look.lines)
+    }
+
+    private fun both(card: GraphCard, other: GraphCard) {
+        val first = other.graph.asBoardGraph()
+        board.change { withGraphs(listOf(first.copy(lines = (first.lines + card.look.lines).distinct()))) }
+        section.bringIntoSight()
+    }
+
+    private fun mark(place: HTMLElement?, how: String = "", what: (() -> Unit)? = null) {
+        marked?.classList?.remove("drop-into", "drop-before", "drop-after")
+        place?.classList?.add(how)
+        marked = place
+        drop = what
+    }
+
+    private fun release() {
+        val action = drop
+        stop()
+        action?.invoke()
+    }
+
+    private fun stop() {
+        if (ghost != null) escape.giveBack()
+        ghost?.remove()
+        ghost = null
+        dragged = null
+        document.body?.classList?.remove("is-dragging")
+        mark(null)
+    }
+
+    private companion object {
+        const val GAP = 10
+        const val EDGE_TOP = 120
+        const val EDGE_BOTTOM = 40
+        const val SCROLL = 16.0
+    }
+}

@@ -1,0 +1,136 @@
+package badlog.page.board
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
+import badlog.page.dom.element
+import badlog.page.dom.isDisabled
+import badlog.page.dom.isHidden
+import badlog.page.dom.openMenu
+import badlog.page.dom.showText
+import badlog.page.graph.GraphCard
+import badlog.page.graph.VisibleGraphs
+import badlog.page.view.Scene
+import badlog.viewer.choices.board.Board
+import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countText
+import kotlinx.browser.document
+import org.w3c.dom.HTMLElement
+
+/**
+ * The graphs that the reader put together, and actions for all of them.
+ *
+ * @param layouts the buttons that save the board and open another one.
+ */
+internal class BoardSection(
+    private val scene: Scene,
+    private val graphs: VisibleGraphs,
+    private val topics: TopicDialog,
+    layouts: HTMLElement,
+) {
+    private val board = scene.board
+    private val items = ArrayList<BoardItem>()
+    private var query = Query("")
+    private lateinit var count: HTMLElement
+    private lateinit var hint: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var add: HTMLElement
+    private lateinit var undo: HTMLElement
+    private lateinit var redo: HTMLElement
+    private lateinit var clear: HTMLElement
+
+    val element: HTMLElement = element("section", "board") {
+        id = "board"
+        setAttribute("aria-label", "Board")
+        add("header", "graph-head") {
+            add("h2", "findings-title", "Board")
+            count = add("span", "unit") { setAttribute("role", "status") }
+            hint = add("span", "unit board-hint", "Pin graphs (P) to see them together here.")
+            add("div", "graph-tools") {
+                add = addIconButton("", Icon.PLUS, "Add topics") { topics.open() }.apply { id = "add-topics" }
+                undo = addIconButton("", Icon.UNDO, "Undo (Ctrl+Z)") { board.undo() }.apply { id = "undo" }
+                redo = addIconButton("redo", Icon.UNDO, "Redo (Ctrl+Y)") { board.redo() }.apply { id = "redo" }
+                appendChild(layouts)
+                clear = addIconButton("", Icon.CLOSE, "Remove all") { board.change { Board() } }.apply { id = "clear-board" }
+            }
+        }
+        body = add("div", "folder-body")
+    }
+
+    init {
+        board.onChange(::show)
+        show()
+    }
+
+    /** All its cards, in order. */
+    val cards: List<GraphCard> get() = items.flatMap { it.cards }
+
+    /** Returns the graph of the board that contains [part] of the page; null for none. */
+    fun itemOf(part: HTMLElement): BoardItem? = items.find { it.element.contains(part) }
+
+    /**
+     * Returns the graph of the board at height [y] in the window, and how far below its top that is, as a fraction of its height; null for
+     * none.
+     */
+    fun itemAt(y: Double): Pair<BoardItem, Double>? = items.firstNotNullOfOrNull { item ->
+        val box = item.element.getBoundingClientRect()
+        if (y in box.top..box.bottom) item to (y - box.top) / box.height else null
+    }
+
+    /** Returns the graph after [item]; null for none. */
+    fun after(item: BoardItem): Int? = items.getOrNull(items.indexOf(item) + 1)?.spec?.id
+
+    /** Gives the keyboard focus to the graph with the id [id], or else to the button that adds graphs. */
+    fun focus(id: Int?) = items.find { it.spec.id == id }?.cards?.first()?.focus() ?: add.focus()
+
+    /** Shows only those of its graphs that [query] finds. */
+    fun filter(query: Query) {
+        this.query = query
+        showFound()
+    }
+
+    /** Scrolls to it. */
+    fun bringIntoSight() = element.bringIntoSight()
+
+    private fun show() {
+        val wanted = board.now.graphs
+        val focused = document.activeElement.unsafeCast<HTMLElement?>()
+        val before = items.associateBy { it.spec.id }
+        val shown = wanted.map { spec -> before[spec.id]?.takeIf { it.fits(spec) } ?: BoardItem(spec, scene, ::openMenu) }
+        for (item in items - shown.toSet()) remove(item)
+        for (item in shown - items.toSet()) for (card in item.cards) graphs.add(card)
+        items.clear()
+        items += shown
+        shown.forEachIndexed { i, item ->
+            item.show(wanted[i])
+            // An element that is moved loses the focus.
+            val here = body.children.item(i)
+            if (here != item.element) body.insertBefore(item.element, here)
+        }
+        if (focused != null && focused != document.activeElement) focused.focus()
+        for (card in cards) if (card.look.sharesY) card.redraw()
+        graphs.updatePins()
+        showFound()
+        hint.isHidden = wanted.isNotEmpty()
+        clear.isDisabled = wanted.isEmpty()
+        undo.isDisabled = !board.canUndo
+        redo.isDisabled = !board.canRedo
+    }
+
+    private fun showFound() {
+        for (item in items) item.filter(query)
+        val all = items.size
+        val found = items.count { !it.element.isHidden }
+        val share = if (found == all) "" else "${countText(found)} of "
+        count.showText(if (all == 0) "" else share + countText(all, "graph") + if (found == all) "" else " found")
+    }
+
+    private fun remove(item: BoardItem) {
+        for (card in item.cards) graphs.remove(card)
+        item.element.remove()
+    }
+
+    private fun openMenu(item: BoardItem, button: HTMLElement) =
+        openMenu(button, item.element, boardMenu(board, item.spec, item, topics, scene.poses))
+}

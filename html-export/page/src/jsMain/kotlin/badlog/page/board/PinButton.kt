@@ -1,0 +1,15 @@
+package badlog.page.board
+
+import badlog.page.dom.Icon
+import badlog.page.dom.addIconButton
+import badlog.page.view.PageBoard
+import badlog.viewer.choices.board.BoardGraph
+import org.w3c.dom.HTMLElement
+
+/** Adds a button that puts [graph], which need not be drawn, on [board], or removes it. */
+internal fun HTMLElement.addPin(board: PageBoard, graph: BoardGraph): HTMLElement =
+    addIconButton("pin", Icon.PIN, "Keep ${graph.title} on the board") { board.change { withToggled(graph) } }.also { button ->
+        fun update() = button.setAttribute("aria-pressed", board.now.has(graph).toString())
+        board.onChange(::update)
+        update()
+    }

@@ -1,0 +1,114 @@
+package badlog.page.board
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countText
+import badlog.viewer.text.unitText
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+
+/** The dialog in which a person adds topics of the log by name to the board, or to one of its graphs. */
+internal class TopicDialog(private val scene: Scene) {
+    private val board = scene.board
+    private lateinit var heading: HTMLElement
+    private lateinit var input: HTMLInputElement
+    private lateinit var list: HTMLElement
+    private lateinit var rest: HTMLElement
+
+    /** The graph that topics are added to; null for graphs of their own. */
+    private var graph: Int? = null
+
+    val element: HTMLElement = element("dialog", "help topic-dialog") {
+        id = "topic-dialog"
+        add("div", "help-head") {
+            heading = add("h2")
+            addIconButton("", Icon.CLOSE, "Close") { close() }
+        }
+        add("div", "formula-body") {
+            input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+            list = add("ul", "topic-list")
+            rest = add("p", "unit") { setAttribute("role", "status") }
+        }
+        addEventListener("click", { if (it.target == this) close() })
+    }
+
+    init {
+        input.type = "search"
+        input.id = "topic-search"
+        input.placeholder = "Search topics"
+        input.autocomplete = "off"
+        input.spellcheck = false
+        input.setAttribute("aria-label", "Search topics")
+        input.addEventListener("input", { list() })
+    }
+
+    /** Opens it for the graph of the board with the id [graph], or for new graphs. */
+    fun open(graph: Int? = null) {
+        if (element.hasAttribute("open")) return
+        this.graph = graph
+        val name = board.now.graphs.find { it.id == graph }?.title
+        heading.showText(if (name == null) "Add topics to the board" else "Add topics to “$name”")
+        element.setAttribute("aria-label", heading.textContent.orEmpty())
+        element.asDynamic().showModal()
+        input.value = ""
+        list()
+        input.focus()
+    }
+
+    private fun close() {
+        element.asDynamic().close()
+    }
+
+    private fun list() {
+        val query = Query(input.value)
+        val found = board.lines.names.filter { name ->
+            val line = board.lines[name]
+            query.matches("$name ${line?.let { unitText(it.unit) }.orEmpty()}", line?.let { scene.traitsOf(it, query) }.orEmpty())
+        }
+        list.textContent = ""
+        for (name in found.take(MOST)) {
+            list.add("li") {
+                addButton("text-button", "") {}.apply {
+                    add("bdi", "", name)
+                    board.lines[name]?.let { add("bdi", "unit", unitText(it.unit)) }
+                    setAttribute("aria-pressed", isShown(name).toString())
+                    addEventListener("click", {
+                        toggle(name)
+                        setAttribute("aria-pressed", isShown(name).toString())
+                    })
+                }
+            }
+        }
+        val left = found.size - MOST
+        rest.showText(
+            when {
+                found.isEmpty() -> "Nothing matches."
+                left > 0 -> "${countText(left)} more; type a part of the name."
+                else -> ""
+            },
+        )
+    }
+
+    private fun isShown(name: String) =
+        board.now.graphs.any { if (graph == null) it.lines == listOf(name) else it.id == graph && name in it.lines }
+
+    private fun toggle(name: String) = board.change {
+        val id = graph
+        when {
+            id == null -> withOwnToggled(name)
+            isShown(name) -> withoutLine(id, name)
+            else -> withLine(id, name)
+        }
+    }
+
+    private companion object {
+        /** The maximum number of names listed at once. */
+        const val MOST = 100
+    }
+}

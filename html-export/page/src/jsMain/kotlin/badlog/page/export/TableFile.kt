@@ -1,0 +1,73 @@
+package badlog.page.export
+
+import badlog.page.dom.saveFile
+import badlog.page.view.Notice
+import badlog.page.view.Scene
+import badlog.viewer.shown.table.CsvDraft
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.files.Blob
+import org.w3c.files.BlobPropertyBag
+import kotlin.js.Date
+import kotlin.js.Promise
+
+/**
+ * Promises the table of [draft] as a file. It is made in slices, so that the page stays responsive: if one slice is not enough, [notice] shows
+ * the progress. Closing the notice cancels the work; the result is then null.
+ */
+internal fun fileOf(draft: CsvDraft, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(draft, notice, resolve).next() }
+
+/** Saves the table of [draft] under [name], and says how its rows were made if the log has none. */
+internal fun saveTable(scene: Scene, name: String, draft: CsvDraft) {
+    fileOf(draft, scene.notice).then { file ->
+        if (file == null) return@then
+        val table = draft.table
+        if (table.rowCount == 0) {
+            scene.notice.say("There are no samples in the visible range; show a part of the log that has some.")
+        } else {
+            saveFile(file, fileNameOf(scene, name, ".csv"))
+            if (table.remark.isNotEmpty()) scene.notice.say("Saved ${table.rowCount} rows${table.remark}.")
+        }
+    }
+}
+
+private class TableSlices(private val draft: CsvDraft, private val notice: Notice, private val done: (Blob?) -> Unit) {
+    private val parts = ArrayList<Blob>()
+    private var row = 0
+
+    /** The number of rows made at a time: a row may have one cell, or thousands. */
+    private var rows = 1
+    private var isCancelled = false
+
+    fun next() {
+        if (isCancelled) return done(null)
+        // A browser wakes a page that nobody sees only once a second.
+        val end = Date.now() + if (document.asDynamic().hidden == true) HIDDEN_SLICE else SLICE
+        while (draft.step()) if (Date.now() > end) return goOn("Preparing", draft.share)
+        val table = draft.table
+        val texts = arrayListOf(if (parts.isEmpty()) table.header else "")
+        do {
+            val begin = Date.now()
+            texts += table.text(row, rows)
+            row += rows
+            if (Date.now() - begin < FEW) rows *= 2
+        } while (row < table.rowCount && Date.now() < end)
+        parts += Blob(texts.toTypedArray())
+        if (row < table.rowCount) return goOn("Making", row.toDouble() / table.rowCount)
+        notice.hide()
+        done(Blob(parts.toTypedArray(), BlobPropertyBag("text/csv")))
+    }
+
+    private fun goOn(what: String, share: Double) {
+        notice.show("$what the table: ${(share * TENTHS).toInt() * 10} %") { isCancelled = true }
+        window.setTimeout(::next, 0)
+    }
+
+    private companion object {
+        /** In milliseconds. */
+        const val SLICE = 40
+        const val HIDDEN_SLICE = 800
+        const val FEW = 5
+        const val TENTHS = 10.0
+    }
+}

@@ -1,0 +1,137 @@
+package badlog.page.findings
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.bringIntoSight
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.graph.GraphCard
+import badlog.page.graph.VisibleGraphs
+import badlog.page.view.Scene
+import badlog.page.view.graphsOf
+import badlog.page.view.word
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.rules.incident.evidenceOf
+import badlog.rules.incident.nextOf
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.evidenceBoard
+import badlog.viewer.choices.board.evidenceOffers
+import badlog.viewer.choices.board.with
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.text.countText
+import org.w3c.dom.HTMLElement
+
+/**
+ * One place of a finding: what was found there, what to look at next, and the graphs that show it, together on a screen. Hidden until
+ * a person goes to one.
+ *
+ * @param onStep called when a person wants to see another place of the same finding, with the number of places to advance.
+ */
+internal class EvidenceSection(
+    private val scene: Scene,
+    private val graphs: VisibleGraphs,
+    private val signals: SignalVocabulary,
+    private val onStep: (Int) -> Unit,
+) {
+    private var board = Board()
+    private val drawn = ArrayList<GraphCard>()
+    private lateinit var severity: HTMLElement
+    private lateinit var heading: HTMLElement
+    private lateinit var steps: HTMLElement
+    private lateinit var number: HTMLElement
+    private lateinit var text: HTMLElement
+    private lateinit var next: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var offers: HTMLElement
+    private lateinit var keep: HTMLElement
+
+    val element: HTMLElement = element("section", "evidence card") {
+        id = "evidence"
+        setAttribute("aria-label", "Evidence")
+        add("header", "graph-head") {
+            severity = add("span")
+            heading = add("h2", "findings-title")
+            steps = add("span", "evidence-steps") {
+                addIconButton("", Icon.BACK, "Previous") { onStep(-1) }
+                number = add("span", "unit") { setAttribute("role", "status") }
+                addIconButton("evidence-next", Icon.BACK, "Next") { onStep(1) }
+            }
+            add("div", "graph-tools") {
+                keep = addIconButton("", Icon.PIN, "Keep these graphs on the board") { keep() }.apply { id = "keep-evidence" }
+                addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence"
+            }
+        }
+        text = add("p", "evidence-text")
+        next = add("p", "evidence-text incident-next")
+        body = add("div", "folder-body")
+        offers = add("div", "evidence-offers")
+        isHidden = true
+    }
+
+    /** The cards of the graphs that it shows. */
+    val cards: List<GraphCard> get() = drawn
+
+    /** Shows what was found at [place]; if it is part of [incident], also all evidence of that. */
+    fun show(place: FindingPlace<Finding>, incident: Incident?) {
+        val finding = place.finding
+        val places = scene.findings.placesOf(finding)
+        severity.className = "severity is-${finding.word}"
+        severity.showText(finding.word)
+        heading.showText(finding.rule)
+        steps.isHidden = places.size < 2
+        number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
+        text.showText(finding.textAt(place.span))
+        val advice = incident.nextOf(finding)
+        next.isHidden = advice.isEmpty()
+        next.showText("Next: $advice")
+        element.isHidden = false
+        draw(evidenceBoard(scene.view, incident.evidenceOf(finding), signals))
+        element.bringIntoSight()
+    }
+
+    /** Hides it. */
+    fun close() {
+        draw(Board())
+        element.isHidden = true
+    }
+
+    /** Moves its graphs to the board. */
+    private fun keep() {
+        val kept = board.graphs
+        draw(Board())
+        scene.board.change { withGraphs(kept.filterNot(::has)) }
+        keep.isHidden = true
+        offers.textContent = ""
+    }
+
+    private fun draw(wanted: Board) {
+        if (!wanted.showsSame(board)) {
+            board = wanted
+            for (card in drawn) {
+                graphs.remove(card)
+                card.element.remove()
+            }
+            drawn.clear()
+            for (spec in board.graphs) {
+                for ((graph, lines) in graphsOf(spec, scene.board.lines)) {
+                    val card = GraphCard(graph, scene, look = spec, lines = lines)
+                    body.appendChild(card.element)
+                    graphs.add(card)
+                    drawn += card
+                }
+            }
+        }
+        keep.isHidden = board.graphs.isEmpty()
+        offers.textContent = ""
+        for (offer in evidenceOffers(scene.view, signals, board)) {
+            offers.addButton("text-button", "+ ${offer.label}", offer.topics.joinToString()) {
+                draw(board.with(offer, scene.view, signals))
+            }
+        }
+    }
+}

@@ -1,0 +1,252 @@
+package badlog.page.findings
+
+import badlog.core.recording.Severity
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import badlog.page.view.end
+import badlog.rules.Finding
+import badlog.rules.SkippedRule
+import badlog.rules.incident.Incident
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.findsFound
+import badlog.viewer.shown.search.hiddenBySearch
+import badlog.viewer.shown.search.searchedText
+import badlog.viewer.text.countText
+import badlog.viewer.text.decimalsFor
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/**
+ * What was found in the recording: incidents, then all findings, the worst first; a few at first, all on request. Selecting a finding
+ * moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ *
+ * @param onVisit called when a person goes to a place, with the incident if it is part of one.
+ * @param onPin called when a person wants to keep the graphs that show a finding.
+ */
+internal class FindingList(
+    private val scene: Scene,
+    private val onVisit: (FindingPlace<Finding>, Incident?) -> Unit,
+    private val onPin: (Finding, Incident?) -> Unit,
+) {
+    private var all = emptyList<Finding>()
+    private var haystacks = emptyList<String>()
+    private var incidents = emptyList<Incident>()
+    private var query = Query("")
+    private val decimals = decimalsFor(scene.range.full.width)
+    private val rows = HashMap<Finding, HTMLElement>()
+    private val incidentRows = LinkedHashMap<Incident, HTMLElement>()
+    private var found = all
+    private var listed = 0
+    private val current: Finding? get() = scene.visited?.finding
+    private var isSearching = false
+    private lateinit var count: HTMLElement
+    private lateinit var incidentList: HTMLElement
+    private lateinit var list: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var more: HTMLElement
+    private lateinit var fewer: HTMLElement
+    private lateinit var hiddenNote: HTMLElement
+    private lateinit var hiddenCount: HTMLElement
+    private lateinit var mistakes: HTMLElement
+    private lateinit var skipped: HTMLElement
+
+    val element: HTMLElement = element("section", "findings card") {
+        id = "findings"
+        setAttribute("aria-label", "Findings")
+        add("header", "graph-head") {
+            add("h2", "findings-title", "Findings")
+            count = add("span", "unit") { setAttribute("role", "status") }
+        }
+        mistakes = add("ul", "problem-list")
+        incidentList = add("ol", "incidents") { setAttribute("aria-label", "Incidents") }
+        hiddenNote = add("p", "findings-hidden") {
+            hiddenCount = add("span")
+            addButton("text-button", "Show them") { show(Query("")) }.id = "show-findings"
+        }
+        list = add("div", "findings-list") { body = add("ol") }
+        add("div", "findings-more") {
+            more = addButton("text-button", "") { list(listed + PAGE) }
+            fewer = addButton("text-button", "Show fewer") { list(FEW) }
+        }
+        skipped = add("details", "findings-skipped")
+    }
+
+    init {
+        mistakes.isHidden = true
+        skipped.isHidden = true
+        show()
+    }
+
+    /** Shows that rules are still running, unless they end soon. */
+    fun wait() {
+        isSearching = true
+        window.setTimeout({ if (isSearching) showFound() }, PATIENCE)
+    }
+
+    /** Shows the current findings of the scene, their [incidents], and which rules were skipped or are wrong. */
+    fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList()) {
+        this.incidents = incidents
+        isSearching = false
+        all = scene.findings.worstFirst
+        haystacks = all.map { it.searchedText }
+        element.classList.toggle("has-spans", all.any { it.end > it.time })
+        val (wrong, lacking) = skippedRules.partition { it.isMistake }
+        for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
+        if (lacking.isNotEmpty()) {
+            skipped.isHidden = false
+            skipped.add("summary", "", "${countText(lacking.size, "skipped rule")} (topics missing)")
+            skipped.add("ul") { for (rule in lacking) add("li", "", "${rule.rule}: ${rule.message}") }
+        }
+        filter(query)
+    }
+
+    /** Shows that the rules could not be run, because of [reason]. */
+    fun fail(reason: String) {
+        isSearching = false
+        addProblem("The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.")
+        showFound()
+    }
+
+    /** Shows the findings that [query] finds, and returns their number. */
+    fun filter(query: Query): Int {
+        this.query = query
+        show(query)
+        return if (query.isEmpty) 0 else found.size
+    }
+
+    private fun show(query: Query) {
+        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
+        showIncidents(query)
+        showFound()
+    }
+
+    /** Lists more on paper, where nothing can be unfolded, than on the screen. */
+    fun print(isOnPaper: Boolean) {
+        list(if (isOnPaper) PAGE else FEW)
+    }
+
+    /** Goes to the next finding after the cursor, or to the one before it if [steps] is negative. */
+    fun step(steps: Int) {
+        scene.findings.beside(current, scene.cursor.x, steps)?.let { visit(it) }
+    }
+
+    /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
+    fun stepWithin(steps: Int) {
+        val visited = scene.visited ?: return
+        scene.findings.within(visited.finding, visited.span.from, steps)?.let { visit(it) }
+    }
+
+    /** Goes to the finding that begins at [x] and is called [name], or else to the worst one there. Returns whether there is one. */
+    fun visitAt(x: Double, name: FindingName?): Boolean {
+        val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
+        visit(place)
+        return true
+    }
+
+    private fun addProblem(text: String, pointed: String = "") {
+        mistakes.isHidden = false
+        mistakes.add("li", "problem") {
+            add("span", "severity is-warning", "warning")
+            add("div", "problem-text") {
+                add("span", "", text)
+                if ('\n' in pointed) add("pre", "pointer", pointed.substringAfter('\n'))
+            }
+        }
+    }
+
+    private fun showIncidents(query: Query) {
+        incidentList.textContent = ""
+        incidentRows.clear()
+        val shown = incidents.filter { query.findsFound(it.searchedText) }
+        for (incident in shown) {
+            val pin = { onPin(incident.sentences.first().finding, incident) }
+            val row = incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) }
+            incidentRows[incident] = row
+            incidentList.appendChild(row)
+        }
+        incidentList.isHidden = shown.isEmpty()
+    }
+
+    private fun showFound() {
+        val share = if (found.size == all.size) "" else "${countText(found.size)} of ${countText(all.size)}: "
+        val parts = Severity.entries.reversed().mapNotNull { severity ->
+            val number = found.count { it.severity == severity }
+            if (number == 0) null else countText(number, severity.name.lowercase())
+        }
+        val waiting = if (isSearching) listOf("rules are running…") else emptyList()
+        count.showText(share + (parts + waiting).joinToString())
+        val hidden = hiddenBySearch(incidents.size - incidentRows.size, all.size - found.size)
+        hiddenNote.isHidden = hidden.isEmpty()
+        hiddenCount.showText("$hidden ")
+        element.isHidden = all.isEmpty() && !isSearching && mistakes.isHidden
+        list(FEW)
+    }
+
+    private fun list(wanted: Int) {
+        // Nobody unfolds a list for two more lines.
+        val until = if (found.size <= wanted + 2) found.size else wanted
+        if (until < listed || wanted == FEW) {
+            body.textContent = ""
+            rows.clear()
+            listed = 0
+        }
+        for (finding in found.subList(listed, until)) {
+            val row = findingRow(finding, decimals, { onPin(it, incidentOf(it)) }) { visit(firstPlaceOf(it)) }
+            rows[finding] = row
+            body.appendChild(row)
+        }
+        listed = until
+        more.isHidden = listed == found.size
+        val left = found.size - listed
+        more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show all ${countText(found.size)}")
+        val isLong = listed > FEW + 2
+        fewer.isHidden = !isLong
+        // Anything that scrolls must react to keys.
+        if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
+        list.classList.toggle("is-long", isLong)
+        mark()
+    }
+
+    private fun firstPlaceOf(finding: Finding) = FindingPlace(finding, finding.severity, finding.places[0])
+
+    private fun incidentOf(finding: Finding): Incident? = incidents.find { finding in it }
+
+    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding)) {
+        scene.visited = place
+        scene.zoomTo(place.span.from, place.span.to)
+        val index = found.indexOf(place.finding)
+        if (index >= listed) list(index + 1)
+        mark()
+        onVisit(place, incident)
+    }
+
+    private fun mark() {
+        for ((finding, row) in rows) row.markCurrent(finding == current)
+        for ((incident, row) in incidentRows) row.markCurrent(current?.let { it in incident } == true)
+        val row = rows[current] ?: return
+        // Scrolls only the list: everything above and below it stays where it is.
+        if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
+    }
+
+    private fun HTMLElement.markCurrent(isCurrent: Boolean) {
+        if (isCurrent) setAttribute("aria-current", "true") else removeAttribute("aria-current")
+    }
+
+    private companion object {
+        /** The number of findings shown until a person asks for more. */
+        val FEW = if (isNarrow) 3 else 5
+
+        /** The number of rows created at a time. */
+        const val PAGE = 300
+
+        /** Milliseconds before running rules are mentioned. */
+        const val PATIENCE = 400
+    }
+}

@@ -1,0 +1,133 @@
+package badlog.page.folder
+
+import badlog.core.analysis.Folder
+import badlog.core.analysis.Graph
+import badlog.page.dom.LocalStorage
+import badlog.page.dom.element
+import badlog.page.graph.GraphCard
+import badlog.page.view.Hits
+import badlog.page.view.Scene
+import badlog.protocol.HookPart
+import badlog.viewer.shown.outline.LogOutline
+import badlog.viewer.shown.outline.OutlineFolder
+import badlog.viewer.shown.search.Query
+import org.w3c.dom.HTMLElement
+
+/**
+ * All folders, the root folder first, then one for each hook. The page remembers for the file which ones are closed.
+ *
+ * @param fileKey identifies the file.
+ * @param outline what is drawn initially, and what is only listed.
+ * @param onDraw called with each graph that is drawn because a person asked for it, [onLeave] with each that is
+ * removed.
+ * @param origin what calculated a graph, if it was not logged; otherwise empty.
+ */
+internal class FolderList(
+    outline: LogOutline,
+    private val scene: Scene,
+    fileKey: String,
+    hooks: List<HookPart>,
+    private val onDraw: (GraphCard) -> Unit,
+    private val onLeave: (GraphCard) -> Unit,
+    private val origin: (Graph) -> String,
+) {
+    private val key = "closed:$fileKey"
+    private val closedBefore = LocalStorage[key].orEmpty().split('\n')
+    private val own = outline.folders.mapTo(ArrayList(), ::sectionOf)
+    private val folded = FoldedTopics(outline, scene, { add(it) }, onDraw)
+    private val ofHooks = hooks.filter(::hasSection).map { hook ->
+        val folder = folderOf(hook)
+        FolderSection(folder, scene, folder.name in closedBefore, ::remember, { "from ${hook.name}" }, hook)
+    }
+
+    /** The folders, in their order. */
+    val sections: List<FolderSection> get() = own + ofHooks
+
+    /** All graphs, in their order. */
+    val cards: List<GraphCard> get() = sections.flatMap { it.cards }
+
+    val element: HTMLElement = element("div", "folders") {
+        for (section in sections) appendChild(section.element)
+        appendChild(folded.element)
+    }
+
+    /**
+     * Lays out the folders with the first [graphs] graphs, but not those below: everything laid out delays the display of the first ones.
+     */
+    fun layOut(graphs: Int) {
+        var above = 0
+        for (section in sections) {
+            section.element.style.display = if (above < graphs) "" else "none"
+            above += section.count
+        }
+    }
+
+    /** Opens all folders. */
+    fun openAll() = setAll(false)
+
+    /** Closes all folders but the root folder. */
+    fun closeAll() = setAll(true)
+
+    /** Shows what [query] finds. */
+    fun filter(query: Query): Hits {
+        // A few are drawn at once; many remain a list to select from.
+        val drawsListed = sections.sumOf { it.countListed(query) } <= FEW
+        var hits = folded.filter(query)
+        for (section in sections) hits += section.filter(query, drawsListed)
+        return hits
+    }
+
+    /** Adds [graph] to its folder, which is created if necessary. If [isWanted], opens the folder and scrolls to the graph. */
+    fun add(graph: Graph, isWanted: Boolean = true): GraphCard {
+        for (section in own) {
+            val there = section.cards.find { it.graph === graph } ?: continue
+            return there.also { section.reveal(it.element) }
+        }
+        val section = own.find { it.folder.name == graph.folder } ?: newSection(graph.folder)
+        val card = GraphCard(graph, scene, origin(graph))
+        section.add(card)
+        if (isWanted) section.reveal(card.element)
+        return card
+    }
+
+    /** Removes the graph called [name], and its folder if that is then empty. */
+    fun remove(name: String): GraphCard? {
+        val section = own.find { section -> section.cards.any { it.graph.name == name } } ?: return null
+        val card = section.cards.first { it.graph.name == name }
+        section.remove(card)
+        if (section.count == 0 && section.folder.values.isEmpty()) {
+            own -= section
+            section.element.remove()
+        }
+        return card
+    }
+
+    private fun newSection(name: String): FolderSection {
+        val section = sectionOf(OutlineFolder(Folder(name, emptyList(), emptyList(), emptyList())))
+        val next = own.indexOfFirst { it.folder.name.lowercase() > name.lowercase() }.let { if (it < 0) own.size else it }
+        val following = sections.getOrNull(next)
+        own.add(next, section)
+        element.insertBefore(section.element, following?.element ?: folded.element)
+        return section
+    }
+
+    private fun sectionOf(part: OutlineFolder): FolderSection {
+        val folder = part.folder
+        val isClosed = folder.name in closedBefore
+        return FolderSection(folder, scene, isClosed, ::remember, origin, listed = part.listed, onDraw = onDraw, onLeave = onLeave)
+    }
+
+    private fun setAll(isClosed: Boolean) {
+        for (section in sections) section.isClosed = isClosed
+        remember()
+    }
+
+    private fun remember() {
+        LocalStorage[key] = sections.filter { it.isClosed }.joinToString("\n") { it.folder.name }
+    }
+
+    private companion object {
+        /** Up to this many graphs that are only listed are drawn when a search finds them. */
+        const val FEW = 12
+    }
+}

@@ -1,0 +1,114 @@
+package badlog.page.folder
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
+import badlog.page.dom.showText
+import badlog.viewer.shown.outline.MANY_FOLDERS
+import badlog.viewer.text.countText
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLSelectElement
+
+/** Navigation between the folders: a tree beside them on a wide screen, a drop-down in the bar on a narrow one. */
+internal class FolderNavigation(private val folders: FolderList) {
+    private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
+    private val counts = ArrayList<Pair<HTMLElement, FolderSection>>()
+    private val branches = ArrayList<Branch>()
+    private lateinit var tree: HTMLElement
+
+    val list: HTMLElement = element("nav", "folder-list") {
+        setAttribute("aria-label", "Folders")
+        add("div", "folder-list-head") {
+            add("span", "", "Folders")
+            addButton("text-button", "open all") { folders.openAll() }.id = "expand-all"
+            addButton("text-button", "close all") { folders.closeAll() }.id = "collapse-all"
+        }
+        tree = add("div")
+    }
+
+    val choice: HTMLElement = element("select", "folder-choice") {
+        setAttribute("aria-label", "Go to a folder")
+        addEventListener("change", {
+            val select = unsafeCast<HTMLSelectElement>()
+            folders.sections.getOrNull(select.selectedIndex - 1)?.reveal()
+            select.selectedIndex = 0
+        })
+    }
+
+    init {
+        list()
+    }
+
+    /** Lists the current folders. */
+    fun list() {
+        tree.textContent = ""
+        links.clear()
+        counts.clear()
+        branches.clear()
+        choice.textContent = ""
+        choice.add("option", "", if (isNarrow) "Folders" else "Go to folder…")
+        for (section in folders.sections) choice.add("option", "", section.shortCaption)
+        val isOpen = folders.sections.size <= MANY_FOLDERS
+        for (folder in FolderTree.of(folders.sections)) tree.addFolder(folder, isOpen)
+    }
+
+    /** Shows only links to folders that are visible themselves, and how much is in them; opens all if [isSearching]. */
+    fun update(isSearching: Boolean) {
+        for ((link, section) in links) link.isHidden = section.element.isHidden
+        for ((count, section) in counts) count.showText(countText(section.count))
+        for (branch in branches) branch.update(isSearching)
+    }
+
+    private fun HTMLElement.addFolder(folder: FolderTree, isOpen: Boolean) {
+        val section = folder.section
+        if (folder.folders.isEmpty()) {
+            if (section != null) addLink(folder.title, section)
+            return
+        }
+        val branch = Branch(folder, isOpen)
+        branches += branch
+        appendChild(branch.element)
+        if (section == null) branch.head.add("span", "folder-link-name", folder.title) else branch.head.addLink(folder.title, section)
+        for (inner in folder.folders) branch.body.addFolder(inner, isOpen)
+    }
+
+    private fun HTMLElement.addLink(title: String, section: FolderSection) {
+        val link = addButton("folder-link", "", section.folder.name) { section.reveal() }.apply {
+            add("span", "folder-link-name", title)
+            counts += add("span", "count", countText(section.count)) to section
+        }
+        links += link to section
+    }
+
+    /** A folder with others in it. */
+    private class Branch(private val folder: FolderTree, private var isOpen: Boolean) {
+        private lateinit var toggle: HTMLElement
+        lateinit var head: HTMLElement
+        lateinit var body: HTMLElement
+
+        val element: HTMLElement = element("div") {
+            head = add("div", "folder-branch") {
+                toggle = addIconButton("folder-fold", Icon.CHEVRON, "Folders in ${folder.title}") {
+                    isOpen = !isOpen
+                    show(isOpen)
+                }
+            }
+            body = add("div", "folder-inner")
+            show(isOpen)
+        }
+
+        fun update(isSearching: Boolean) {
+            element.isHidden = folder.sections.all { it.element.isHidden }
+            show(isOpen || isSearching)
+        }
+
+        private fun show(isShown: Boolean) {
+            toggle.setAttribute("aria-expanded", isShown.toString())
+            body.isHidden = !isShown
+        }
+    }
+}

@@ -1,0 +1,162 @@
+package badlog.page.folder
+
+import badlog.core.analysis.Folder
+import badlog.core.analysis.Graph
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.bringIntoSight
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.graph.GraphCard
+import badlog.page.view.Hits
+import badlog.page.view.Scene
+import badlog.protocol.HookPart
+import badlog.viewer.draw.lane.framesOf
+import badlog.viewer.draw.lane.laneGraphOf
+import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countText
+import org.w3c.dom.HTMLElement
+
+/**
+ * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
+ *
+ * @param origin what calculated a graph, if it was not logged; otherwise empty.
+ * @param listed its graphs that are drawn only on request; [onDraw] is then called with each, [onLeave] with each that is removed.
+ * @param hook the program that made everything in it; null for a folder of the recording.
+ * @param isClosed whether it is initially closed.
+ * @param onToggle called when a person opens or closes it.
+ */
+internal class FolderSection(
+    val folder: Folder,
+    scene: Scene,
+    isClosed: Boolean,
+    private val onToggle: () -> Unit,
+    private val origin: (Graph) -> String = { "" },
+    private val hook: HookPart? = null,
+    listed: List<Graph> = emptyList(),
+    private val onDraw: (GraphCard) -> Unit = {},
+    private val onLeave: (GraphCard) -> Unit = {},
+) {
+    private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
+    private var toggle: HTMLElement? = null
+    private var countLabel: HTMLElement? = null
+    private lateinit var body: HTMLElement
+    private val drawn = framesOf(folder.graphs) { origin(it).isNotEmpty() }.map(::laneGraphOf)
+        .mapTo(ArrayList()) { GraphCard(it, scene, origin(it)) }
+    private val undrawn = listed.map { ListedGraph(it, scene) { graph -> GraphCard(graph, scene, origin(graph)) } }
+    private var isSearching = false
+
+    /** The event logs, in their order. */
+    val tables: List<EventTable> = folder.eventLogs.map { EventTable(it, scene) }
+
+    /** The graphs, in their order. */
+    val cards: List<GraphCard> get() = drawn + undrawn.mapNotNull { it.card }
+
+    /** Its heading. */
+    val caption: String =
+        if (hook == null) folder.name.split('/').joinToString(" / ").ifEmpty { "Top level" } else folder.name
+
+    /** A shorter heading for little room. */
+    val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
+
+    /** The names of the folders that contain it, then its own. */
+    val path: List<String> get() = if (hook == null && folder.name.isNotEmpty()) folder.name.split('/') else listOf(shortCaption)
+
+    private val size get() = cards.size + undrawn.count { it.card == null } + tables.size + (hook?.figures?.size ?: 0)
+
+    /** The number of items in it; during a search, the number of those found. */
+    var count: Int = size
+        private set(value) {
+            field = value
+            countLabel?.showText(countText(value))
+        }
+
+    /** Whether it was closed by a person. */
+    var isClosed: Boolean = isClosed && folder.name.isNotEmpty()
+        set(value) {
+            field = value && folder.name.isNotEmpty()
+            showOpenness()
+        }
+
+    val element: HTMLElement = element("section", "folder") {
+        setAttribute("data-name", folder.name)
+        if (hook != null) classList.add("hook")
+        if (folder.name.isEmpty()) setAttribute("aria-label", "Top level") else addHeading()
+        body = add("div", "folder-body") {
+            if (hook != null) add("p", "hook-note", "Calculated by a program, not logged by the robot.")
+            values?.let { appendChild(it.element) }
+            for (table in tables) appendChild(table.element)
+            for (card in drawn) appendChild(card.element)
+            for (graph in undrawn) appendChild(graph.element)
+            if (hook != null) for (figure in hook.figures) appendChild(hookPicture(figure))
+        }
+    }
+
+    init {
+        for (graph in undrawn) graph.onChange = { card -> if (graph.card === card) onDraw(card) else onLeave(card) }
+        showOpenness()
+    }
+
+    /** Returns how many graphs that are not drawn yet [query] finds. */
+    fun countListed(query: Query): Int = undrawn.count { it.isFoundBy(query) }
+
+    /** Shows what [query] finds in it, and opens it during a search. With [drawsListed], graphs that are normally only listed are drawn. */
+    fun filter(query: Query, drawsListed: Boolean): Hits {
+        isSearching = !query.isEmpty
+        var graphs = 0
+        for (card in drawn) {
+            card.element.isHidden = !card.filter(query)
+            if (!card.element.isHidden) graphs++
+        }
+        graphs += undrawn.count { it.filter(query, drawsListed) }
+        val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
+        count = if (isSearching) hits.sum else size
+        element.isHidden = isSearching && hits.isEmpty
+        showOpenness()
+        return hits
+    }
+
+    /** Opens it and scrolls to [part] of it. */
+    fun reveal(part: HTMLElement = element) {
+        if (isClosed) {
+            isClosed = false
+            onToggle()
+        }
+        part.bringIntoSight()
+    }
+
+    /** Adds [card] below the others. */
+    fun add(card: GraphCard) {
+        drawn += card
+        body.appendChild(card.element)
+        count = size
+    }
+
+    /** Removes [card]. */
+    fun remove(card: GraphCard) {
+        drawn -= card
+        card.element.remove()
+        count = size
+    }
+
+    private fun HTMLElement.addHeading() {
+        add("h2", "folder-head") {
+            toggle = addButton("folder-toggle", "") {
+                isClosed = !isClosed
+                onToggle()
+            }.apply {
+                appendChild(Icon.CHEVRON.draw())
+                add("span", "folder-name", caption)
+                countLabel = add("span", "count", countText(count))
+            }
+        }
+    }
+
+    private fun showOpenness() {
+        val isOpen = !isClosed || isSearching
+        toggle?.setAttribute("aria-expanded", isOpen.toString())
+        body.isHidden = !isOpen
+    }
+}

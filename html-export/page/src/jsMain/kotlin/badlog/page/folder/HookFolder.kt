@@ -1,0 +1,46 @@
+package badlog.page.folder
+
+import badlog.core.analysis.Attribute
+import badlog.core.analysis.AttributeRegistry
+import badlog.core.analysis.Folder
+import badlog.core.analysis.Graph
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.TopicPlan
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.protocol.HookPart
+import badlog.protocol.PageSeries
+
+/** Returns what [hook] calculated, as a separate folder. */
+internal fun folderOf(hook: HookPart): Folder = Folder(
+    "From the hook ${hook.name}",
+    hook.values,
+    emptyList(),
+    hook.series.map { Graph(it.name, it.unit, isVirtual = true, isFilled = false, includesZero = false, listOf(lineOf(it))) },
+)
+
+/** Returns whether [hook] returned something that has a section. */
+internal fun hasSection(hook: HookPart): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
+
+/** Returns a calculated line: unlike a logged topic with times of its own, it is interpolated from one sample to the next. */
+private fun lineOf(series: PageSeries): GraphSeries {
+    val samples = series.data.y
+    val values = samples.count { it.isFinite() }
+    val counts = CellCounts(values, 0, 0, 0, samples.size - values, 0)
+    val topic = Topic(series.name, series.unit, listOf(CALCULATED.name), samples, TextColumn.EMPTY, counts, series.data.x)
+    val recording = Recording(RecordingFormat.BAG, null, emptyList(), listOf(topic), 0, emptyList())
+    return LogView.of(recording, AttributeRegistry(listOf(CALCULATED))).folders.single().graphs.single().series.single()
+}
+
+private val CALCULATED = object : Attribute {
+    override val name get() = "calculated"
+
+    override fun apply(topic: TopicPlan, argument: String?) {
+        topic.hide()
+        topic.derive(name, { unit, _ -> unit }, { it })
+    }
+}

@@ -1,0 +1,179 @@
+package badlog.page.formula
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.viewer.choices.formula.Suggestions
+import badlog.viewer.choices.formula.nameIn
+import badlog.viewer.choices.formula.nameInExpression
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.KeyboardEvent
+
+/**
+ * The dialog in which a person adds, changes and removes formulas.
+ *
+ * @param onAdd called with a definition that has no mistake.
+ * @param onChange called with one of the person's definitions, and its replacement.
+ * @param onRemove called with one of the person's definitions that no other one uses.
+ */
+internal class FormulaDialog(
+    private val formulas: Formulas,
+    private val onAdd: (String) -> Unit,
+    private val onChange: (from: String, to: String) -> Unit,
+    private val onRemove: (String) -> Unit,
+) {
+    private lateinit var input: HTMLInputElement
+    private lateinit var suggestions: HTMLElement
+    private lateinit var message: HTMLElement
+    private lateinit var pointer: HTMLElement
+    private lateinit var own: HTMLElement
+    private lateinit var submitButton: HTMLElement
+
+    /** The definition that is being changed; null while a new one is added. */
+    private var changed: String? = null
+
+    val element: HTMLElement = element("dialog", "help formula-dialog") {
+        id = "formula-dialog"
+        setAttribute("aria-label", "Add a formula")
+        add("div", "help-head") {
+            add("h2", "", "Add a formula")
+            addIconButton("", Icon.CLOSE, "Close") { close() }
+        }
+        add("div", "formula-body") {
+            add("p", "formula-hint", "A name, a unit in brackets if it has one, = and a calculation with topics, as in")
+            add("code", "", "Power [W] = Battery Voltage * Total Current")
+            add("div", "formula-entry") {
+                input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+                submitButton = addButton("", "Add graph") { submit() }.apply { id = "formula-add" }
+            }
+            suggestions = add("div", "formula-suggestions")
+            message = add("p", "formula-message")
+            pointer = add("pre", "pointer")
+            own = add("ul", "formula-list")
+        }
+        addEventListener("click", { if (it.target == this) close() })
+    }
+
+    init {
+        input.id = "formula"
+        input.autocomplete = "off"
+        input.spellcheck = false
+        input.setAttribute("aria-label", "Formula")
+        input.setAttribute("aria-describedby", "formula-message")
+        message.id = "formula-message"
+        message.setAttribute("role", "status")
+        input.addEventListener("input", { check(isFinal = false) })
+        input.addEventListener("keydown", { event ->
+            if (event.unsafeCast<KeyboardEvent>().key == "Enter") {
+                // Otherwise the button that has the focus once this is closed would also be pressed.
+                event.preventDefault()
+                submit()
+            }
+        })
+    }
+
+    /** Opens it. */
+    fun open() {
+        if (element.hasAttribute("open")) return
+        element.asDynamic().showModal()
+        listOwn()
+        edit(null)
+    }
+
+    private fun edit(definition: String?) {
+        if (definition != null) {
+            input.value = definition
+        } else if (changed != null) {
+            input.value = ""
+        }
+        changed = definition
+        submitButton.textContent = if (definition == null) "Add graph" else "Change graph"
+        check(isFinal = false)
+        input.focus()
+    }
+
+    private fun close() {
+        element.asDynamic().close()
+    }
+
+    private fun submit() {
+        val text = input.value.trim()
+        if (!check(isFinal = true)) return
+        val replaced = changed
+        input.value = ""
+        changed = null
+        close()
+        if (replaced == null) onAdd(text) else onChange(replaced, text)
+    }
+
+    /** Shows what is wrong, unobtrusively while the person may still be typing. Returns whether there is no mistake. */
+    private fun check(isFinal: Boolean): Boolean {
+        // Leading spaces must not move the mark.
+        val text = input.value.trim()
+        val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
+        val orphans = if (mistake == null) orphansOf(text) else emptyList()
+        show(mistake?.message ?: needed(orphans), isFinal)
+        pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
+        pointer.isHidden = mistake == null
+        // A long formula does not fit, and its mistake is mostly at its end.
+        pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
+        suggest()
+        if (isFinal) input.focus()
+        return mistake == null && orphans.isEmpty() && text.isNotEmpty()
+    }
+
+    /** Returns what could no longer be calculated if [text] replaced the definition that is being changed. */
+    private fun orphansOf(text: String): List<String> = changed?.takeIf { nameIn(it) != nameIn(text) }?.let(formulas::usersOf).orEmpty()
+
+    private fun needed(users: List<String>) =
+        if (users.isEmpty()) "" else "“${users.joinToString("”, “")}” needs this name; change that first."
+
+    private fun show(text: String, isError: Boolean) {
+        message.showText(text)
+        message.isHidden = text.isEmpty()
+        message.classList.toggle("is-error", isError)
+    }
+
+    private fun suggest() {
+        val caret = input.selectionStart ?: input.value.length
+        val found = Suggestions.of(input.value, caret, formulas.vocabulary)
+        suggestions.textContent = ""
+        suggestions.isHidden = found.names.isEmpty()
+        for (name in found.names.map { nameInExpression(it, formulas.vocabulary) }) {
+            suggestions.addButton("", name, "Insert this topic") {
+                input.asDynamic().setRangeText(name, found.from, found.until, "end")
+                input.focus()
+                check(isFinal = false)
+            }
+        }
+    }
+
+    private fun listOwn() {
+        own.textContent = ""
+        own.isHidden = formulas.own.isEmpty()
+        for (definition in formulas.own) {
+            own.add("li") {
+                addButton("text-button", "", "Change this formula") { edit(definition) }.add("code", "", definition)
+                addIconButton("formula-remove", Icon.CLOSE, "Remove $definition") { remove(definition) }
+            }
+        }
+    }
+
+    private fun remove(definition: String) {
+        val users = formulas.usersOf(definition)
+        if (users.isNotEmpty()) return show("“${users.joinToString("”, “")}” needs it; remove that first.", isError = true)
+        onRemove(definition)
+        listOwn()
+        if (changed == definition) edit(null) else input.focus()
+    }
+
+    private companion object {
+        const val LETTERS_BEFORE = 8
+        const val LETTER_WIDTH = 7.2
+    }
+}

@@ -1,0 +1,133 @@
+package badlog.page.formula
+
+import badlog.core.analysis.Graph
+import badlog.core.analysis.LogView
+import badlog.expression.ExpressionError
+import badlog.expression.VirtualTopic
+import badlog.expression.signals.Vocabulary
+import badlog.page.dom.LocalStorage
+import badlog.signals.namesWith
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withVirtualTopics
+import badlog.viewer.choices.formula.Formula
+import badlog.viewer.choices.formula.formulasOf
+
+/**
+ * The topics of the page that are calculated from others: those it was made with, and those of its reader, which the browser
+ * remembers for the file.
+ *
+ * @property logged the recording as it was logged.
+ * @param signals the vocabulary of signals; formulas may use them.
+ * @param given the definitions that the page was made with.
+ * @param fileKey identifies the file.
+ */
+internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
+    private val key = "formulas:$fileKey"
+    private val persons = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
+    private val formulas = ArrayList<Formula>()
+
+    /** The recording with the topics that could be calculated. */
+    var view: LogView = logged
+        private set
+
+    private var named: Pair<LogView, Vocabulary>? = null
+
+    /** The names of the recording's topics and the calculated ones in formulas. Worked out on demand, because it takes a while. */
+    val vocabulary: Vocabulary
+        get() {
+            val known = named?.takeIf { it.first === view } ?: (view to view.namesWith(signals).vocabulary).also { named = it }
+            return known.second
+        }
+
+    /** Why some of the given or remembered formulas could not be calculated. */
+    val errors: List<ExpressionError>
+
+    /** The recording with the topics of the definitions that the page was made with. */
+    val given: LogView
+
+    init {
+        val ofPage = extend(given)
+        this.given = view
+        errors = ofPage + extend(persons)
+    }
+
+    /** The person's definitions and those of links, in order of arrival. */
+    val own: List<String> get() = persons
+
+    /** Returns whether [definition] is one of the page, or of the person. */
+    fun has(definition: String): Boolean = formulas.any { it.definition == definition }
+
+    /** The names of the calculated topics. */
+    val names: Set<String> get() = formulas.mapNotNullTo(HashSet()) { it.topic?.name }
+
+    /** Returns the formula that calculates [graph], or null if it was logged. */
+    fun formulaOf(graph: Graph): String? = formulas.find { it.topic?.name == graph.name }?.definition
+
+    /** Returns the name of the topic that [definition], one of [own], defines; null if it defines none. */
+    fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
+
+    /** Returns those of [own] that cannot be calculated without the topic of [definition], in order. */
+    fun usersOf(definition: String): List<String> {
+        val needed = hashSetOf(nameOf(definition) ?: return emptyList())
+        return formulas.filter { formula ->
+            val topic = formula.topic
+            topic != null && topic.expression.topics.any { it in needed } && needed.add(topic.name)
+        }.map { it.definition }
+    }
+
+    /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
+    fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
+        val known = if (replaced ==
+            null
+        ) {
+            vocabulary
+        } else {
+            viewOf(persons - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+        }
+        return VirtualTopic.parse(text, known) as? ExpressionError
+    }
+
+    /** Calculates [definition], which must have no mistake. If [isRemembered], it is remembered with all others. Returns its graph. */
+    fun add(definition: String, isRemembered: Boolean = true): Graph {
+        extend(listOf(definition))
+        persons += definition
+        if (isRemembered) remember()
+        return graphOf(definition)
+    }
+
+    /** Remembers all of [own]. */
+    fun remember() {
+        LocalStorage[key] = own.joinToString("\n")
+    }
+
+    /** Removes [definition], which no other one uses. */
+    fun remove(definition: String) = change(persons - definition)
+
+    /** Calculates [definition], which must have no mistake, in place of [replaced], and recalculates those that use it. */
+    fun replace(replaced: String, definition: String) = change(persons.map { if (it == replaced) definition else it })
+
+    /** Returns the graph of [definition], which must define one. */
+    fun graphOf(definition: String): Graph {
+        val name = nameOf(definition)
+        return view.folders.flatMap { it.graphs }.first { it.name == name }
+    }
+
+    private fun viewOf(definitions: List<String>) = if (definitions.isEmpty()) given else given.withVirtualTopics(definitions, signals).view
+
+    private fun change(definitions: List<String>) {
+        formulas.removeAll { it.definition in persons }
+        persons.clear()
+        persons += definitions
+        remember()
+        view = given
+        extend(persons)
+    }
+
+    private fun extend(definitions: List<String>): List<ExpressionError> {
+        if (definitions.isEmpty()) return emptyList()
+        val extended = view.withVirtualTopics(definitions, signals)
+        view = extended.view
+        formulas += formulasOf(definitions, extended)
+        return extended.errors
+    }
+}

@@ -1,0 +1,80 @@
+package badlog.page.graph
+
+import badlog.core.analysis.Graph
+import badlog.core.analysis.GraphSeries
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.view.Cursor
+import badlog.viewer.draw.axis.graphAxes
+import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.shown.cursor.comparisonText
+import badlog.viewer.shown.cursor.indexAt
+import badlog.viewer.shown.cursor.textOf
+import badlog.viewer.text.exactText
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.shortNames
+import badlog.viewer.text.unitText
+import org.w3c.dom.HTMLElement
+
+/**
+ * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
+ *
+ * @param statesOf returns how long and how often a lane was in each state.
+ * @param onToggle called with the index of a line that a person wants to hide or show.
+ */
+internal class Legend(private val graph: Graph, private val statesOf: (Int) -> String, private val onToggle: (Int) -> Unit) {
+    // If a graph has only one line, the title already names it.
+    val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
+    private val names = legendNames(graph)
+    private val values = ArrayList<HTMLElement>()
+    private val units = ArrayList<HTMLElement>()
+    private val entries = graph.series.mapIndexed { index, series -> addEntry(index, series) }
+
+    private fun addEntry(index: Int, series: GraphSeries): HTMLElement {
+        val hint = "${series.topic.name} – press to hide or show this line"
+        return element.addButton("legend-entry", "", hint) { onToggle(index) }.apply {
+            setAttribute("data-series", series.name)
+            add("span", "swatch line-${index % LINE_COLORS}")
+            add("bdi", "legend-name", names[index])
+            values += add("span", "value")
+            units += add("bdi", "unit graph-unit")
+            if (graph.showsStates) addEventListener("pointerenter", { title = "$hint\n${statesOf(index)}" })
+        }
+    }
+
+    /** Shows which lines are drawn, according to [isShown], and on which axis. */
+    fun show(isShown: BooleanArray) {
+        entries.forEachIndexed { index, entry -> entry.setAttribute("aria-pressed", isShown[index].toString()) }
+        if (graph.showsStates) return
+        val axes = graphAxes(graph.series.mapIndexed { index, series -> series.unit.takeIf { isShown[index] } })
+        for (unit in units) unit.showText("")
+        // A single unit is in the title.
+        if (axes.size == 1 && axes[0].unit == unitText(graph.unit)) return
+        for (axis in axes) for (line in axis.lines) units[line].showText(axis.legend)
+    }
+
+    /** Lists only the lines that are [found]; all for null. */
+    fun list(found: List<Boolean>?) = entries.forEachIndexed { index, entry -> entry.isHidden = found?.get(index) == false }
+
+    /** Shows the values at [cursor], whose x is in [xUnit]; compared where there is a second one. */
+    fun update(cursor: Cursor, xUnit: String) {
+        val a = cursor.now.x
+        val b = cursor.now.second
+        graph.series.forEachIndexed { index, series ->
+            val text = when {
+                a == null -> ""
+                b == null -> series.textOf(series.indexAt(a), ::numberText)
+                else -> series.comparisonText(a, b, xUnit, ::numberText)
+            }
+            values[index].showText(text)
+        }
+    }
+
+    private fun numberText(number: Double) = if (graph.isVirtual) roundedText(number) else exactText(number)
+}
+
+/** Returns the names of the lines of [graph] in a legend. */
+internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })

@@ -1,0 +1,89 @@
+package badlog.page.graph
+
+import badlog.core.analysis.Graph
+import badlog.core.analysis.Span
+import badlog.core.analysis.StateRuns
+import badlog.core.analysis.statisticsOf
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.view.Scene
+import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.statistics.StateTime
+import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.shown.statistics.timesOf
+import badlog.viewer.text.countText
+import org.w3c.dom.HTMLElement
+
+/** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
+internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
+    val element: HTMLElement = element("div", "statistics")
+
+    private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
+    private var shown: Span? = null
+
+    private val wanted get() = scene.cursor.now.between ?: scene.range.now
+
+    /** Whether the statistics are those of another range. */
+    val isOutdated: Boolean get() = shown != wanted
+
+    /** Calculates the current statistics. */
+    fun update() {
+        val now = wanted
+        shown = now
+        element.textContent = ""
+        element.add("table") {
+            val name = if (scene.cursor.now.between == null) "" else "${Cursors.BETWEEN}: "
+            val how = if (graph.showsStates) "" else " ${Statistic.BY_TIME}"
+            add("caption", "", "$name${scene.xNumber(now.from)} – ${scene.xText(now.to)}.$how")
+            if (graph.showsStates) return@add addStates(now)
+            add("thead").add("tr") {
+                add("th", "", "Line")
+                for (statistic in Statistic.entries) add("th", "", statistic.title).title = statistic.hint
+            }
+            val names = legendNames(graph)
+            add("tbody") {
+                graph.series.forEachIndexed { index, series ->
+                    val statistics = scene.view.statisticsOf(series, now.from, now.to)
+                    add("tr") {
+                        add("th") {
+                            setAttribute("scope", "row")
+                            add("span", "swatch line-${index % LINE_COLORS}")
+                            add("span", "", names[index])
+                        }
+                        for (statistic in Statistic.entries) {
+                            val isCount = statistic.isCount
+                            add(
+                                "td",
+                                "",
+                                if (isCount) countText(statistic.of(statistics).toInt()) else statistic.textOf(statistics, graph.isVirtual),
+                            )
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /** Returns, line by line, how long and how often the lane [index] was in each state over the current range. */
+    fun hintOf(index: Int): String = timesOf(index, wanted).joinToString("\n") { it.text(scene.xAxis) }
+
+    private fun timesOf(index: Int, span: Span): List<StateTime> =
+        runs[index].timesOf(graph.series[index].states.orEmpty(), span.from, span.to).take(StateTime.MOST)
+
+    /** Adds how long and how often each lane was in each state. */
+    private fun HTMLElement.addStates(now: Span) {
+        add("thead").add("tr") { for (title in StateTime.TITLES) add("th", "", title) }
+        add("tbody") {
+            graph.series.forEachIndexed { index, series ->
+                timesOf(index, now).forEachIndexed { place, time ->
+                    add("tr") {
+                        add("th", "", if (place == 0) series.name else "").setAttribute("scope", "row")
+                        val cells = listOf(time.state, time.timeText(scene.xAxis), time.shareText, countText(time.count))
+                        for (cell in cells) add("td", "", cell)
+                    }
+                }
+            }
+        }
+    }
+}

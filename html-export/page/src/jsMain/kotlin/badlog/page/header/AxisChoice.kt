@@ -1,0 +1,52 @@
+package badlog.page.header
+
+import badlog.core.recording.PathName
+import badlog.core.recording.Recording
+import badlog.page.dom.LocalStorage
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.viewer.draw.axis.over
+import badlog.viewer.draw.axis.timeColumn
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/**
+ * The choice of the x axis for a log that names none: its rows, or its time column. The browser remembers it for the file.
+ *
+ * @param fileKey identifies the file.
+ * @param mayAsk whether the page can be drawn over a different axis than its exporter used.
+ */
+internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean) {
+    private val key = "x:$fileKey"
+    private val column = if (mayAsk) read.timeColumn() else null
+    private val chosen = LocalStorage[key]
+
+    /** The log over the selected axis. */
+    val recording: Recording = if (column != null && chosen == TIME) read.over(column) else read
+
+    /** The element that asks, or says what was selected; null if there is nothing to select. */
+    val element: HTMLElement? = if (column == null || chosen == ROWS) {
+        null
+    } else {
+        val name = PathName.baseNameOf(column.name)
+        element("p", "axis-choice") {
+            id = "axis-choice"
+            add("span", "", if (chosen == TIME) "Drawn over “$name”." else "This log names no x axis. “$name” rises from row to row.")
+            if (chosen != TIME) addButton("", "Draw over “$name”") { choose(TIME) }.id = "axis-time"
+            addButton("text-button", if (chosen == TIME) "Use row numbers" else "Keep row numbers") { choose(ROWS) }.id = "axis-rows"
+        }
+    }
+
+    // The whole page depends on its axis, so it is loaded again.
+    private fun choose(what: String) {
+        val isShown = recording.timeColumn() != null
+        LocalStorage[key] = what
+        if (isShown && what == ROWS) element?.remove() else window.location.reload()
+    }
+
+    private companion object {
+        const val TIME = "time"
+        const val ROWS = "rows"
+    }
+}

@@ -1,0 +1,41 @@
+package badlog.page.header
+
+import badlog.page.dom.Icon
+import badlog.page.dom.MenuEntry
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.openMenu
+import badlog.page.export.imageEntries
+import badlog.page.export.saveTable
+import badlog.page.graph.GraphCard
+import badlog.page.view.Scene
+import badlog.viewer.shown.table.CsvDraft
+import org.w3c.dom.HTMLElement
+
+/** The menu of what can be exported: on paper, as pictures, as tables. [board] has the graphs of the board. */
+internal class ExportMenu(private val scene: Scene, private val printing: Printing, private val board: () -> List<GraphCard>) {
+    val element: HTMLElement = element("div", "export") {
+        val button = addButton("", "", "Print, pictures and tables") {}
+        button.id = "export"
+        button.appendChild(Icon.DOWNLOAD.draw())
+        button.add("span", "", "Export")
+        button.setAttribute("aria-haspopup", "menu")
+        button.setAttribute("aria-expanded", "false")
+        button.addEventListener("click", { openMenu(button, button.closest(".page-head").unsafeCast<HTMLElement>(), entries()) })
+    }
+
+    private fun entries(): List<MenuEntry> {
+        val shown = scene.range.now.takeIf { scene.range.isZoomed }
+        val cards = board()
+        return buildList {
+            add(MenuEntry("Print, or save as PDF: findings and board") { printing.open(isWhole = false) })
+            add(MenuEntry("Print all graphs") { printing.open(isWhole = true) })
+            add(MenuEntry("Visible range as a table (CSV)") { saveTable(scene, "range", CsvDraft.ofAll(scene.view, shown)) })
+            if (cards.isEmpty()) return@buildList
+            addAll(imageEntries(scene, "Board") { cards.map { it::drawOn } })
+            val lines = cards.flatMap { it.graph.series }.distinct()
+            add(MenuEntry("Board as a table (CSV)") { saveTable(scene, "Board", CsvDraft.of(scene.view, shown, lines)) })
+        }
+    }
+}

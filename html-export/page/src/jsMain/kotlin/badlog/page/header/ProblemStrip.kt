@@ -1,0 +1,111 @@
+package badlog.page.header
+
+import badlog.core.analysis.LogView
+import badlog.core.recording.Problem
+import badlog.core.recording.Severity
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.viewer.text.countText
+import badlog.viewer.text.placeTextOf
+import org.w3c.dom.HTMLElement
+
+/**
+ * What was wrong in the file: a summary line that unfolds to a list. Lost data is listed at once.
+ *
+ * @param additions problems with what else the page shows, which are also listed at once.
+ */
+internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
+    private val errors = view.count(Severity.ERROR)
+    private val warnings = view.count(Severity.WARNING) + additions.size
+    private val notes = view.count(Severity.NOTE)
+    private lateinit var list: HTMLElement
+    private lateinit var toggle: HTMLElement
+
+    val element: HTMLElement = element("section", "problems") {
+        id = "problems"
+        setAttribute("data-errors", errors.toString())
+        setAttribute("data-warnings", warnings.toString())
+        setAttribute("data-notes", notes.toString())
+        classList.add(
+            when {
+                errors > 0 -> "has-errors"
+                warnings > 0 -> "has-warnings"
+                else -> "has-notes"
+            },
+        )
+        isHidden = errors + warnings + notes == 0
+        setAttribute("aria-label", "Problems of this file")
+        toggle = addButton("problems-toggle", "") { open(list.isHidden) }.apply {
+            appendChild(Icon.CHEVRON.draw())
+            add("span", "", summary())
+        }
+        list = add("ul", "problem-list")
+    }
+
+    init {
+        open(errors + additions.size in 1..MAX_OPENED)
+    }
+
+    private fun summary(): String {
+        val parts = ArrayList<String>()
+        if (errors > 0) parts += if (errors == 1) "Data is missing in 1 place" else "Data is missing in ${countText(errors)} places"
+        if (warnings > 0) parts += countText(warnings, "warning")
+        if (notes > 0) parts += countText(notes, "note")
+        return parts.joinToString()
+    }
+
+    private fun open(isOpen: Boolean) {
+        toggle.setAttribute("aria-expanded", isOpen.toString())
+        list.isHidden = !isOpen
+        if (isOpen && list.childElementCount == 0) fill()
+    }
+
+    private fun fill() {
+        list.addRows(Severity.ERROR)
+        for (problem in additions) list.appendChild(row(problem))
+        list.addRows(Severity.WARNING)
+        if (notes == view.problems.size && additions.isEmpty()) {
+            list.addRows(Severity.NOTE)
+        } else if (notes > 0) {
+            list.add("li").add("details", "notes") {
+                add("summary", "", countText(notes, "note"))
+                add("ul").addRows(Severity.NOTE)
+            }
+        }
+    }
+
+    private fun HTMLElement.addRows(severity: Severity) {
+        for (problem in view.problems) if (problem.severity == severity) appendChild(row(problem))
+    }
+
+    private fun row(problem: Problem): HTMLElement = element("li", "problem") {
+        setAttribute("data-kind", problem.kind.name)
+        val name = when (problem.severity) {
+            Severity.ERROR -> "lost"
+            Severity.WARNING -> "warning"
+            Severity.NOTE -> "note"
+        }
+        add("span", "severity is-$name", name)
+        add("span", "problem-text") {
+            add("span", "", problem.message)
+            val place = placeTextOf(problem)
+            if (place.isNotEmpty()) add("span", "problem-place", place)
+        }
+    }
+
+    private fun row(problem: AdditionProblem): HTMLElement = element("li", "problem") {
+        setAttribute("data-kind", "ADDITION")
+        add("span", "severity is-warning", "warning")
+        add("div", "problem-text") {
+            add("span", "", problem.message)
+            if (problem.pointer != null) add("pre", "pointer", problem.pointer)
+        }
+    }
+
+    private companion object {
+        const val MAX_OPENED = 5
+    }
+}

@@ -1,0 +1,74 @@
+package badlog.page.header
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.element
+import badlog.page.dom.showText
+import badlog.page.view.Hits
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.KeyboardEvent
+
+/** The search box. [search] is called after each change, and returns what was found. */
+internal class SearchBox(private val search: (Query) -> Hits) {
+    private lateinit var input: HTMLInputElement
+    private lateinit var count: HTMLElement
+
+    val element: HTMLElement = element("div", "search") {
+        setAttribute("role", "search")
+        appendChild(Icon.SEARCH.draw())
+        input = add("input", "search-input").unsafeCast<HTMLInputElement>()
+        count = add("output", "search-count")
+        add("kbd", "search-key", "/")
+    }
+
+    init {
+        input.id = "search"
+        input.type = "search"
+        input.placeholder = if (window.innerWidth <= SHORT_WIDTH) "Search" else "Search topics, values, events"
+        input.autocomplete = "off"
+        input.spellcheck = false
+        input.setAttribute("aria-label", "Search")
+        count.setAttribute("for", "search")
+        input.addEventListener("input", { run() })
+        input.addEventListener("keydown", { event ->
+            if (event.unsafeCast<KeyboardEvent>().key == "Escape") {
+                event.stopPropagation()
+                clear()
+            }
+        })
+    }
+
+    /** Gives it the keyboard focus. */
+    fun focus() {
+        input.focus()
+        input.select()
+    }
+
+    /** Shows everything again. */
+    fun clear() {
+        if (input.value.isEmpty()) input.blur()
+        input.value = ""
+        run()
+    }
+
+    /** Repeats the search if it depends on findings. */
+    fun again() {
+        if (Query(input.value).asksFor(Trait.FINDING)) run()
+    }
+
+    private fun run() {
+        val query = Query(input.value)
+        val hits = search(query)
+        count.showText(if (query.isEmpty) "" else hits.text())
+        element.classList.toggle("is-active", !query.isEmpty)
+    }
+
+    private companion object {
+        /** From this window width on, in CSS pixels, the style sheet gives the box more room. */
+        const val SHORT_WIDTH = 1100
+    }
+}

@@ -1,0 +1,127 @@
+package badlog.page.header
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isDisabled
+import badlog.page.dom.isHidden
+import badlog.page.dom.showText
+import badlog.page.view.Frame
+import badlog.page.view.Scene
+import badlog.page.view.shortFindingText
+import badlog.page.view.textNear
+import badlog.page.view.word
+import badlog.viewer.session.link.PageAddress
+import badlog.viewer.text.differenceText
+import org.w3c.dom.HTMLElement
+
+/**
+ * The visible range, the cursor's place and what happened there, always on the screen.
+ *
+ * @param ways links to parts of the page.
+ * @param link copies a link to the current view.
+ */
+internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: HTMLElement) {
+    private val overview = Overview(scene)
+    private lateinit var range: HTMLElement
+    private lateinit var width: HTMLElement
+    private lateinit var cursor: HTMLElement
+    private lateinit var clock: HTMLElement
+    private lateinit var day: HTMLElement
+    private lateinit var second: HTMLElement
+    private lateinit var event: HTMLElement
+    private lateinit var back: HTMLElement
+    private lateinit var reset: HTMLElement
+
+    val element: HTMLElement = element("div", "zoom-bar") {
+        add("div", "zoom-row") {
+            for (way in ways) appendChild(way)
+            add("div", "place") {
+                add("div", "readout") {
+                    cursor = add("a", "cursor-readout")
+                    clock = add("output", "clock-readout")
+                    day = add("output", "day-readout").apply { title = "Time of day" }
+                    second = add("output", "second-readout")
+                    event = add("output", "event-readout")
+                }
+                add("div", "range-readout") {
+                    range = add("output", "range")
+                    width = add("output", "range-width")
+                }
+            }
+            add("div", "zoom-buttons") {
+                appendChild(link)
+                addIconButton("", Icon.MINUS, "Zoom out (−)") { zoom(-1) }.id = "zoom-out"
+                addIconButton("", Icon.PLUS, "Zoom in (+)") { zoom(1) }.id = "zoom-in"
+                back = addIconButton("", Icon.BACK, "Previous view (Backspace)") { scene.range.change { back() } }
+                back.id = "back"
+                reset = addButton("", "Reset zoom", "Show everything (0)") { scene.range.change { reset() } }
+                reset.id = "reset"
+            }
+        }
+        appendChild(overview.element)
+    }
+
+    init {
+        val frame = Frame(::update)
+        scene.range.onChange { frame.ask() }
+        scene.cursor.onChange { frame.ask() }
+        update()
+    }
+
+    /** Redraws it with the current colors. */
+    fun repaint() = overview.drawMarks()
+
+    /** Links to the pinned cursor, since the pointer passes over other times on its way to the link. */
+    private fun showLink(pinned: Double?) {
+        cursor.title = if (pinned == null) "Click a graph to pin the cursor, and link to its time" else "Link to this time"
+        val link = pinned?.let { PageAddress(it, finding = scene.visitedAt(it)).toText() }
+        if (link == null) cursor.removeAttribute("href") else cursor.setAttribute("href", link)
+    }
+
+    private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }
+
+    private fun update() {
+        val now = scene.range.now
+        val all = scene.xAxis.range
+        range.showText(
+            when {
+                all == null -> "No samples"
+                all.start == all.endInclusive -> scene.xText(all.start)
+                else -> "${scene.xNumber(now.from)} – ${scene.xText(now.to)}"
+            },
+        )
+        width.showText(if (all == null || all.start == all.endInclusive) "" else "Δ ${scene.xText(now.width)}")
+        back.isDisabled = !scene.range.canGoBack
+        reset.isDisabled = !scene.range.isZoomed
+        val x = scene.cursor.x
+        cursor.isHidden = !scene.cursor.isPlaced
+        clock.isHidden = !scene.cursor.isPlaced
+        day.isHidden = !scene.cursor.isPlaced
+        second.isHidden = scene.cursor.now.second == null
+        event.isHidden = true
+        if (!scene.cursor.isPlaced) return
+        cursor.showText(scene.xText(x))
+        clock.showText(scene.clocks.matchAt(x).orEmpty())
+        val time = scene.clocks.dayAt(x).orEmpty()
+        day.showText(time)
+        // Most screens have no room for the time of day beside the other times.
+        clock.title = "Phase, and time since the robot was enabled" + if (time.isEmpty()) "" else "; time of day $time"
+        showLink(scene.cursor.now.pinned)
+        scene.cursor.now.second?.let { second.showText("B ${scene.xText(it)} · ${differenceText(x, it, scene.xAxis)}") }
+        val findings = scene.newsAt(x)
+        event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
+        if (findings.isNotEmpty()) {
+            event.isHidden = false
+            event.showText(shortFindingText(findings, x))
+            event.title = findings.joinToString("\n") { "${it.word} · ${it.rule}: ${it.textNear(x)}" }
+            return
+        }
+        val last = scene.lastEventAt(x) ?: return
+        event.isHidden = false
+        event.showText("${scene.xNumber(last.x)}  ${last.text}")
+        event.title = last.text
+    }
+}

@@ -1,0 +1,144 @@
+package badlog.page.reading
+
+import badlog.core.bag.BagParser
+import badlog.core.recording.Recording
+import badlog.page.dom.startWorker
+import badlog.page.embedded.About
+import badlog.page.embedded.Base64Text
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.Element
+import org.w3c.dom.MessageEvent
+import org.w3c.dom.Worker
+import kotlin.js.Promise
+
+/**
+ * Reads a recording in the parts that its exporter deflated independently, one line of base64 each, as they arrive while the page is
+ * being loaded. Several workers inflate them and read their rows, and the page joins these in order.
+ */
+internal class PartsReading private constructor(
+    private val expectedBytes: Double,
+    element: Element,
+    private val workers: List<Worker>,
+    private val onProgress: (Double) -> Unit,
+) {
+    private val text = Base64Text(element)
+    private val parser = BagParser(expectedBytes.toLong())
+    private val answers = HashMap<Int, dynamic>()
+
+    /** The workers that can take another part, once for each such part. */
+    private val ready = ArrayList<Worker>()
+    private var line = ""
+    private var sent = BEFORE_PARTS
+    private var taken = 0
+    private var takenBytes = 0.0
+    private var isAllSent = false
+    private var isWaiting = false
+    private lateinit var resolve: (Recording) -> Unit
+    private lateinit var reject: (Throwable) -> Unit
+
+    private fun start(): Promise<Recording> = Promise { resolve, reject ->
+        this.resolve = resolve
+        this.reject = reject
+        for (worker in workers) {
+            worker.onerror = { fail("A worker cannot run.") }
+            worker.onmessage = { event: MessageEvent -> guarded { answered(worker, event.data) } }
+        }
+        // The header is in the first part, and rows cannot be read without it.
+        ready += workers[0]
+        send()
+    }
+
+    private fun guarded(work: () -> Unit) = try {
+        work()
+    } catch (problem: Throwable) {
+        fail(problem.message ?: problem.toString())
+    }
+
+    private fun send() {
+        // The results of fast workers wait for the slowest one, and take memory.
+        while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) {
+            // Read before looking: what arrives later is looked at again.
+            val isLoaded = document.asDynamic().readyState != "loading"
+            val part = nextLine()
+            if (part == null) {
+                isAllSent = isLoaded
+                if (!isLoaded && !isWaiting) {
+                    isWaiting = true
+                    window.setTimeout({
+                        isWaiting = false
+                        guarded(::send)
+                    }, PAUSE)
+                }
+                break
+            }
+            if (sent >= 0) ready.removeLast().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
+            sent++
+        }
+        if (isAllSent && taken == sent) finish()
+    }
+
+    /** Returns the next line that has arrived completely. */
+    private fun nextLine(): String? {
+        while (true) {
+            line += text.next() ?: return null
+            if (text.endedLine) return line.also { line = "" }
+        }
+    }
+
+    private fun answered(worker: Worker, message: dynamic) {
+        if (message.failure != undefined) return fail(message.failure as String)
+        answers[message.part as Int] = message
+        while (true) {
+            takenBytes += PartMessage.take(answers.remove(taken) ?: break, parser)
+            taken++
+        }
+        onProgress(takenBytes / expectedBytes)
+        if (taken > 0 && parser.readsDecimalComma == null) return fail("No rows begin in the first part.")
+        if (message.part == 0) repeat(AHEAD) { ready += workers } else ready += worker
+        send()
+    }
+
+    private fun finish() {
+        if (takenBytes != About.find()?.inflatedBytes) return fail("Parts are missing.")
+        workers.forEach { it.terminate() }
+        window.performance.asDynamic().mark("badlog-parts-read")
+        resolve(parser.finish())
+    }
+
+    private fun fail(reason: String) {
+        workers.forEach { it.terminate() }
+        ready.clear()
+        reject(Error(reason))
+    }
+
+    companion object {
+        /** The first line is the header of the gzip stream. */
+        private const val BEFORE_PARTS = -1
+
+        /** Milliseconds until the page is checked again for what has arrived. */
+        private const val PAUSE = 5
+
+        /** The number of parts that are sent ahead to each worker. */
+        private const val AHEAD = 2
+
+        /** The maximum number of parts per worker that are in progress, or wait for earlier ones. */
+        private const val MAX_AHEAD = 4
+        private const val MAX_WORKERS = 4
+
+        /** Starts, and promises the recording. Returns null if it has no parts, or the browser cannot read them in parallel. */
+        fun start(element: Element, onProgress: (Double) -> Unit): Promise<Recording>? {
+            val bytes = element.getAttribute("data-bytes")?.toDoubleOrNull() ?: return null
+            val cores = minOf(window.navigator.hardwareConcurrency.toInt(), MAX_WORKERS)
+            if (cores < 2 || !canInflateParts()) return null
+            val workers = List(cores) { startWorker() ?: return null }
+            return PartsReading(bytes, element, workers, onProgress).start()
+        }
+
+        private fun canInflateParts(): Boolean = try {
+            js("new DecompressionStream('deflate-raw')") != null
+        } catch (_: Throwable) {
+            false
+        }
+    }
+}

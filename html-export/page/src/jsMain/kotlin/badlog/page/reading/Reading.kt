@@ -1,0 +1,82 @@
+package badlog.page.reading
+
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.page.dom.startWorker
+import badlog.page.embedded.About
+import badlog.page.embedded.Base64Text
+import kotlinx.browser.window
+import org.w3c.dom.Element
+import org.w3c.dom.MessageEvent
+import org.w3c.dom.Worker
+import kotlin.js.Promise
+
+/**
+ * Reads the embedded recording, in a worker if the browser allows one, otherwise on the page in slices.
+ *
+ * @param onProgress receives the fraction of the bytes that has been read, 0 to 1.
+ */
+internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
+    /** Starts, and promises the recording. */
+    fun start(): Promise<Recording> = Promise { resolve, reject ->
+        val worker = startWorker()
+        val finish = { recording: Recording -> resolve(withCut(recording)) }
+        if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
+    }
+
+    // Only the exporter, which inflated the file to its end, knows whether the stream was complete.
+    private fun withCut(recording: Recording): Recording {
+        if (!about.isCut) return recording
+        val text = "The compressed file is cut off or damaged; the ${about.inflatedBytes} bytes before that were read."
+        return recording + Problem(ProblemKind.GZIP_CUT, text)
+    }
+
+    private fun readIn(worker: Worker, resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+        val text = Base64Text(element)
+        var hasAnswered = false
+        worker.onerror = { event ->
+            worker.terminate()
+            // Some browsers forbid the worker only after its constructor has returned.
+            if (hasAnswered) reject(Error(event.asDynamic().message as? String)) else readHere(resolve, reject)
+        }
+        worker.onmessage = { event: MessageEvent ->
+            hasAnswered = true
+            val message: dynamic = event.data
+            when {
+                message == ReadingWorker.MORE -> worker.postMessage(text.next())
+
+                jsTypeOf(message) == "number" -> onProgress(message as Double)
+
+                else -> {
+                    worker.terminate()
+                    if (message.failure != undefined) {
+                        reject(Error(message.failure as String))
+                    } else {
+                        resolve(RecordingMessage.read(message))
+                    }
+                }
+            }
+        }
+        worker.postMessage(ReadingWorker.greeting(about))
+    }
+
+    private fun readHere(resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+        val text = Base64Text(element)
+        val reader = RecordingReader(about.inflatedBytes, !about.isCompressed, onProgress)
+        fun feed() {
+            val piece = text.next()
+            if (piece == null) {
+                reader.end()
+            } else {
+                // A timer between two pieces lets the page draw and react.
+                reader.accept(piece).then({ window.setTimeout({ feed() }, 0) }, reject)
+            }
+        }
+        feed()
+        reader.recording.then(resolve, reject)
+    }
+}
+
+/** Returns this recording with one more problem, which its bytes alone do not show. */
+internal operator fun Recording.plus(problem: Problem): Recording = copy(problems = problems + problem)

@@ -1,0 +1,54 @@
+package badlog.page.reading
+
+import badlog.core.bag.RecordingParser
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.formats.LOG_FORMATS
+import badlog.page.embedded.Base64
+import badlog.page.embedded.Inflation
+import badlog.viewer.text.bytesText
+import kotlin.js.Promise
+
+/**
+ * Makes a recording from the pieces of base64 in a page. Used in the worker, or on the page if there is none.
+ *
+ * @param onProgress receives, from time to time, the fraction of the bytes that has been read.
+ */
+internal class RecordingReader(private val expectedBytes: Double, isWhole: Boolean, private val onProgress: (Double) -> Unit) {
+    private val parser = RecordingParser(LOG_FORMATS, expectedBytes.toLong())
+    private var reported = 0.0
+    private val inflation = Inflation(expectedBytes, isWhole, ::read)
+
+    /** The recording, once everything has been read. */
+    val recording: Promise<Recording> = inflation.finished.then { build() }
+
+    /** Accepts the next piece. The promise is fulfilled when there is room for another. */
+    fun accept(base64: String): Promise<Unit> = inflation.accept(Base64.decode(base64))
+
+    /** Marks the end of the pieces. */
+    fun end() = inflation.end()
+
+    private fun read(bytes: ByteArray) {
+        val excess = inflation.inflatedBytes - expectedBytes
+        parser.accept(bytes, 0, if (excess > 0) bytes.size - excess.toInt() else bytes.size)
+        if (inflation.inflatedBytes - reported > expectedBytes / STEPS) {
+            reported = inflation.inflatedBytes
+            onProgress(reported / expectedBytes)
+        }
+    }
+
+    private fun build(): Recording {
+        val recording = parser.finish()
+        val missing = expectedBytes - inflation.inflatedBytes
+        if (missing <= 0) return recording
+        return recording + Problem(
+            ProblemKind.GZIP_CUT,
+            "The last ${bytesText(missing)} of ${bytesText(expectedBytes)} cannot be read; the page may have been cut in copying.",
+        )
+    }
+
+    private companion object {
+        const val STEPS = 100
+    }
+}

@@ -1,0 +1,17 @@
+package badlog.page.view
+
+import badlog.core.analysis.Graph
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.BoardLines
+
+/**
+ * Returns the graphs that draw [spec], each with the board's names for its lines, if [lines] has them: numbers first, then states, which
+ * cannot share a frame with them.
+ */
+internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
+    val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }
+    return found.partition { (_, line) -> line.states == null }.toList().filter { it.isNotEmpty() }.map { part ->
+        val series = part.map { it.second }
+        Graph(spec.title, series[0].unit, isVirtual = false, spec.isFilled, spec.includesZero, series) to part.map { it.first }
+    }
+}

@@ -1,0 +1,36 @@
+package badlog.page.view
+
+import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.text.countText
+
+/** Returns [findings] by their places on the x axis. */
+internal fun timelineOf(findings: List<Finding>): FindingTimeline<Finding> = FindingTimeline(findings, { it.severity }, { it.places })
+
+/** Whether it has a place on the x axis. */
+internal val Finding.isPlaced: Boolean get() = time.isFinite()
+
+/** Where its first span ends, or its time if it has none. */
+internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
+
+/** Its severity as a word, which is also the name of its style. */
+internal val Finding.word: String get() = severity.word
+
+/** As a word, which is also the name of its style. */
+internal val Severity.word: String get() = name.lowercase()
+
+/** Returns what was found at its place nearest to [x]. */
+internal fun Finding.textNear(x: Double): String = placeNear(x)?.let(::textAt) ?: text
+
+/** Returns the first of [findings] with its severity and what was found near [x], and how many more there are. */
+internal fun findingText(findings: List<Finding>, x: Double): String {
+    val first = findings.firstOrNull() ?: return ""
+    return "${first.word} · ${shortFindingText(findings, x)}"
+}
+
+/** Returns the same without the severity. */
+internal fun shortFindingText(findings: List<Finding>, x: Double): String {
+    val others = if (findings.size > 1) " (and ${countText(findings.size - 1)} more)" else ""
+    return "${findings[0].rule}: ${findings[0].textNear(x)}$others"
+}

@@ -1,0 +1,99 @@
+package badlog.page.view
+
+import badlog.page.dom.LocalStorage
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardException
+import badlog.viewer.choices.board.BoardHistory
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.board.boardOfJson
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.toJson
+
+/**
+ * The graphs that the reader put together, which the browser remembers for the file.
+ *
+ * @param lines all lines that can be drawn.
+ */
+internal class PageBoard(fileKey: String, lines: BoardLines) {
+    private val key = "board:$fileKey"
+    private var history = BoardHistory()
+    private val listeners = ArrayList<() -> Unit>()
+
+    /** The board it began with, unless the browser remembered one. */
+    private var begun: BoardHistory? = null
+
+    /** Called when the reader has changed it. */
+    var onKeep: () -> Unit = {}
+
+    /** All lines that can be drawn; they change with the formulas. */
+    var lines: BoardLines = lines
+        set(value) {
+            field = value
+            show(history)
+        }
+
+    /** The displayed board: the part for which there are lines. */
+    var now: Board = Board()
+        private set
+
+    val canUndo: Boolean get() = history.canUndo
+    val canRedo: Boolean get() = history.canRedo
+
+    /** Calls [listener] after each change. */
+    fun onChange(listener: () -> Unit) {
+        listeners += listener
+    }
+
+    /**
+     * Begins with [visited], which somebody has sent. Without it, or when it is undone, the board is the one that the browser remembers, or
+     * else [board].
+     */
+    fun begin(visited: Board?, board: () -> Board) {
+        val own = remembered()
+        val first = BoardHistory(own ?: board())
+        if (own == null) begun = first
+        show(if (visited == null) first else first.changed(visited))
+    }
+
+    /** Begins with [board] instead, unless the reader already has another one. */
+    fun beginAgain(board: Board) {
+        if (history !== begun || board.showsSame(history.now)) return
+        begun = BoardHistory(board).also(::show)
+    }
+
+    /** Performs [step], which can be undone, and remembers the result. */
+    fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
+
+    /**
+     * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
+     */
+    fun visit(board: Board) = show(history.changed(board))
+
+    fun undo() = keep(history.undone())
+
+    fun redo() = keep(history.redone())
+
+    private fun keep(changed: BoardHistory) {
+        if (changed === history) return
+        show(changed)
+        LocalStorage[key] = history.now.toJson()
+        onKeep()
+    }
+
+    private fun show(changed: BoardHistory) {
+        history = changed
+        now = changed.now.fittedTo { lines[it] != null }.board
+        for (listener in listeners) listener()
+    }
+
+    private fun remembered(): Board? = try {
+        LocalStorage[key]?.let(::boardOfJson)
+    } catch (_: BoardException) {
+        null
+    }
+
+    internal companion object {
+        /** The maximum number of graphs offered as targets: more would not fit on the screen. */
+        const val MOST_OFFERED = 12
+    }
+}

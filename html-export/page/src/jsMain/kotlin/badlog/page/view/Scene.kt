@@ -1,0 +1,147 @@
+package badlog.page.view
+
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Event
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.XAxis
+import badlog.core.analysis.enabledSpans
+import badlog.protocol.Note
+import badlog.rules.Finding
+import badlog.signals.pose.Pose
+import badlog.signals.pose.posesOf
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.mark.Clocks
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.draw.mark.ModeTimeline
+import badlog.viewer.draw.path.Field
+import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.outline.traits
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
+import badlog.viewer.text.placeText
+import badlog.viewer.text.withUnit
+import kotlin.math.abs
+
+/** What all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
+internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard, val notice: Notice) {
+    val xAxis: XAxis = view.xAxis
+    val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
+
+    /** The findings so far. Code that changes it must redraw. */
+    var findings: FindingTimeline<Finding> = timelineOf(emptyList())
+
+    private var searched: Pair<FindingTimeline<Finding>, Set<String>>? = null
+
+    /** Returns the traits, for searches, that the topic [name] has because of the findings. */
+    fun findingsTraits(name: String): Set<Trait> {
+        val known = searched?.takeIf { it.first === findings }
+            ?: (findings to findings.worstFirst.flatMapTo(HashSet()) { it.evidence }).also { searched = it }
+        return if (name in known.second) setOf(Trait.FINDING) else emptySet()
+    }
+
+    /**
+     * Returns all traits of [line] that [query] can search for; none if it only searches for names, because some traits need a look at all
+     * samples.
+     */
+    fun traitsOf(line: GraphSeries, query: Query): Set<Trait> =
+        if (Trait.entries.any(query::asksFor)) line.traits + findingsTraits(line.topic.name) else emptySet()
+
+    /** The notes about moments, in the order of x. */
+    var notes: List<Note> = emptyList()
+
+    /** The place of the last finding that a person went to; null if there was none. */
+    var visited: FindingPlace<Finding>? = null
+        set(value) {
+            field = value
+            // It may be another finding at the same place.
+            cursor.announce()
+        }
+
+    /** The field that paths are drawn on. */
+    var field: Field = Field.PLAIN
+
+    val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
+    val cursor: Cursor = Cursor(xAxis.clocks)
+    val sharedY: SharedY = SharedY(board, range)
+
+    /** The poses in its topics. */
+    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
+
+    /** When the robot was enabled. */
+    val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+
+    /** Returns the note under the cursor at [x], or null. */
+    fun noteAt(x: Double): Note? = notes.minByOrNull { abs(it.x - x) }?.takeIf { abs(it.x - x) <= range.now.width * REACH }
+
+    /** When it was in which mode. */
+    val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
+
+    /** The clocks besides the x axis. */
+    val clocks: Clocks by lazy { Clocks(view, modes) }
+
+    /** Returns the name of the finding that a person went to at [x]; null if nobody did. */
+    fun visitedAt(x: Double): FindingName? = visited?.takeIf { it.span.from == x }?.let { FindingName.of(it.finding) }
+
+    /** Returns the event under the cursor at [x], or null. */
+    fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
+
+    /** Returns the last event at or before [x], with the precision of a pixel; null before the first. */
+    fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
+
+    /** Returns the findings under the cursor at [x]: first the one that it was moved to, then the worst. */
+    fun findingsAt(x: Double): List<Finding> {
+        val all = findings.at(x, range.now.width * REACH)
+        val here = visited?.takeIf { it.span.from == x }?.finding ?: return all
+        return listOf(here) + (all - here)
+    }
+
+    private var pointed: Pair<List<Any?>, Pointed>? = null
+
+    /** Returns what is under the cursor at [x], worked out once for all graphs that show it. */
+    fun pointedAt(x: Double): Pointed {
+        val asked = listOf(x, range.now, findings, visited)
+        pointed?.takeIf { it.first == asked }?.let { return it.second }
+        val found = findingsAt(x)
+        return Pointed(noteAt(x)?.text ?: eventAt(x)?.text, found.firstOrNull()?.severity, findingText(found, x))
+            .also { pointed = asked to it }
+    }
+
+    /** Returns those of [findingsAt] that did not begin before the last event at or before [x], so that they are newer. */
+    fun newsAt(x: Double): List<Finding> {
+        val last = lastEventAt(x) ?: return findingsAt(x)
+        val from = last.x - range.now.width * REACH
+        return findingsAt(x).filter { finding -> finding.places.any { it.from >= from } }
+    }
+
+    /** Moves the cursor to [x], and scrolls the visible range there if necessary. */
+    fun goTo(x: Double) {
+        if (!x.isFinite() || xAxis.range == null) return
+        val place = x.coerceIn(range.full.from, range.full.to)
+        range.change { revealing(place) }
+        cursor.change { pinnedAt(place) }
+    }
+
+    /** Shows the surroundings of [from] to [to], and moves the cursor to [from]. */
+    fun zoomTo(from: Double, to: Double) {
+        if (!from.isFinite()) return
+        range.change { around(from, to) }
+        goTo(from)
+    }
+
+    /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
+    fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
+
+    /** Returns the same without the unit. */
+    fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
+
+    private companion object {
+        /** The maximum distance between the cursor and what it points at, as a fraction of the screen's width. */
+        const val REACH = 0.008
+
+        /** The precision of a mouse, as a fraction of the screen's width: without it, the last event could not be reached. */
+        const val ONE_PIXEL = 0.002
+    }
+}

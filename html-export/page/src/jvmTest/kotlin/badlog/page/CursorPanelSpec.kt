@@ -1,0 +1,81 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+
+/** The panel of values at the cursor. */
+internal class CursorPanelSpec : PageSpec({
+    val page by lazy {
+        val topics = listOf(TIME, BagTopic("Still", "V"), BagTopic("Jump", "A"), BagTopic("Mode"), BagTopic("Hidden", "m", listOf("hide")))
+        TestPages.of(
+            bagOf(topics, 1001) { row, column ->
+                when (column) {
+                    0 -> row / 100.0
+                    1 -> 12
+                    2 -> if (row < 300) 1 else 7
+                    3 -> if (row < 600) "auto" else "teleop"
+                    else -> row
+                }
+            },
+        )
+    }
+
+    fun OpenPage.rows() = texts(".cursor-value:not([hidden])")
+    fun OpenPage.changed() = texts(".cursor-value.is-changed:not([hidden]) .cursor-value-name")
+
+    browserTest("V opens the values of all graphs at the cursor, what just changed first, and again closes them") {
+        onPage(page) {
+            element("#cursor-values").isDisplayed shouldBe false
+            press("v")
+            graph("Jump").click(0.304)
+            rows() shouldBe listOf("Jump7 A", "Still12 V", "Modeauto")
+            changed() shouldBe listOf("Jump")
+            graph("Jump").click(0.604)
+            rows().first() shouldBe "Modeteleop"
+            graph("Jump").click(0.45)
+            rows() shouldBe listOf("Still12 V", "Jump7 A", "Modeauto")
+            press("v")
+            element("#cursor-values").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("the pin of a value puts its topic on the board, and takes it off") {
+        onPage(page) {
+            press("v")
+            graph("Jump").click(0.45)
+            fun pin() = elements(".cursor-value:not([hidden]) .pin")[1]
+            pin().click()
+            settle()
+            texts("#board .graph-title") shouldBe listOf("Jump")
+            rows().single().startsWith("Jump") shouldBe true
+            click(".cursor-value:not([hidden]) .pin")
+            texts("#board .graph-title") shouldBe emptyList()
+        }
+    }
+
+    browserTest("a search lists the topics that it finds, hidden ones too, and the panel stays open for the next visit") {
+        onPage(page) {
+            click("#values-button")
+            graph("Jump").click(0.5)
+            press("/")
+            press("hidden")
+            rows().single().startsWith("Hidden") shouldBe true
+            reload()
+            element("#cursor-values").isDisplayed shouldBe true
+        }
+    }
+
+    browserTest("on a phone the values are a sheet over the foot of the page") {
+        onPage(page, Screen.PHONE) {
+            click("#values-button")
+            settle()
+            val box = "const b = document.querySelector('#cursor-values').getBoundingClientRect(); return "
+            number(box + "b.bottom") shouldBe 844.0
+            number(box + "b.top") shouldBeGreaterThan 400.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            keepScreenshot("phone-values")
+        }
+    }
+})

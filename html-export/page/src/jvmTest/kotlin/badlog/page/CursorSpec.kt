@@ -1,0 +1,195 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.assertions.withClue
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.By
+import org.openqa.selenium.Keys
+import kotlin.math.roundToInt
+
+private const val ROWS = 100_000
+private const val SPIKE_ROW = 54_321
+
+/** Each row has a number of its own, so that a value tells which row it was read from. */
+internal class CursorSpec : PageSpec({
+    val page by lazy {
+        val topics = listOf(TIME, BagTopic("Row"), BagTopic("Spike", "V"), BagTopic("Mode")) +
+            List(8) { BagTopic("More ${it + 1}") }
+        TestPages.of(
+            bagOf(topics, ROWS) { row, column ->
+                when (column) {
+                    0, 1 -> row
+                    2 -> if (row == SPIKE_ROW) 7 else 0
+                    3 -> if (row < 40_000) "armed" else "ready"
+                    else -> row % 1000
+                }
+            },
+        )
+    }
+
+    browserTest("on a screen of any width the cursor's time is there to read, with nothing over it") {
+        onPage(page) {
+            for (width in listOf(1280, 1000, 960, 900, 800, 761)) {
+                show(Screen(width, 800))
+                graph("Row").hover(0.5)
+                withClue("$width px") {
+                    script(
+                        """
+                        const box = document.querySelector('.cursor-readout').getBoundingClientRect();
+                        return [box.left + 1, box.right - 1].every(x =>
+                            document.elementFromPoint(x, box.top + box.height / 2)?.closest('.cursor-readout'));
+                        """.trimIndent(),
+                    ) shouldBe true
+                }
+            }
+        }
+    }
+
+    browserTest("on a screen of any width the time and the match clock of a match are there to read, beside modes and events") {
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
+            for (width in listOf(1366, 1240, 1200, 1101, 1080, 1000, 961, 900)) {
+                show(Screen(width, 800))
+                graph("System/Battery Voltage").scrollTo().hover(0.6)
+                withClue("$width px") {
+                    for (readout in listOf(".cursor-readout", ".clock-readout")) {
+                        number(
+                            """
+                            const text = document.querySelector(arguments[0]).getBoundingClientRect();
+                            const room = document.querySelector('.readout').getBoundingClientRect();
+                            return text.width > 20 ? text.right - room.right : 999;
+                            """.trimIndent(),
+                            readout,
+                        ) shouldBeLessThan 1.5
+                    }
+                }
+            }
+        }
+    }
+
+    browserTest("the values at the cursor are those of the very sample, however many share a pixel") {
+        onPage(page) {
+            for (across in listOf(0.1234, 0.5, 0.987)) {
+                graph("Row").hover(across)
+                val row = graph("Row").value("Row").toInt()
+                val frame = graph("Row").frame
+                val pixel = frame.at(across).first
+                row shouldBe ((pixel - frame.x) / frame.width * (ROWS - 1)).roundToInt()
+                graph("More 1").value("More 1").toInt() shouldBe row % 1000
+                graph("Mode").value("Mode") shouldBe if (row < 40_000) "armed" else "ready"
+            }
+        }
+    }
+
+    browserTest("a lone spike among 100,000 samples is drawn, and its value and its neighbors' can be read") {
+        onPage(page) {
+            graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
+            graph("Spike").hover(SPIKE_ROW / (ROWS - 1.0))
+            fun row() = graph("Row").value("Row").toInt()
+            while (row() - SPIKE_ROW >= 10) pressShift(Keys.ARROW_LEFT)
+            while (SPIKE_ROW - row() >= 10) pressShift(Keys.ARROW_RIGHT)
+            while (row() > SPIKE_ROW) press(Keys.ARROW_LEFT)
+            while (row() < SPIKE_ROW) press(Keys.ARROW_RIGHT)
+            graph("Spike").value("Spike") shouldBe "7"
+            press(Keys.ARROW_LEFT)
+            graph("Spike").value("Spike") shouldBe "0"
+            pressShift(Keys.ARROW_RIGHT)
+            row() shouldBe SPIKE_ROW + 9
+            graph("Spike").value("Spike") shouldBe "0"
+        }
+    }
+
+    browserTest("one cursor stands at the same place in all graphs, also in one scrolled to later") {
+        onPage(page) {
+            graph("Spike").hover(0.25)
+            val row = graph("Row").value("Row")
+            fun OpenPage.cursorAt(name: String): Double {
+                val line = graph(name).card.findElement(By.cssSelector(".cursor-line"))
+                line.isDisplayed shouldBe true
+                return number("return arguments[0].getBoundingClientRect().x", line) - graph(name).frame.x
+            }
+            val expected = graph("Spike").frame.width * 0.25
+            listOf("Row", "Spike", "Mode").forAll { cursorAt(it) shouldBe (expected plusOrMinus 1.5) }
+            graph("More 8").scrollTo()
+            cursorAt("More 8") shouldBe (expected plusOrMinus 1.5)
+            graph("More 8").value("More 8").toInt() shouldBe row.toInt() % 1000
+        }
+    }
+
+    browserTest("the bar shows the cursor's time with its unit") {
+        onPage(page) {
+            graph("Row").hover(0.5)
+            val (number, unit) = texts(".cursor-readout").single().split(' ')
+            number.toDouble().roundToInt() shouldBe graph("Row").value("Row").toInt()
+            unit shouldBe "s"
+        }
+    }
+
+    browserTest("a click pins the cursor, which the mouse does not move, until a click on it or Escape") {
+        onPage(page) {
+            graph("Row").click(0.25)
+            val row = graph("Row").value("Row")
+            graph("Spike").hover(0.75)
+            graph("Row").value("Row") shouldBe row
+            graph("Spike").card.findElement(By.cssSelector(".cursor-line.is-pointer")).isDisplayed shouldBe true
+            press(Keys.ESCAPE)
+            graph("Row").value("Row") shouldBe ""
+            // Sooner, each would be the second click of a double one.
+            clicks(List(2) { graph("Row").frame.at(0.25) }, pause = 0.5)
+            graph("Row").hover(0.75)
+            graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
+        }
+    }
+
+    browserTest("Shift and a click set a second cursor: values at both, difference, slope, and statistics between them") {
+        onPage(page) {
+            graph("Row").click(0.25)
+            graph("Row").click(0.5, withShift = true)
+            val (a, b, change, slope) = Regex("A (.*) · B (.*) · Δ (.*) · (.*) 1/s").matchEntire(graph("Row").value("Row"))!!.destructured
+            b.toInt() - a.toInt() shouldBe change.toInt()
+            change.toInt() shouldBeGreaterThan ROWS / 5
+            slope shouldBe "1"
+            graph("Mode").value("Mode") shouldBe "A armed · B ready"
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+            texts(".statistics caption").first() shouldStartWith "Between A and B: "
+            texts(".statistics tbody td")[1].toInt() shouldBe b.toInt()
+            press("b")
+            element(".second-readout").isDisplayed shouldBe false
+            graph("Row").value("Row") shouldBe a
+            press(Keys.ARROW_RIGHT)
+            val first = graph("Row").value("Row").toInt()
+            press("b", Keys.ARROW_RIGHT)
+            graph("Row").value("Row") shouldBe "A $first · B ${first + 1} · Δ 1 · 1 1/s"
+        }
+    }
+
+    browserTest("the cursor stays at its sample when the graphs are zoomed, and leaves with Escape") {
+        onPage(page) {
+            graph("Row").hover(0.5)
+            val row = graph("Row").value("Row")
+            press("+", "+")
+            graph("Row").value("Row") shouldBe row
+            press(Keys.ESCAPE)
+            graph("Row").value("Row") shouldBe ""
+            texts(".cursor-readout").single().isEmpty() || !element(".cursor-readout").isDisplayed shouldBe true
+        }
+    }
+
+    browserTest("arrow keys at the edge of what is visible take the view along") {
+        onPage(page) {
+            graph("Row").drag(0.4, 0.4 + 60 / graph("Row").frame.width)
+            graph("Row").hover(0.999)
+            val end = visibleRange.endInclusive
+            while (graph("Row").value("Row").toDouble() <= end) pressShift(*Array(10) { Keys.ARROW_RIGHT })
+            visibleRange.endInclusive shouldBeGreaterThan end
+        }
+    }
+})

@@ -1,0 +1,77 @@
+package badlog.page
+
+import badlog.files.gzip
+import badlog.formats.driverstation.STATION_EVENTS
+import badlog.formats.driverstation.STATION_LOG
+import io.kotest.matchers.shouldBe
+import java.nio.file.Files
+
+internal class DownloadSpec : PageSpec({
+    fun csvOf(bag: ByteArray) = bag.copyOfRange(bag.indexOf('\n'.code.toByte()) + 1, bag.size)
+
+    fun OpenPage.downloaded(id: String, name: String) = saved(name) { click("#$id") }
+
+    val bag by lazy { Files.readAllBytes(SAMPLES.resolve("practice.bag")) }
+    val whole by lazy { Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")) }
+
+    browserTest("a bag comes back byte for byte, and its CSV is all but its first line") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            downloaded("download", "qualification-42.bag") shouldBe whole
+            downloaded("download-csv", "qualification-42.bag.csv") shouldBe csvOf(whole)
+        }
+    }
+
+    browserTest("a cut bag comes back byte for byte") {
+        onPage(TestPages.ofSample("practice.bag")) { downloaded("download", "practice.bag") shouldBe bag }
+    }
+
+    browserTest("a gzip file comes back byte for byte, and its CSV inflated") {
+        val packed = gzip(whole)
+        onPage(TestPages.of(packed, "whole.bag.gz")) {
+            downloaded("download", "whole.bag.gz") shouldBe packed
+            downloaded("download-csv", "whole.bag.gz.csv") shouldBe csvOf(whole)
+        }
+    }
+
+    browserTest("a gzip file that was never closed comes back byte for byte, as it was") {
+        val file = SAMPLES.resolve("qualification-57.bag.gz")
+        onPage(TestPages.ofSample("qualification-57.bag.gz")) {
+            downloaded("download", "qualification-57.bag.gz") shouldBe Files.readAllBytes(file)
+        }
+    }
+
+    browserTest("a gzip file of several members comes back whole, with the rows of all of them") {
+        val (one, other) = whole.copyOf(200_000) to whole.copyOfRange(200_000, whole.size)
+        val packed = gzip(one) + gzip(other)
+        onPage(TestPages.of(packed, "members.bag.gz")) {
+            downloaded("download", "members.bag.gz") shouldBe packed
+            downloaded("download-csv", "members.bag.gz.csv") shouldBe csvOf(whole)
+        }
+    }
+
+    listOf<Pair<String, (ByteArray) -> ByteArray>>("" to { it }, ".gz" to ::gzip).forEach { (ending, packed) ->
+        browserTest("both files of a Driver Station's log come back byte for byte: .dslog$ending and .dsevents$ending") {
+            val (log, events) = packed(STATION_LOG.bytes) to packed(STATION_EVENTS.bytes)
+            onPage(TestPages.ofPair("station.dslog$ending" to log, "station.dsevents$ending" to events)) {
+                texts("#download").single() shouldBe ".dslog"
+                texts("#download-second").single() shouldBe ".dsevents"
+                downloaded("download", "station.dslog$ending") shouldBe log
+                downloaded("download-second", "station.dsevents$ending") shouldBe events
+            }
+        }
+    }
+
+    browserTest("of a plain CSV file, both are the file itself") {
+        val csv = Files.readAllBytes(SAMPLES.resolve("elevator-bench.csv"))
+        onPage(TestPages.ofSample("elevator-bench.csv")) {
+            downloaded("download", "elevator-bench.csv") shouldBe csv
+            downloaded("download-csv", "elevator-bench.csv") shouldBe csv
+        }
+    }
+
+    browserTest("bytes that are not text come back as they were") {
+        val odd = byteArrayOf(-1, -2, 0, 13, 10, -61)
+        val bytes = "Time,A\n0,1\n1,".encodeToByteArray() + odd + "\n2,3\n".encodeToByteArray()
+        onPage(TestPages.of(bytes, "bytes.bag")) { downloaded("download", "bytes.bag") shouldBe bytes }
+    }
+})

@@ -1,0 +1,126 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.ranges.shouldBeIn
+import io.kotest.matchers.shouldBe
+
+internal class EventSpec : PageSpec({
+    val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
+    val page by lazy {
+        TestPages.of(
+            bagOf(topics, 1001) { row, column ->
+                when (column) {
+                    0 -> row / 100.0
+                    1 -> 0
+                    else -> mapOf(150 to "autonomous", 800 to "brownout")[row]
+                }
+            },
+        )
+    }
+
+    /** How many pixels around a place of the graph have the color of events. */
+    fun OpenPage.eventPixels(across: Double): Int {
+        val columns = graph("Angle").picture.columnsOf(color("--event"))
+        val middle = (columns.size * across).toInt()
+        return columns.subList(middle - 6, middle + 6).sum()
+    }
+
+    browserTest("events are listed with their times, in order") {
+        onPage(page) {
+            texts(".event td.event-time").map { it.toDouble() } shouldBe listOf(1.5, 8.0)
+            texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
+        }
+    }
+
+    browserTest("a log of events without any says so, instead of an empty table") {
+        onPage(TestPages.of(bagOf(topics, 101) { row, column -> if (column == 2) null else row / 10.0 })) {
+            texts(".events p") shouldBe listOf("No events.")
+            elements(".events table").count { it.isDisplayed } shouldBe 0
+        }
+    }
+
+    browserTest("each event is marked on the graph at its time, and nothing else is") {
+        onPage(page) {
+            eventPixels(0.15) shouldBeGreaterThan 5
+            eventPixels(0.8) shouldBeGreaterThan 5
+            eventPixels(0.5) shouldBe 0
+            graph("Angle").drag(0.7, 0.9)
+            eventPixels(0.5) shouldBeGreaterThan 5
+            eventPixels(0.15) shouldBe 0
+        }
+    }
+
+    browserTest("a click on an event moves the cursor there, and the view where it was out of sight") {
+        onPage(page) {
+            graph("Angle").drag(0.0, 0.4)
+            elements(".event")[1].click()
+            settle()
+            8.0 shouldBeIn visibleRange
+            texts(".cursor-readout").single().substringBefore(' ').toDouble() shouldBe (8.0 plusOrMinus 0.001)
+            elements(".event")[0].click()
+            settle()
+            1.5 shouldBeIn visibleRange
+            click("#back")
+            8.0 shouldBeIn visibleRange
+        }
+    }
+
+    browserTest("an event can be zoomed to") {
+        onPage(page) {
+            act { moveToElement(elements(".event")[1]) }
+            elements(".event-zoom")[1].click()
+            settle()
+            8.0 shouldBeIn visibleRange
+            visibleRange.endInclusive - visibleRange.start shouldBe (1.0 plusOrMinus 0.7)
+        }
+    }
+
+    browserTest("an error in a crowd of events keeps its mark") {
+        val topics = listOf(TIME, BagTopic("Angle"), BagTopic("Log", attributes = listOf("log")))
+        val bag = bagOf(topics, 1001) { row, column ->
+            when (column) {
+                0 -> row / 100.0
+                1 -> 0
+                else -> (if (row == 503) "ERROR: brownout" else "chatter").takeIf { row in 480..520 }
+            }
+        }
+        onPage(TestPages.of(bag)) {
+            val columns = graph("Angle").picture.columnsOf(color("--event"))
+            val error = (columns.size * 0.503).toInt()
+            columns.subList(error - 1, error + 2).max() shouldBeGreaterThan 20
+            columns.subList(error - 8, error - 4).max() shouldBeLessThan 10
+        }
+    }
+
+    browserTest("the way to the event log is at the top, and shows how many events there are") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            texts(".events-link .count").single().toInt() shouldBe elements(".event").size
+            click("#collapse-all")
+            click(".events-link")
+            number("return document.querySelector('.events').getBoundingClientRect().top") shouldBeLessThan 300.0
+            press("/")
+            press("brownout")
+            texts(".events-link .count").single().toInt() shouldBe elements(".event").size
+        }
+    }
+
+    browserTest("a recording without events has no way to them") {
+        onPage(TestPages.of(stepBag(graphs = 1))) { element(".events-link").isDisplayed shouldBe false }
+    }
+
+    browserTest("the bar names the last event before the cursor") {
+        onPage(page) {
+            graph("Angle").hover(0.9)
+            texts(".event-readout").single() shouldBe "8.000  brownout"
+            graph("Angle").hover(0.3)
+            texts(".event-readout").single() shouldBe "1.500  autonomous"
+            // Less than a mark's width before the second one, which has not happened yet.
+            graph("Angle").hover(0.797)
+            texts(".event-readout").single() shouldBe "1.500  autonomous"
+        }
+    }
+})

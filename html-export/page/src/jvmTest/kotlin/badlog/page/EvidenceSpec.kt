@@ -1,0 +1,171 @@
+package badlog.page
+
+import badlog.core.analysis.Span
+import badlog.core.bag.BagTopic
+import badlog.core.recording.Severity
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
+import io.kotest.assertions.withClue
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.By
+
+/** From a finding to its reason: what shows it is on one screen. */
+internal class EvidenceSpec : PageSpec({
+    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+
+    fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
+
+    /** The names of the graphs of which all is on the screen, below the bar, and of their lines. */
+    fun OpenPage.inSight(): String = script(
+        """
+        const top = document.querySelector('.zoom-bar').getBoundingClientRect().bottom
+        return [...document.querySelectorAll('#evidence .graph')].filter(graph => {
+            const box = graph.querySelector('canvas')?.getBoundingClientRect()
+            return box && box.height > 30 && box.top >= top && box.bottom <= innerHeight
+        }).map(graph => [graph.dataset.name, ...[...graph.querySelectorAll('[data-series]')].map(line => line.dataset.series)].join()).join('\n')
+        """.trimIndent(),
+    ) as String
+
+    /** Of how many graphs not all is on the screen, below the bar. */
+    fun OpenPage.outOfSight() = elements("#evidence .graph").size - inSight().lines().count { it.isNotEmpty() }
+
+    val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
+
+    for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
+        browserTest("why Qualification 42 browned out takes one click, ${screen.width}×${screen.height}") {
+            onPage(match, screen) {
+                awaitRules()
+                elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
+                settle()
+                settle()
+                keepScreenshot("evidence-${screen.width}")
+                cursor() shouldBe (93.7 plusOrMinus 0.1)
+                (93.7 in visibleRange) shouldBe true
+                visibleRange.endInclusive - visibleRange.start shouldBeLessThan 20.0
+                for (name in listOf("Battery Voltage", "Total Current", "Left Output", "Right Output")) inSight() shouldContain name
+                elements("#evidence .graph").size shouldBe 4
+                outOfSight() shouldBe 0
+                element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
+                element("#evidence .incident-next").text shouldStartWith "Next: "
+                element(".finding[aria-current]").text shouldContain "Browned out"
+            }
+        }
+    }
+
+    browserTest("a link to the time of a finding shows its evidence, too") {
+        onPage(match) {
+            awaitRules()
+            val time = 93.709649
+            script("location.hash = '#t=' + arguments[0]", time)
+            await("the evidence") { element("#evidence").isDisplayed }
+            cursor() shouldBe (time plusOrMinus 0.01)
+        }
+    }
+
+    val rules = RulesFile.parse(
+        """
+        [[rule]]
+        name = "Low"
+        severity = "error"
+        when = "Voltage < 7"
+        text = "Down to {value} at {time} ({count}×)."
+        next = "Look at the battery."
+        [[rule]]
+        name = "Worse"
+        severity = "error"
+        when = "Voltage < 2"
+        text = "Much too low."
+        """.trimIndent(),
+    ).rules
+
+    // Low at 5, 15, 25, … s, each time by another voltage.
+    val bag by lazy {
+        bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Other", "A")), 4001) { row, column ->
+            val time = row / 10.0
+            when (column) {
+                0 -> time
+                1 -> if (row % 100 in 50..52) 1.0 + row / 100 % 5 else 12.0
+                else -> row % 7
+            }
+        }
+    }
+
+    browserTest("of findings that begin together, a link and N name the one that is meant, also in a copied link") {
+        val both = listOf(
+            finding("First", Severity.ERROR, "first of two", 3.0),
+            finding("Second", Severity.WARNING, "second of two", 3.0),
+        )
+        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
+            fun sentence() = texts("#evidence .evidence-text").first()
+            fun address() = element(".cursor-readout").getDomAttribute("href")
+            script("location.hash = '#t=3'")
+            settle()
+            sentence() shouldBe "first of two"
+            script("location.hash = '#t=3&finding=Second'")
+            settle()
+            settle()
+            sentence() shouldBe "second of two"
+            address() shouldBe "#t=3&finding=Second"
+            texts(".event-readout").single() shouldContain "second of two"
+            click("#close-evidence")
+            pressShift("n")
+            settle()
+            sentence() shouldBe "first of two"
+            address() shouldBe "#t=3&finding=First"
+            script("location.hash = '#t=3&finding=Gone;Topic'")
+            settle()
+            sentence() shouldBe "first of two"
+        }
+    }
+
+    browserTest("each place is stepped to and named with its own figures, not with those of a worse one nearby") {
+        onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
+            awaitRules()
+            elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
+            settle()
+            texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 5 s."
+            texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 40"
+            click("#evidence .evidence-next")
+            texts("#evidence .evidence-text").first() shouldBe "Down to 2 V at 15 s."
+            texts("#evidence .evidence-steps .unit").single() shouldBe "2 of 40"
+            cursor() shouldBe (15.0 plusOrMinus 0.01)
+            repeat(4) { click("#evidence .evidence-next") }
+            texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 55 s."
+            texts(".event-readout").single() shouldContain "Low: Down to 1 V at 55 s."
+            texts("#evidence .incident-next").single() shouldBe "Next: Look at the battery."
+        }
+    }
+
+    browserTest("what is beside it is one press away, and all of it can be closed") {
+        onPage(match) {
+            awaitRules()
+            press("n")
+            element("#evidence").isDisplayed shouldBe true
+            val before = elements("#evidence .graph").size
+            val offers = elements(".evidence-offers button")
+            withClue(offers.map { it.text }) { offers.isEmpty() shouldBe false }
+            offers.first().click()
+            settle()
+            elements("#evidence .graph").size shouldBe before + 1
+            click("#close-evidence")
+            element("#evidence").isDisplayed shouldBe false
+            elements("#evidence .graph").size shouldBe 0
+        }
+    }
+
+    browserTest("what nothing in the log shows has its sentence, and hurts nothing") {
+        val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
+        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
+            press("n")
+            texts("#evidence .evidence-text").first() shouldBe "as it said"
+            elements("#evidence .graph").size shouldBe 0
+            texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 2"
+        }
+    }
+})

@@ -1,0 +1,207 @@
+package badlog.page
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.bag.BagTopic
+import badlog.core.bag.RecordingWriter
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Severity
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.formats.driverstation.STATION_EVENTS
+import badlog.formats.driverstation.STATION_LOG
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.viewer.draw.color.lineColor
+import badlog.viewer.shown.table.CsvTable
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import org.w3c.dom.Document
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import javax.xml.parsers.DocumentBuilderFactory
+
+internal class ExportSpec : PageSpec({
+    val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
+
+    /** Goes to the brownout of [match]. */
+    fun OpenPage.toBrownout() {
+        await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+        script("location.hash = '#t=93.7'")
+        settle()
+    }
+
+    fun read(bytes: ByteArray, name: String): Recording = readRecording(Files.write(Files.createTempDirectory("badlog-export").resolve(name), bytes), LOG_FORMATS)
+
+    fun textOf(table: CsvTable) = table.header + table.text(0, table.rowCount)
+
+    browserTest("a drawing of the board says of itself which match it is, what it shows, the values at the cursor, and what was found") {
+        onPage(match, Screen(1280, 900, isDark = true)) {
+            toBrownout()
+            val drawing = xml(exported("Board as a drawing (SVG)", "qualification-42 Board.svg"))
+            val texts = drawing.texts()
+            texts shouldContain "Mill Creek Regional Qualification 42"
+            texts.single { it.startsWith("qualification-42.bag · 0.00 – 155.99 s · cursor at 93.70 s · Teleop 1:31") }
+            texts shouldContainAll listOf("Battery and current", "Loop Time (ms)", "Time (s)", "error · 93.71 s")
+            texts.single { it.startsWith("Browned out: ") } shouldContain "The roboRIO browned out"
+            texts.single { it.startsWith("Battery Voltage ") } shouldBe "Battery Voltage ${texts(".board .value").first()} V"
+            // Paper is light.
+            drawing.documentElement.firstChild.attributes.getNamedItem("fill").nodeValue shouldBe "#ffffff"
+        }
+    }
+
+    browserTest("a drawing names what it shows even if that is written in signs of its own") {
+        val odd = BagTopic("<script>&amp;\u0001 \uD83E\uDD16", "V")
+        onPage(TestPages.of(bagOf(listOf(TIME, odd), 9) { row, _ -> row })) {
+            script("document.querySelector('.pin').click()")
+            val texts = xml(exported("Board as a drawing (SVG)", "test Board.svg")).texts()
+            texts.count { it.startsWith("<script>&amp;") && it.endsWith(" \uD83E\uDD16") } shouldBeGreaterThan 0
+        }
+    }
+
+    browserTest("a picture of the board is light, and has the lines of each of its graphs") {
+        onPage(match, Screen(1280, 900, isDark = true)) {
+            toBrownout()
+            val picture = image(exported("Board as an image (PNG)", "qualification-42 Board.png"))
+            picture.width shouldBe 1000
+            picture.height shouldBeGreaterThan 5 * 120
+            picture.getRGB(2, 2) and 0xffffff shouldBe 0xffffff
+            // The right half has no legends. Four graphs draw lines there, with gaps between them.
+            val rows = (0 until picture.height).filter { y -> (500 until 1000).any { x -> picture.getRGB(x, y) and 0xffffff in LINES } }
+            rows.zipWithNext().count { (one, next) -> next - one > 30 } + 1 shouldBeGreaterThan 3
+        }
+    }
+
+    browserTest("a path is drawn in files, too, with the robot where it was at the cursor") {
+        onPage(TestPages.ofSample("wrong-turn.bag")) {
+            script("location.hash = '#t=8.2'")
+            settle()
+            val texts = xml(exported("Board as a drawing (SVG)", "wrong-turn Board.svg")).texts()
+            texts.single { it.startsWith("Drive/Pose ") } shouldBe "Drive/Pose " + texts(".board .value").first()
+            texts.single { it.startsWith("Left the plan at 8.198 s") }
+        }
+    }
+
+    browserTest("one graph is saved as a picture, as a drawing and as a table") {
+        onPage(TestPages.ofSample("elevator-bench.csv")) {
+            val card = ".graph[data-name='Position'] .save-image"
+            image(saved("elevator-bench Position.png") { selectIn(card, "Position as an image (PNG)") }).width shouldBe 1000
+            xml(saved("elevator-bench Position.svg") { selectIn(card, "Position as a drawing (SVG)") }).texts() shouldContain "elevator-bench.csv"
+            val view = LogView.of(readRecording(SAMPLES.resolve("elevator-bench.csv"), LOG_FORMATS))
+            val position = view.recording.topics.first { it.name == "Position" }
+            saved("elevator-bench Position.csv") { selectIn(card, "Position as a table (CSV)") }.decodeToString() shouldBe
+                textOf(CsvTable.of(view, null, listOf(view.seriesOf(position))))
+        }
+    }
+
+    browserTest("the visible range comes as CSV, the same that the window writes") {
+        val bag = stepBag(graphs = 3)
+        onPage(TestPages.of(bag, "steps.bag")) {
+            script("location.hash = '#x=2:6&t=4'")
+            settle()
+            val csv = exported("Visible range as a table (CSV)", "steps range.csv").decodeToString()
+            csv shouldBe textOf(CsvTable.ofAll(LogView.of(read(bag, "steps.bag")), Span(2.0, 6.0)))
+            csv.lines().drop(1).first() shouldStartWith "2,"
+            csv.trimEnd().lines().size shouldBe 402
+        }
+    }
+
+    browserTest("the board comes as CSV, only with its own topics") {
+        onPage(TestPages.of(stepBag(graphs = 3), "steps.bag")) {
+            for (graph in listOf("Step 3", "Step 1")) script("document.querySelector(arguments[0]).click()", ".graph[data-name='$graph'] .pin")
+            settle()
+            exported("Board as a table (CSV)", "steps Board.csv").decodeToString().lines().first() shouldBe "Time (s),Step 3 (V),Step 1 (V)"
+        }
+    }
+
+    browserTest("a WPILOG and a Driver Station's log come as CSV, too") {
+        onPage(TestPages.of(wpilog(), "run.wpilog")) {
+            saved("run.wpilog.csv") { click("#download-csv") }.decodeToString() shouldBe
+                textOf(CsvTable.ofAll(LogView.of(read(wpilog(), "run.wpilog"))))
+        }
+        onPage(TestPages.ofPair("station.dslog" to STATION_LOG.bytes, "station.dsevents" to STATION_EVENTS.bytes)) {
+            val lines = saved("station.dslog.csv") { click("#download-csv") }.decodeToString().trimEnd().lines()
+            lines.first() shouldContain "Battery"
+            lines.size shouldBeGreaterThan 2
+        }
+    }
+
+    browserTest("the CSV of a damaged log is the repaired one: what badlog makes of it, cell by cell") {
+        for (name in listOf("practice.bag", "qualification-57.bag.gz")) {
+            val damaged = readRecording(SAMPLES.resolve(name), LOG_FORMATS)
+            damaged.problems.size shouldBeGreaterThan 0
+            val written = ByteArrayOutputStream()
+            RecordingWriter(damaged, RecordingFormat.CSV).write(0, damaged.rowCount) { bytes, size -> written.write(bytes, 0, size) }
+            val wanted = read(written.toByteArray(), "converted.csv")
+            onPage(TestPages.ofSample(name)) {
+                val bytes = saved("$name.csv") { click("#download-csv") }
+                val repaired = read(bytes, "page.csv")
+                repaired.problems.filter { it.severity > Severity.NOTE }.shouldBeEmpty()
+                repaired.rowCount shouldBe wanted.rowCount
+                for (topic in wanted.topics) {
+                    val same = repaired.topics.first { it.name.substringBefore(" (") == topic.name.substringBefore(" (") }
+                    same.samples.map(Double::toString) shouldBe topic.samples.map(Double::toString)
+                    same.texts.size shouldBe topic.texts.size
+                }
+            }
+        }
+    }
+
+    browserTest("a large table is made while the page goes on; it says how far it is, and is cancelled by closing that") {
+        val topics = listOf(TIME) + List(40) { BagTopic("Topic $it", "V") }
+        val bag = bagOf(topics, 60_000) { row, column -> if (column == 0) row / 50.0 else row % 997 * column / 7.0 }
+        onPage(TestPages.of(bag, "large.bag")) {
+            fun said() = texts(".notice p").single()
+            // The page itself cancels, since the table may be done before a test can.
+            script(
+                """
+                const said = document.querySelector('.notice p')
+                new MutationObserver((changes, observer) => {
+                    if (!/^Making the table: [1-9]/.test(said.textContent)) return
+                    observer.disconnect()
+                    window.share = said.textContent
+                    document.querySelector('.notice button').click()
+                }).observe(said, {childList: true, characterData: true, subtree: true})
+                """.trimIndent(),
+            )
+            selectIn("#export", "Visible range as a table (CSV)")
+            await("a first part") { script("return window.share ?? null") != null }
+            settle()
+            said() shouldBe ""
+            // What was cancelled comes no more: the next file with this name is a whole one.
+            exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 60_001
+            said() shouldBe ""
+        }
+    }
+
+    browserTest("an empty range gives no file, but a sentence") {
+        val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 3) { row, column -> if (column == 0) row * row else row }
+        onPage(TestPages.of(bag)) {
+            script("location.hash = '#x=2:3&t=2.5'")
+            settle()
+            selectIn("#export", "Visible range as a table (CSV)")
+            texts(".notice").single() shouldContain "no samples in the visible range"
+            texts(".menu button").size shouldBeLessThan 1
+        }
+    }
+})
+
+/** The colors of the first three lines on paper. */
+private val LINES = (0 until 3).map { lineColor(it, isDark = false) }
+
+private fun image(bytes: ByteArray): BufferedImage = ImageIO.read(bytes.inputStream())
+
+private fun xml(bytes: ByteArray): Document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(bytes.inputStream())
+
+private fun Document.texts(): List<String> = getElementsByTagName("text").let { all -> (0 until all.length).map { all.item(it).textContent } }

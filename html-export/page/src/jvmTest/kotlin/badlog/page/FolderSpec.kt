@@ -1,0 +1,101 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import io.kotest.assertions.withClue
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+
+internal class FolderSpec : PageSpec({
+    val folders = listOf("Arm", "Drivetrain", "Elevator")
+    val page by lazy {
+        val topics = listOf(TIME) + folders.flatMap { folder -> List(3) { BagTopic("$folder/Step ${it + 1}") } }
+        TestPages.of(
+            bagOf(topics, 1001) { row, column ->
+                if (column == 0) {
+                    row / 100.0
+                } else if (row < 300) {
+                    0
+                } else {
+                    1
+                }
+            },
+        )
+    }
+
+    fun OpenPage.toggle(folder: String) = click(".folder[data-name='$folder'] .folder-toggle")
+
+    /** Every canvas on the page is as wide as the card it stands in leaves room for. */
+    fun OpenPage.checkWidths() {
+        for (name in graphNames) {
+            val card = graph(name).scrollTo().card
+            val room = number("return arguments[0].querySelector('.plot').clientWidth", card)
+            withClue("$name on a window of ${number("return innerWidth")}") {
+                number("return arguments[0].querySelector('canvas').getBoundingClientRect().width", card) shouldBe
+                    (room plusOrMinus 1.0)
+            }
+        }
+    }
+
+    browserTest("a closed folder stays closed over a reload, the others open") {
+        onPage(page) {
+            toggle("Drivetrain")
+            graphNames.filter { it.startsWith("Drivetrain") } shouldBe emptyList()
+            reload()
+            graphNames.map { it.substringBefore('/') }.distinct() shouldBe listOf("Arm", "Elevator")
+            element(".folder[data-name='Drivetrain'] .folder-toggle").getDomAttribute("aria-expanded") shouldBe "false"
+            toggle("Drivetrain")
+            reload()
+            graphNames.size shouldBe 9
+        }
+    }
+
+    browserTest("all folders close and open at once") {
+        onPage(page) {
+            click("#collapse-all")
+            graphNames shouldBe emptyList()
+            click("#expand-all")
+            graphNames.size shouldBe 9
+            graph("Elevator/Step 3").scrollTo().steepest() shouldBe (0.3 plusOrMinus 0.01)
+        }
+    }
+
+    browserTest("a folder opened after a zoom and at another width is drawn as wide as it should be, and zoomed") {
+        onPage(page) {
+            toggle("Elevator")
+            graph("Arm/Step 1").scrollTo().drag(0.2, 0.6)
+            show(Screen.WIDE.copy(width = 900))
+            toggle("Elevator")
+            checkWidths()
+            graph("Elevator/Step 2").scrollTo().steepest() shouldBe (0.25 plusOrMinus 0.01)
+        }
+    }
+
+    browserTest("a window made narrower, then wider, leaves no graph at the wrong width") {
+        onPage(page) {
+            for (width in listOf(700, 1600, 420, 1280)) {
+                show(Screen.WIDE.copy(width = width))
+                checkWidths()
+                graph("Arm/Step 1").scrollTo().steepest() shouldBe (0.3 plusOrMinus 0.01)
+            }
+        }
+    }
+
+    browserTest("a window that is resized while the page loads leaves no graph at the wrong width") {
+        onPage(page) {
+            driver.navigate().refresh()
+            show(Screen.WIDE.copy(width = 640))
+            awaitState("ready")
+            show(Screen.WIDE.copy(width = 1000))
+            checkWidths()
+        }
+    }
+
+    browserTest("the list of folders leads to a folder, which opens") {
+        onPage(page) {
+            toggle("Elevator")
+            elements(".folder-link").single { "Elevator" in it.text }.click()
+            settle()
+            graph("Elevator/Step 1").isOnScreen shouldBe true
+        }
+    }
+})

@@ -1,0 +1,156 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import io.kotest.assertions.withClue
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+
+internal class FormulaSpec : PageSpec({
+    val topics = listOf(TIME, BagTopic("Power/Voltage", "V"), BagTopic("Power/Current"), BagTopic("9 lives"))
+    val bag = bagOf(topics, 101) { row, column -> if (column == 0) row / 10.0 else row * column }
+
+    browserTest("the formulas of a page are graphs in their folders, and may build on each other") {
+        val definitions = listOf("Power/Product [VA] = Voltage * Current", "Half = Product / 2")
+        onPage(TestPages.of(bag, additions = PageAdditions(definitions))) {
+            graphNames shouldContain "Half"
+            texts(".folder[data-name='Power'] .graph-title") shouldContain "Product"
+            graph("Power/Product").scrollTo().hover(0.5)
+            graph("Power/Product").value("Product") shouldBe "5000"
+            graph("Half").scrollTo().value("Half") shouldBe "2500"
+            texts(".origin") shouldBe listOf("formula", "formula")
+        }
+    }
+
+    browserTest("a wrong formula is reported with a mark below its mistake, and costs the others nothing") {
+        onPage(TestPages.of(bag, additions = PageAdditions(listOf("Bad = Voltge * 2", "Good = Voltage * 2")))) {
+            graphNames shouldContain "Good"
+            element(".problem-list").isDisplayed shouldBe true
+            texts(".problem-text").single() shouldContain "did you mean “Power/Voltage”"
+            texts(".problem .pointer").single() shouldBe "Bad = Voltge * 2\n      ^^^^^^"
+        }
+    }
+
+    browserTest("a person adds a formula, sees its graph at once and after the page is opened again, and removes it") {
+        onPage(TestPages.of(bag)) {
+            press("f")
+            press("Power/Sum [x] = Voltage + Current")
+            press(Keys.ENTER)
+            element("#formula-dialog").isDisplayed shouldBe false
+            graph("Power/Sum").hover(0.5)
+            graph("Power/Sum").value("Sum") shouldBe "150"
+            press("f")
+            press("New folder/Twice = Sum * 2", Keys.ENTER)
+            texts(".folder-link-name") shouldContain "New folder"
+            reload()
+            graphNames shouldContain "Power/Sum"
+            graph("New folder/Twice").scrollTo().hover(0.5)
+            graph("New folder/Twice").value("Twice") shouldBe "300"
+            click("#add-formula")
+            elements(".formula-remove").last().click()
+            elements(".formula-remove").last().click()
+            press(Keys.ESCAPE)
+            graphNames shouldNotContain "Power/Sum"
+            texts(".folder-link-name") shouldNotContain "New folder"
+            reload()
+            graphNames shouldNotContain "Power/Sum"
+        }
+    }
+
+    fun OpenPage.addFormula(definition: String) {
+        click("#add-formula")
+        press(definition, Keys.ENTER)
+    }
+
+    browserTest("a formula that another needs is not removed, and the page says which does") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            addFormula("Twice = Sum * 2")
+            click("#add-formula")
+            elements(".formula-remove").first().click()
+            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs it; remove that first."
+            elements(".formula-remove").last().click()
+            elements(".formula-remove").last().click()
+            texts(".formula-list li") shouldBe emptyList()
+        }
+    }
+
+    browserTest("a formula is changed, and what is calculated from it with it") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            addFormula("Twice = Sum * 2")
+            click("#add-formula")
+            click(".formula-list .text-button")
+            script("document.querySelector('#formula').select()")
+            press("Total = Voltage + 1", Keys.ENTER)
+            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs this name; change that first."
+            script("document.querySelector('#formula').select()")
+            press("Sum = Voltage + 1", Keys.ENTER)
+            element("#formula-dialog").isDisplayed shouldBe false
+            for (name in listOf("after the change", "after it was opened again")) {
+                withClue(name) {
+                    graph("Sum").scrollTo().hover(0.5)
+                    graph("Sum").value("Sum") shouldBe "51"
+                    graph("Twice").scrollTo().hover(0.5)
+                    graph("Twice").value("Twice") shouldBe "102"
+                    graphNames.count { it == "Sum" || it == "Twice" } shouldBe 2
+                }
+                reload()
+            }
+        }
+    }
+
+    browserTest("formulas are not counted as topics of the log") {
+        onPage(TestPages.of(bag)) {
+            addFormula("Sum = Voltage + Current")
+            reload()
+            texts(".fact") shouldContain "4 topics"
+            texts("#info .value-row").single { it.startsWith("Topics") } shouldBe "Topics4"
+        }
+    }
+
+    browserTest("the mistake is shown while one types, and Enter does not take it") {
+        onPage(TestPages.of(bag)) {
+            click("#add-formula")
+            press("Sum = Voltage + ")
+            element(".formula-dialog .pointer").isDisplayed shouldBe true
+            press(Keys.ENTER)
+            element("#formula-dialog").isDisplayed shouldBe true
+            press("Current")
+            element(".formula-dialog .pointer").isDisplayed shouldBe false
+            press(Keys.ENTER)
+            graphNames shouldContain "Sum"
+        }
+    }
+
+    browserTest("names that begin as what is typed are offered, in quotes where the language needs them") {
+        onPage(TestPages.of(bag)) {
+            click("#add-formula")
+            press("Sum = volt")
+            texts(".formula-suggestions button") shouldBe listOf("Power/Voltage")
+            click(".formula-suggestions button")
+            press(" + 9")
+            texts(".formula-suggestions button") shouldBe listOf("\"9 lives\"")
+            click(".formula-suggestions button")
+            press(Keys.ENTER)
+            graph("Sum").hover(0.5)
+            graph("Sum").value("Sum") shouldBe "200"
+        }
+    }
+
+    browserTest("what was found by a search is shown again when a formula is added, and a formula is found like a topic") {
+        onPage(TestPages.of(bag)) {
+            press("/")
+            press("current", Keys.TAB)
+            click("#add-formula")
+            press("Sum = Voltage + Current", Keys.ENTER)
+            graphNames shouldContain "Power/Voltage"
+            press("/")
+            press("sum")
+            graphNames shouldBe listOf("Sum")
+        }
+    }
+})

@@ -1,0 +1,166 @@
+package badlog.page
+
+import badlog.core.analysis.Series
+import badlog.core.bag.BagTopic
+import badlog.core.recording.Severity
+import badlog.core.recording.Value
+import badlog.protocol.HookPart
+import badlog.protocol.PageAdditions
+import badlog.protocol.PageSeries
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+/** Texts that try to become markup, script or the end of something. */
+private val HOSTILE = listOf(
+    "</script><img src=x onerror=alert(1)>",
+    "<!--",
+    "<!--<script>",
+    "\"><svg onload=alert(1)>",
+    "' onmouseover='alert(1)",
+    "]]>",
+    "\${alert(1)}",
+    "`\${alert(1)}`",
+    "{{constructor.constructor('alert(1)')()}}",
+    "&lt;b&gt;&amp;",
+    "javascript:alert(1)",
+    "</title></textarea></style><iframe src=javascript:alert(1)>",
+    "__proto__",
+    "constructor",
+)
+
+internal class HostileTextSpec : PageSpec({
+    // Counts calls where a dialog would only stop the test.
+    val alarm = "window.alarms = 0; window.alert = () => { window.alarms++ };"
+
+    fun OpenPage.checkTame() {
+        number("return window.alarms") shouldBe 0.0
+        script(
+            "return [...document.querySelectorAll('img, iframe, object, [onload], [onerror], [onmouseover], b')]" +
+                ".map(e => e.outerHTML)",
+        ) shouldBe emptyList<String>()
+        texts("script:not(#recording):not(#additions):not(#about):not(#packed):not(#unpacking):not(#program)") shouldBe emptyList()
+    }
+
+    browserTest("hostile names, units and attributes of topics stay text") {
+        // A slash would make a folder of what stands before it: those are tested by their base names.
+        val topics = listOf(TIME) + HOSTILE.map { BagTopic(it, it, listOf(it)) }
+        onPage(TestPages.of(bagOf(topics, 50) { row, column -> row * column }), script = alarm) {
+            checkTame()
+            texts(".graph-title") shouldContainAll HOSTILE.map { it.substringAfterLast('/') }
+            elements(".graph").map { it.getDomAttribute("data-name") } shouldContainAll HOSTILE
+            texts(".graph-unit") shouldContainAll HOSTILE
+            for (name in graphNames) graph(name).scrollTo().hover(0.5)
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+            click("#info summary")
+            checkTame()
+        }
+    }
+
+    browserTest("a hostile x axis, joined graph and derived graph stay text") {
+        val name = HOSTILE[0].replace("/", "")
+        val topics = listOf(
+            BagTopic(name, HOSTILE[3], listOf("xaxis", "delta")),
+            BagTopic("A", "V", listOf("differentiate", "join:${HOSTILE[3]}")),
+        )
+        onPage(TestPages.of(bagOf(topics, 50) { row, _ -> row }), script = alarm) {
+            for (graph in graphNames) graph(graph).scrollTo()
+            texts(".x-title") shouldContain "$name (${HOSTILE[3]})"
+            checkTame()
+        }
+    }
+
+    browserTest("hostile values stay text, also as the title of the page") {
+        val values = HOSTILE.associateWith { it } + mapOf("Event Name" to HOSTILE[0], "Match Number" to HOSTILE[3])
+        onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5, values) { row, _ -> row }), script = alarm) {
+            texts(".values dd") shouldContainAll HOSTILE
+            driver.title shouldContain HOSTILE[0]
+            texts("h1").single() shouldContain HOSTILE[3]
+            checkTame()
+        }
+    }
+
+    browserTest("hostile events and states stay text, in the list, on the graphs and in the bar") {
+        val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
+        val isText = setOf(1, 3)
+        val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
+        onPage(TestPages.of(bag), script = alarm) {
+            texts(".event-text") shouldContainAll HOSTILE
+            for (row in HOSTILE.indices) {
+                // A state and an event are read from the last sample at or before the cursor.
+                graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)
+                graph("State").value("State") shouldBe HOSTILE[row]
+                texts(".event-readout").single() shouldContain HOSTILE[row]
+            }
+            checkTame()
+            press("/")
+            press(HOSTILE[0])
+            checkTame()
+        }
+    }
+
+    browserTest("hostile findings stay text, in the list, on the graphs and in the bar") {
+        val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
+        val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
+        onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
+            click(".findings-more button")
+            texts(".finding-source") shouldContainAll HOSTILE
+            for (row in HOSTILE.indices) {
+                graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                graph("A").label shouldContain HOSTILE[row]
+                texts(".event-readout").single() shouldContain HOSTILE[row]
+            }
+            checkTame()
+        }
+    }
+
+    browserTest("hostile names, values, errors and lines of hooks stay text") {
+        val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
+        val hooks = HOSTILE.map { text ->
+            val finding = finding(text, Severity.NOTE, text, 1.0, 2.0)
+            HookPart(text, text, listOf(Value(text, text)), listOf(finding), listOf(PageSeries(text, text, line)))
+        }
+        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+        onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
+            texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
+            texts(".hook .values dd") shouldBe HOSTILE
+            texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+            for (graph in graphNames) graph(graph).scrollTo()
+            checkTame()
+        }
+    }
+
+    browserTest("hostile formulas stay text where they are reported as wrong, and where they are not") {
+        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+        val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
+        onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
+            graphNames.size shouldBe HOSTILE.size + 1
+            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+            texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
+            press("f")
+            press(HOSTILE[0])
+            checkTame()
+        }
+    }
+
+    browserTest("a hostile file name stays text") {
+        val names = listOf("<img src=x onerror=alert(1)>", "\"><svg onload=alert(1)>", "<!--<script>", "a&amp;b")
+        for (name in names.map { "$it.bag" }) {
+            onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
+                driver.title shouldBe name
+                texts("h1").single() shouldBe name
+                checkTame()
+            }
+        }
+    }
+
+    browserTest("a hostile header that is not a bag's stays text where it is reported") {
+        onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
+            checkTame()
+        }
+    }
+})

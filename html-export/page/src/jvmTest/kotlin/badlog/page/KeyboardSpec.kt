@@ -1,0 +1,147 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.core.recording.Severity
+import badlog.core.recording.Value
+import badlog.protocol.HookPart
+import badlog.protocol.PageAdditions
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import org.openqa.selenium.Keys
+
+internal class KeyboardSpec : PageSpec({
+    val topics = listOf(
+        TIME,
+        BagTopic("Arm/Angle", "deg", listOf("join:Arm/Tracking")),
+        BagTopic("Arm/Setpoint", "deg", listOf("hide", "join:Arm/Tracking")),
+        BagTopic("Odd?"),
+        BagTopic("Log", attributes = listOf("log")),
+    )
+    val bag = bagOf(topics, 101, mapOf("Match" to "8")) { row, column ->
+        if (column == 4) "brownout".takeIf { row == 60 } else row
+    }
+    val page by lazy { TestPages.of(bag) }
+    val pageWithAll by lazy {
+        val findings = List(8) { finding("Rule", Severity.WARNING, "found", it.toDouble(), Double.NaN) }
+        val hook = HookPart("analyze.py", values = listOf(Value("Energy", "1.7")))
+        TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings = findings, hooks = listOf(hook)))
+    }
+
+    browserTest("Tab reaches everything that can be pressed, and where it is can be seen") {
+        onPage(pageWithAll) {
+            val unseen = ArrayList<String>()
+            var steps = 0
+            do {
+                press(Keys.TAB)
+                val seen = script(
+                    """
+                    const e = document.activeElement;
+                    if (!e || e === document.body) return null;
+                    e.dataset.reached = '1';
+                    const style = getComputedStyle(e), box = e.getBoundingClientRect();
+                    const isMarked = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2;
+                    const isOnScreen = box.bottom > 0 && box.top < innerHeight && box.width > 0;
+                    return isMarked && isOnScreen ? '' : e.outerHTML.slice(0, 120);
+                    """.trimIndent(),
+                ) as String?
+                if (!seen.isNullOrEmpty()) unseen += seen
+                steps++
+            } while (seen != null && steps < 100)
+            unseen.shouldBeEmpty()
+            script(
+                "return [...document.querySelectorAll('button, input, select, summary, .plot, .events-scroll')]" +
+                    ".filter(e => e.checkVisibility() && !e.disabled && !e.dataset.reached)" +
+                    ".map(e => e.outerHTML.slice(0, 120))",
+            ) shouldBe emptyList<String>()
+        }
+    }
+
+    browserTest("the first press of Tab offers the way to the graphs, past all findings") {
+        onPage(pageWithAll) {
+            element(".skip").rect.let { it.width > 0 && it.height > 0 } shouldBe true
+            press(Keys.TAB, Keys.ENTER)
+            script("return document.activeElement.className") shouldBe "plot"
+            graph(graphNames.first()).isOnScreen shouldBe true
+        }
+    }
+
+    browserTest("every button and field has a name for those who do not see it") {
+        onPage(pageWithAll) {
+            script(
+                "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
+                    ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
+            ) shouldBe emptyList<String>()
+        }
+    }
+
+    browserTest("arrows move the cursor by one sample, with Shift by ten") {
+        onPage(page) {
+            press(Keys.ARROW_RIGHT)
+            val start = graph("Arm/Angle").value("Angle").toInt()
+            press(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 1
+            pressShift(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 11
+            press(Keys.ARROW_LEFT)
+            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 10
+        }
+    }
+
+    browserTest("plus, minus, Backspace and 0 zoom, and Shift with Backspace goes forward again") {
+        onPage(page) {
+            press("+")
+            val zoomed = visibleRange
+            zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0
+            press("+")
+            val further = visibleRange
+            press(Keys.BACK_SPACE)
+            visibleRange shouldBe zoomed
+            pressShift(Keys.BACK_SPACE)
+            visibleRange shouldBe further
+            press("0")
+            visibleRange shouldBe 0.0..100.0
+            press("+", "-")
+            visibleRange shouldBe 0.0..100.0
+            press("+")
+            press(Keys.HOME)
+            visibleRange shouldBe 0.0..100.0
+        }
+    }
+
+    browserTest("a question mark opens the help, which holds the focus, and Escape closes it") {
+        onPage(page) {
+            press("?")
+            element("#help").isDisplayed shouldBe true
+            script("return document.getElementById('help').contains(document.activeElement)") shouldBe true
+            press(Keys.ARROW_RIGHT)
+            graph("Arm/Angle").value("Angle") shouldBe ""
+            press(Keys.ESCAPE)
+            element("#help").isDisplayed shouldBe false
+            click("#help-button")
+            element("#help").isDisplayed shouldBe true
+            press("?")
+            element("#help").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a folder, the problems and an event answer to Enter and Space") {
+        onPage(page) {
+            fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)
+            focus(".folder[data-name='Arm'] .folder-toggle")
+            press(Keys.ENTER)
+            graphNames shouldBe listOf("Odd?")
+            press(Keys.SPACE)
+            graphNames shouldContain "Arm/Angle"
+            focus(".problems-toggle")
+            val before = element(".problem-list").isDisplayed
+            press(Keys.SPACE)
+            element(".problem-list").isDisplayed shouldNotBe before
+            focus(".event-go")
+            press(Keys.ENTER)
+            graph("Arm/Angle").scrollTo().value("Angle") shouldBe "60"
+        }
+    }
+})

@@ -1,0 +1,86 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import org.openqa.selenium.Keys
+
+internal class LegendSpec : PageSpec({
+    val page by lazy {
+        val joined = listOf("hide", "join:Arm/Both")
+        val topics = listOf(TIME, BagTopic("Arm/Low", "V", joined), BagTopic("Arm/High", "V", joined)) +
+            List(10) { BagTopic("Step ${it + 1}") }
+        TestPages.of(
+            bagOf(topics, 1001) { row, column ->
+                when (column) {
+                    0 -> row / 100.0
+                    1 -> row % 100 / 100.0
+                    2 -> 10 + row % 100 / 10.0
+                    else -> if (row < 300) 0 else 1
+                }
+            },
+        )
+    }
+
+    browserTest("a click on a line's name takes exactly its pixels away, another brings them back") {
+        onPage(page) {
+            val graph = graph("Arm/Both").scrollTo()
+            val shown = graph.canvas
+            graph.pixelsOfLine(0) shouldBeGreaterThan 500
+            graph.pixelsOfLine(1) shouldBeGreaterThan 500
+            graph.legend("Low").click()
+            settle()
+            graph.pixelsOfLine(0) shouldBe 0
+            graph.pixelsOfLine(1) shouldBeGreaterThan 500
+            graph.legend("Low").getDomAttribute("aria-pressed") shouldBe "false"
+            graph.legend("Low").click()
+            settle()
+            graph.canvas shouldBe shown
+        }
+    }
+
+    browserTest("a screen reader hears a line's name and its value at the cursor, also where the title shows the name already") {
+        onPage(page) {
+            graph("Step 1").scrollTo().hover(0.9)
+            graph("Step 1").legend("Step 1").accessibleName shouldBe "Step 1 1"
+            graph("Arm/Both").scrollTo().hover(0.5)
+            graph("Arm/Both").legend("High").accessibleName shouldBe "High " + graph("Arm/Both").value("High")
+        }
+    }
+
+    browserTest("the keyboard hides and shows a line") {
+        onPage(page) {
+            val graph = graph("Arm/Both").scrollTo()
+            script("arguments[0].focus()", graph.legend("High"))
+            press(Keys.SPACE)
+            graph.pixelsOfLine(1) shouldBe 0
+            press(Keys.ENTER)
+            graph.pixelsOfLine(1) shouldBeGreaterThan 500
+        }
+    }
+
+    browserTest("a hidden line stays hidden through a zoom and when its graph was out of sight") {
+        onPage(page) {
+            val graph = graph("Arm/Both").scrollTo()
+            graph.legend("Low").click()
+            graph.drag(0.2, 0.6)
+            graph.pixelsOfLine(0) shouldBe 0
+            graph("Step 1").scrollTo()
+            graph("Step 10").scrollTo()
+            script("window.scrollTo(0, 1e6)")
+            settle()
+            graph.scrollTo().pixelsOfLine(0) shouldBe 0
+            graph.pixelsOfLine(1) shouldBeGreaterThan 500
+        }
+    }
+
+    browserTest("with every line hidden the graph is empty, and nothing fails") {
+        onPage(page) {
+            val graph = graph("Arm/Both").scrollTo()
+            listOf("Low", "High").forEach { graph.legend(it).click() }
+            settle()
+            graph.pixelsOfLine(0) + graph.pixelsOfLine(1) shouldBe 0
+            graph.drag(0.2, 0.6)
+        }
+    }
+})

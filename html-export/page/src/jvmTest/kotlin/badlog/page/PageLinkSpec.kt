@@ -1,0 +1,165 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.deleteIfExists
+import kotlin.io.path.exists
+
+/** What carries a board from one page to another: a link, and a layout file. */
+internal class PageLinkSpec : PageSpec({
+    val bag by lazy {
+        bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Current", "A")), 1001) { row, column ->
+            if (column == 0) row / 100.0 else row * column
+        }
+    }
+    val page by lazy { TestPages.of(bag) }
+
+    fun OpenPage.titles() = texts("#board .graph-title")
+
+    fun OpenPage.notice() = texts(".notice p").single()
+
+    fun OpenPage.drop(name: String, text: String) {
+        script(
+            """
+            const data = new DataTransfer()
+            data.items.add(new File([arguments[1]], arguments[0], {type: 'application/json'}))
+            document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
+            """.trimIndent(),
+            name,
+            text,
+        )
+        await("what came of it") { notice().isNotEmpty() }
+        settle()
+    }
+
+    browserTest("the first graphs that a link draws are those it asks for") {
+        onPage(page) {
+            val whatIsDrawn = """
+                const mark = performance.mark
+                performance.mark = name => {
+                    window.first = [...document.querySelectorAll('.graph')].filter(e => e.querySelector('canvas')).map(e => e.dataset.name)
+                    return mark.call(performance, name)
+                }
+            """
+            driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to whatIsDrawn))
+            script("location.hash = '#board=Current'")
+            reload()
+            script("return window.first[0]") shouldBe "Current"
+        }
+    }
+
+    browserTest("a copied link carries moment, range, board and formulas, and shows them where it is opened") {
+        var link = ""
+        onPage(page) {
+            press("f")
+            press("Power [W] = Voltage * Current", Keys.ENTER)
+            for (name in listOf("Current", "Power")) script("arguments[0].querySelector('.pin').click()", graph(name).card)
+            graph("Current").scrollTo().drag(0.2, 0.6)
+            script("location.hash = '#t=4'")
+            settle()
+            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+            click("#copy-link")
+            await("the notice") { notice() == "Link copied." }
+            link = "#" + (script("return window.copied") as String).substringAfter('#')
+            link shouldContain "t=4"
+            link shouldContain "x="
+            link shouldContain "board=Current;Power"
+            link shouldContain "f=Power+"
+        }
+        onPage(page) {
+            titles() shouldBe emptyList()
+            script("location.hash = arguments[0]", link)
+            settle()
+            settle()
+            titles() shouldBe listOf("Current", "Power")
+            texts(".cursor-readout").single() shouldBe "4.0000 s"
+            visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
+            reload()
+            titles() shouldBe listOf("Current", "Power")
+            val remembered = "return Object.keys(localStorage).filter(key => /:(formulas|board):/.test(key)).map(key => localStorage[key]).join()"
+            script(remembered) shouldBe ""
+            click("#undo")
+            titles() shouldBe emptyList()
+            reload()
+            titles() shouldBe emptyList()
+            // What uses them may be the reader's own by now.
+            script(remembered) as String shouldContain "Power [W] = Voltage * Current"
+        }
+        onPage(page) {
+            script("location.hash = arguments[0]", link)
+            settle()
+            script("history.replaceState(null, '', location.pathname)")
+            reload()
+            graphNames shouldBe listOf("Voltage", "Current")
+        }
+    }
+
+    browserTest("a damaged link says so, and hurts nothing; one of another log says what is not here") {
+        onPage(page) {
+            script("location.hash = '#t=3&board=~12'")
+            await("the notice") { notice().isNotEmpty() }
+            notice() shouldBe "This link’s board is damaged; copy the link again."
+            texts(".cursor-readout").single() shouldBe "3.000 s"
+            script("location.hash = '#board=Voltage;Nothing'")
+            await("the notice") { "Nothing" in notice() }
+            notice() shouldBe "1 graph hidden: topics not in this log (“Nothing”)."
+            titles() shouldBe listOf("Voltage")
+        }
+    }
+
+    browserTest("a formula of a link whose name is in use is left out, and the page says so") {
+        onPage(page) {
+            press("f")
+            press("Power [W] = Voltage * Current", Keys.ENTER)
+            script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
+            await("the notice") { notice().isNotEmpty() }
+            notice() shouldContain "Skipped “Power = Voltage * 2”"
+            script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
+            settle()
+            graphNames.count { it == "Power" } shouldBe 1
+        }
+    }
+
+    browserTest("a layout is saved, and dropped on the page is used") {
+        var layout = ""
+        onPage(page) {
+            script("arguments[0].querySelector('.pin').click()", graph("Current").card)
+            settle()
+            val file = Chromium.downloads.resolve("test.bag.badlog-layout.json")
+            file.deleteIfExists()
+            click("#download-layout")
+            await("the download") { file.exists() && !Path.of("$file.crdownload").exists() }
+            layout = Files.readString(file)
+        }
+        onPage(page) {
+            drop("mine.badlog-layout.json", layout)
+            titles() shouldBe listOf("Current")
+            notice() shouldBe "Opened the layout."
+        }
+        onPage(page) {
+            drop("photo.json", "{}")
+            notice() shouldBe "photo.json is not a layout, or is damaged; select a file that badlog has saved."
+            titles() shouldBe emptyList()
+        }
+    }
+
+    browserTest("a page begins with the layout that it was exported with, until its reader has a board of his own") {
+        val layout = """{"badlog-layout":1,"graphs":[{"title":"Power","lines":["Power","Current"]}],"formulas":["Power [W] = Voltage * Current"]}"""
+        onPage(TestPages.of(bag, additions = PageAdditions(layout = layout))) {
+            titles() shouldBe listOf("Power")
+            texts("#board .legend .unit").filter { it.isNotEmpty() } shouldBe listOf("W", "A, right")
+            click("#clear-board")
+            reload()
+            titles() shouldBe emptyList()
+        }
+        onPage(TestPages.of(bag, additions = PageAdditions(layout = "{"))) {
+            texts(".problem-text").single() shouldContain "The layout of this page is not a layout, or is damaged"
+        }
+    }
+})

@@ -1,0 +1,193 @@
+package badlog.page
+
+import badlog.protocol.PageAdditions
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.util.Base64
+import javax.imageio.ImageIO
+
+/** The paths of robots, and topics over topics. */
+internal class PathSpec : PageSpec({
+    val page by lazy { TestPages.ofSample("wrong-turn.bag") }
+
+    /** How many pixels of canvas [layer] of the first path have the color of line [index]. */
+    fun OpenPage.pixels(index: Int, layer: Int = 0): Int {
+        val color = color("--line-$index")
+        return number(
+            """
+            const canvas = document.querySelectorAll('.xy')[arguments[0]]
+            const copy = document.createElement('canvas')
+            copy.width = canvas.width
+            copy.height = canvas.height
+            const context = copy.getContext('2d', {willReadFrequently: true})
+            context.drawImage(canvas, 0, 0)
+            const data = context.getImageData(0, 0, copy.width, copy.height).data
+            let count = 0
+            for (let i = 0; i < data.length; i += 4) {
+                if (data[i + 3] > 120 && Math.abs(data[i] - arguments[1]) + Math.abs(data[i + 1] - arguments[2]) + Math.abs(data[i + 2] - arguments[3]) < 60) count++
+            }
+            return count
+            """.trimIndent(),
+            layer,
+            color shr 16 and 255,
+            color shr 8 and 255,
+            color and 255,
+        ).toInt()
+    }
+
+    fun OpenPage.values() = texts("#board .legend-entry .value")
+
+    fun OpenPage.box(): List<Double> = (
+        script("const b = document.querySelector('.xy').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]") as List<*>
+        ).map { (it as Number).toDouble() }
+
+    fun OpenPage.hover(across: Double, down: Double) {
+        val (x, y, width, height) = box()
+        act { mouseTo((x + width * across).toInt(), (y + height * down).toInt() + 3).mouseTo((x + width * across).toInt(), (y + height * down).toInt()) }
+    }
+
+    browserTest("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
+        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+            onPage(page, screen) {
+                texts("#board .graph-title") shouldContainExactly listOf("Path")
+                texts("#board .legend-name") shouldContainExactly listOf("Drive/Pose", "Target Pose", "Vision/Pose")
+                for (line in 0..2) pixels(line) shouldBeGreaterThan 60
+                pixels(0, layer = 1) shouldBe 0
+                hover(0.47, 0.45)
+                values()[0] shouldContain "m · "
+                pixels(0, layer = 1) shouldBeGreaterThan 60
+                keepScreenshot("path-${screen.width}")
+            }
+        }
+    }
+
+    browserTest("a click on the path pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+        onPage(page) {
+            hover(0.47, 0.45)
+            val (x, y, width, height) = box()
+            act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
+            elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
+            val before = script("return document.querySelector('.xy').toDataURL()")
+            script(
+                "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, clientX: arguments[0], clientY: arguments[1]}))",
+                x + width / 2,
+                y + height / 2,
+            )
+            settle()
+            script("return document.querySelector('.xy').toDataURL()") shouldNotBe before
+            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
+            script("return document.querySelector('.xy').toDataURL()") shouldBe before
+        }
+    }
+
+    browserTest("Escape gives up a drag over a path, a frame as well as a move") {
+        onPage(page) {
+            val (x, y, width, height) = box()
+            fun picture() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
+            val before = picture()
+            for (key in listOf("", Keys.SHIFT)) {
+                act {
+                    if (key.isNotEmpty()) keyDown(key)
+                    mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown().mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
+                    sendKeys(Keys.ESCAPE).mouseTo((x + width * 0.99).toInt(), (y + height * 0.99).toInt()).mouseUp()
+                    if (key.isNotEmpty()) keyUp(key)
+                    this
+                }
+                act { mouseTo(3, 3) }
+                picture() shouldBe before
+            }
+        }
+    }
+
+    browserTest("Shift+click on the path sets the second cursor, where a ring is, and the legend says both places") {
+        onPage(page) {
+            val (x, y, width, height) = box()
+            fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
+            at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
+            val one = pixels(0, layer = 1)
+            at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
+            texts(".second-readout").single() shouldContain "B "
+            texts("#board .legend-entry .value").first() shouldContain " → "
+            pixels(0, layer = 1) shouldBeGreaterThan one
+        }
+    }
+
+    browserTest("what is seen of a path and its origin are in the link, and a double click shows everything") {
+        onPage(page) {
+            fun picture() = script("return document.querySelector('.xy').toDataURL()")
+            val whole = picture()
+            script("location.hash = '#board=Drive/Pose+X,Drive/Pose+Y,y=3:5,p=,w=2:6'")
+            reload()
+            val zoomed = picture()
+            zoomed shouldNotBe whole
+            click("#board .graph-menu")
+            elements("#board .menu button").first { "Red origin" in it.text }.click()
+            settle()
+            val flipped = picture()
+            flipped shouldNotBe zoomed
+            val (x, y, width, height) = box()
+            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
+            picture() shouldNotBe flipped
+            keepScreenshot("path-red-origin")
+        }
+    }
+
+    browserTest("the picture of the field lies behind the path, as large as its corners say") {
+        val picture = ByteArrayOutputStream().also { out ->
+            // Nothing else on the page is so green.
+            val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
+            for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
+            ImageIO.write(image, "png", out)
+        }.toByteArray()
+        val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
+        val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
+        onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
+            fun greenShare() = number(
+                """
+                const canvas = document.querySelector('.xy')
+                const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+                let green = 0
+                for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
+                return green / canvas.width / canvas.height
+                """.trimIndent(),
+            )
+            await("the picture") { greenShare() > 0.4 }
+            keepScreenshot("path-picture")
+        }
+    }
+
+    browserTest("a trace is hidden by its legend, and that is remembered") {
+        onPage(page) {
+            // The red alliance's wall is of nearly the same color.
+            val planned = pixels(1)
+            elements("#board .legend-entry")[1].click()
+            settle()
+            pixels(1) shouldBeLessThan planned - 150
+            reload()
+            pixels(1) shouldBeLessThan planned - 150
+        }
+    }
+
+    browserTest("two topics of the board are drawn over each other by its menu") {
+        onPage(TestPages.ofSample("qualification-42.bag")) {
+            script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
+            reload()
+            texts("#board .graph-title") shouldContainExactly listOf("Total Current")
+            pixels(0) shouldBeGreaterThan 500
+            keepScreenshot("resistance")
+            click("#board .graph-menu")
+            elements("#board .menu button").first { "XY plot" in it.text }.click()
+            settle()
+            elements(".xy").size shouldBe 0
+            number("return document.querySelectorAll('#board canvas').length") shouldBeLessThan 2.5
+        }
+    }
+})

@@ -1,0 +1,204 @@
+package badlog.page
+
+import badlog.core.analysis.Series
+import badlog.core.recording.Severity
+import badlog.protocol.HookPart
+import badlog.protocol.PageAdditions
+import badlog.protocol.PageSeries
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.interactions.PointerInput
+import org.openqa.selenium.interactions.PointerInput.Kind
+import org.openqa.selenium.interactions.PointerInput.MouseButton
+import org.openqa.selenium.interactions.PointerInput.Origin
+import org.openqa.selenium.interactions.Sequence
+import java.time.Duration
+
+internal class PhoneSpec : PageSpec({
+    val page by lazy { TestPages.of(stepBag(graphs = 12)) }
+
+    /** Puts down one finger for each path, moves it along, and lifts it. All paths have as many points. */
+    fun OpenPage.touch(vararg paths: List<Pair<Int, Int>>) {
+        val fingers = paths.mapIndexed { index, path ->
+            val finger = PointerInput(Kind.TOUCH, "finger $index")
+            Sequence(finger, 0).apply {
+                path.forEachIndexed { i, (x, y) ->
+                    val duration = Duration.ofMillis(if (i == 0) 0 else 20)
+                    addAction(finger.createPointerMove(duration, Origin.viewport(), x, y))
+                    if (i == 0) addAction(finger.createPointerDown(MouseButton.LEFT.asArg()))
+                }
+                addAction(finger.createPointerUp(MouseButton.LEFT.asArg()))
+            }
+        }
+        driver.perform(fingers)
+        settle()
+    }
+
+    fun between(from: Pair<Int, Int>, to: Pair<Int, Int>, steps: Int = 8) = List(steps + 1) { step ->
+        from.first + (to.first - from.first) * step / steps to from.second + (to.second - from.second) * step / steps
+    }
+
+    for (sample in listOf("qualification-42.bag", "practice.bag")) {
+        browserTest("$sample is no wider than the phone") {
+            onPage(TestPages.ofSample(sample), Screen.PHONE) {
+                number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+                number("return innerWidth") shouldBe 390.0
+                graph(graphNames.last()).scrollTo()
+                number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            }
+        }
+    }
+
+    browserTest("the words in the bar are not cut") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            for ((selector, text) in listOf(".search-input" to "placeholder", ".folder-choice" to "value")) {
+                number(
+                    """
+                    const box = document.querySelector(arguments[0]), style = getComputedStyle(box)
+                    const text = arguments[1] == 'value' ? box.options[0].text : box.placeholder
+                    const context = document.createElement('canvas').getContext('2d')
+                    context.font = style.font
+                    const arrow = arguments[1] == 'value' ? 16 : 0
+                    return box.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - arrow -
+                        context.measureText(text).width
+                    """.trimIndent(),
+                    selector,
+                    text,
+                ) shouldBeGreaterThan 0.0
+            }
+        }
+    }
+
+    browserTest("a finger that rests sets the second cursor, and takes it away where it rests on it again") {
+        onPage(page, Screen.PHONE) {
+            // Not by actions of WebDriver: of a finger that one list of them puts down, the next one does not lift it.
+            fun finger(type: String, vararg places: Pair<Int, Int>) = driver.executeCdpCommand("Input.dispatchTouchEvent", mapOf("type" to type, "touchPoints" to places.map { (x, y) -> mapOf("x" to x, "y" to y) }))
+
+            fun rest(share: Double, beside: Int, isSecondShown: Boolean) {
+                val (x, y) = graph("Step 1").scrollTo().frame.at(share)
+                script("keepsTime = true")
+                finger("touchStart", x + beside to y)
+                await("the second cursor to come or go") { elements(".cursor-line.is-second").any { it.isDisplayed } == isSecondShown }
+                finger("touchEnd")
+                script("keepsTime = false")
+                settle()
+            }
+            val middle = graph("Step 1").scrollTo().frame.at(0.3)
+            touch(listOf(middle, middle))
+            rest(0.7, beside = 0, isSecondShown = true)
+            texts(".second-readout").single() shouldContain "B 6.97"
+            rest(0.7, beside = 12, isSecondShown = false)
+        }
+    }
+
+    browserTest("a tap on a finding's mark shows what was found, on a page that is no wider than the phone") {
+        val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
+        val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
+        val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
+        val additions = PageAdditions(listOf("Bad = " + "x".repeat(200)), findings = listOf(finding), hooks = listOf(hook))
+        onPage(TestPages.of(stepBag(graphs = 2), additions = additions), Screen.PHONE) {
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            val middle = graph("Step 1").scrollTo().frame.at(0.5)
+            touch(listOf(middle, middle))
+            graph("Step 1").label shouldContain "Brownout"
+            elements(".finding-label").any { it.isDisplayed } shouldBe true
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+        }
+    }
+
+    browserTest("a vertical swipe over a graph scrolls the page and zooms nothing") {
+        onPage(page, Screen.PHONE) {
+            val (x, y) = graph("Step 2").scrollTo().frame.at(0.5)
+            val before = number("return scrollY")
+            touch(between(x to y, x + 3 to y - 250))
+            await("the page to scroll") { number("return scrollY") > before + 50 }
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("a sideways drag zooms to what it covers") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            graph("Step 1").steepest() shouldBe (0.25 plusOrMinus 0.02)
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
+        }
+    }
+
+    browserTest("two fingers that part zoom into what is between them") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.25), frame.at(0.1)), between(frame.at(0.35), frame.at(0.9)))
+            val range = visibleRange
+            range.endInclusive - range.start shouldBeLessThan 3.0
+            // The step was in their middle.
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.06)
+        }
+    }
+
+    browserTest("a finger moves what is zoomed, and a double tap shows everything") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            touch(between(frame.at(0.25), frame.at(0.5)))
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
+            taps(List(2) { frame.at(0.5) }, pause = 0.1)
+            visibleRange shouldBe 0.0..10.0
+        }
+    }
+
+    browserTest("two fingers zoom a path, which a double tap shows whole again") {
+        onPage(TestPages.ofSample("wrong-turn.bag"), Screen.PHONE) {
+            script("document.querySelector('.xy').scrollIntoView({block: 'center', behavior: 'instant'})")
+            settle()
+            val corner = "const b = document.querySelector('.xy').getBoundingClientRect(); return"
+            val (x, y) = number("$corner b.x + b.width / 2").toInt() to number("$corner b.y + b.height / 2").toInt()
+            fun picture() = script("return document.querySelector('.xy').toDataURL()")
+            val before = picture()
+            touch(between(x - 20 to y, x - 90 to y), between(x + 20 to y, x + 90 to y))
+            picture() shouldNotBe before
+            elements(".cursor-line.is-pinned").filter { it.isDisplayed }.size shouldBe 0
+            taps(List(2) { x to y }, pause = 0.1)
+            picture() shouldBe before
+        }
+    }
+
+    browserTest("a tap sets the cursor, whose values can be read") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(List(2) { frame.at(0.8) })
+            graph("Step 1").value("Step 1") shouldBe "1"
+        }
+    }
+
+    browserTest("the event log is one tap away") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            click(".events-link")
+            number("return document.querySelector('.events').getBoundingClientRect().top") shouldBeLessThan 300.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+        }
+    }
+
+    browserTest("two quick taps at different places are not a double tap") {
+        onPage(page, Screen.PHONE) {
+            val frame = graph("Step 1").scrollTo().frame
+            touch(between(frame.at(0.2), frame.at(0.6)))
+            taps(listOf(frame.at(0.8), frame.at(0.1)), pause = 0.1)
+            graph("Step 1").value("Step 1") shouldBe "0"
+            visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
+        }
+    }
+
+    browserTest("what is pressed is large enough for a finger") {
+        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+            val height = "return document.querySelector(arguments[0]).getBoundingClientRect().height"
+            val pressed = listOf("#download", "#reset", "#back", ".folder-toggle", ".search-input", ".legend-entry")
+            for (selector in pressed) number(height, selector) shouldBeGreaterThan 23.9
+        }
+    }
+})

@@ -1,0 +1,120 @@
+package badlog.page
+
+import badlog.core.analysis.Series
+import badlog.core.recording.Severity
+import badlog.core.recording.Value
+import badlog.protocol.HookPart
+import badlog.protocol.PageAdditions
+import badlog.protocol.PageFigure
+import badlog.protocol.PageSeries
+import org.openqa.selenium.Keys
+
+/** Keeps pictures of the page under `build/screenshots`, for people to look at. */
+internal class PicturesSpec : PageSpec({
+    val match = "qualification-42.bag"
+
+    for (isDark in listOf(false, true)) {
+        val colors = if (isDark) "dark" else "light"
+        browserTest("a match on a wide screen, $colors") {
+            onPage(TestPages.ofSample(match), Screen.WIDE.copy(isDark = isDark)) {
+                keepScreenshot("wide-$colors")
+                graph("System/Battery Voltage").scrollTo().hover(0.6)
+                keepScreenshot("wide-$colors-cursor")
+            }
+        }
+
+        browserTest("a match on a phone, $colors") {
+            onPage(TestPages.ofSample(match), Screen.PHONE.copy(isDark = isDark)) {
+                keepScreenshot("phone-$colors")
+                graph("System/Battery Voltage").scrollTo()
+                press(Keys.ARROW_RIGHT)
+                keepScreenshot("phone-$colors-cursor")
+                click("#values-button")
+                keepScreenshot("phone-$colors-values")
+            }
+        }
+    }
+
+    val additions by lazy {
+        val findings = List(12) { i ->
+            val until = if (i % 4 == 0) 12.0 * i + 5 else Double.NaN
+            finding("Rule ${i % 4}", Severity.entries[i % 3], "finding $i", 12.0 * i, until)
+        }
+        val svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 300 100\">" +
+            "<path d=\"M5 90L150 20L295 60\" fill=\"none\" stroke=\"black\"/></svg>"
+        val hook = HookPart(
+            "analyze.py",
+            values = listOf(Value("Energy", "1.69 Ah")),
+            findings = listOf(finding("analyze.py", Severity.WARNING, "it sags", 60.0, 75.0)),
+            series = listOf(PageSeries("Fit", "V", Series(doubleArrayOf(0.0, 150.0), doubleArrayOf(12.6, 11.4)))),
+            figures = listOf(PageFigure("Energy", "image/svg+xml", base64(svg.encodeToByteArray()))),
+        )
+        val formulas = listOf("PDP/Power [W] = Battery Voltage * Total Current", "Bad = Battery Voltge")
+        TestPages.ofSample(match, PageAdditions(formulas, findings = findings, hooks = listOf(hook, HookPart("slow.R", "it took longer than 30 s"))))
+    }
+
+    for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+        for (isDark in listOf(false, true)) {
+            val name = (if (screen.isPhone) "phone" else "wide") + if (isDark) "-dark" else "-light"
+            browserTest("findings, a formula and a hook's section, $name") {
+                onPage(additions, screen.copy(isDark = isDark)) {
+                    keepScreenshot("findings-$name")
+                    press("n", "n")
+                    keepScreenshot("finding-$name")
+                    graph("Fit").scrollTo()
+                    keepScreenshot("hook-$name")
+                    press("f")
+                    press("Mean = (left velocity + righ")
+                    keepScreenshot("formula-$name")
+                }
+            }
+        }
+    }
+
+    browserTest("the brownout, zoomed in on") {
+        onPage(TestPages.ofSample(match)) {
+            graph("System/Battery Voltage").scrollTo().drag(0.56, 0.66)
+            graph("System/Battery Voltage").hover(0.4)
+            keepScreenshot("zoomed")
+            graph("Drivetrain/Velocities").scrollTo()
+            keepScreenshot("zoomed-drivetrain")
+            press("v")
+            graph("System/Battery Voltage").scrollTo().click(0.3)
+            graph("System/Battery Voltage").click(0.7, withShift = true)
+            graph("System/Battery Voltage").hover(0.5)
+            keepScreenshot("cursors")
+        }
+    }
+
+    browserTest("a search, and one that finds nothing") {
+        onPage(TestPages.ofSample(match)) {
+            press("/")
+            press("current")
+            keepScreenshot("search")
+            press("xyz")
+            keepScreenshot("search-nothing")
+        }
+    }
+
+    browserTest("a file that was cut by a loss of power") {
+        onPage(TestPages.ofSample("practice.bag")) { keepScreenshot("cut") }
+    }
+
+    browserTest("the help") {
+        onPage(TestPages.ofSample(match)) {
+            press("?")
+            keepScreenshot("help")
+        }
+    }
+
+    browserTest("the statistics and the info") {
+        onPage(TestPages.ofSample(match)) {
+            val graph = graph("System/Battery Voltage").scrollTo()
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)
+            keepScreenshot("statistics")
+            script("window.scrollTo(0, 1e6)")
+            settle()
+            keepScreenshot("info")
+        }
+    }
+})

@@ -1,0 +1,133 @@
+package badlog.page
+
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.assertions.withClue
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.awt.image.BufferedImage
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import javax.imageio.ImageIO
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/** What comes out of a printer, read back from a PDF by poppler's programs. */
+internal class PrintSpec : PageSpec({
+    val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
+
+    fun printTest(name: String, test: suspend () -> Unit) = test(name).config(
+        enabledOrReasonIf = { if (hasPoppler) Chromium.enabled else Enabled.disabled("pdftotext and pdftoppm (poppler-utils) are missing") },
+    ) { test() }
+
+    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+
+    printTest("findings and the whole board are printed, every graph as wide as the paper and on one page with its axis") {
+        onPage(match, Screen(1366, 768)) {
+            awaitRules()
+            val titles = texts(".board .graph-title")
+            titles.size shouldBeGreaterThan 4
+            val pdf = print()
+            val text = pdf.pages.joinToString("\n")
+            text.indexOf("The roboRIO browned out") shouldBeGreaterThan -1
+            text.indexOf(titles.first(), text.indexOf("Board")) shouldBeGreaterThan text.indexOf("The roboRIO browned out")
+            for (page in pdf.pages) {
+                val graphs = titles.filter { title -> page.lines().any { it.trim().startsWith("$title (") || it.trim() == title } }
+                withClue("$graphs on a page, and the titles of their x axes:\n$page") {
+                    page.lines().count { it.trim() == "Time (s)" } shouldBe graphs.size
+                }
+            }
+            titles.filter { title -> pdf.pages.any { title in it } } shouldHaveSize titles.size
+            pdf.pictures.forEach { it.requireMargin() }
+            // The voltage of the first graph goes from the left of the paper to its right.
+            val picture = pdf.pictures[pdf.pages.indexOfFirst { titles.first() in it }]
+            val columns = (0 until picture.width).filter { x -> (0 until picture.height).any { y -> isBlue(picture.getRGB(x, y)) } }
+            columns.size.toDouble() / picture.width shouldBeGreaterThan 0.7
+            columns.last().toDouble() / picture.width shouldBe (0.92 plusOrMinus 0.06)
+        }
+    }
+
+    printTest("all graphs are printed on request, and only once") {
+        onPage(match, Screen(1366, 768)) {
+            awaitRules()
+            // The browser's own dialog cannot be answered by a test.
+            script("window.print = () => {}")
+            selectIn("#export", "Print all graphs")
+            val drawn = number("return document.querySelectorAll('.graph').length").toInt()
+            val all = print().pages.joinToString("\n")
+            all.lines().count { it.trim() == "Time (s)" } shouldBe drawn
+            texts(".graph-title").filter { it !in all.replace(Regex("\\s+"), " ") } shouldBe emptyList()
+            print().pages.joinToString("\n").lines().count { it.trim() == "Time (s)" } shouldBe texts(".board .graph-title").size
+        }
+    }
+
+    printTest("a page without a board prints its graphs, and is dark again afterwards where it was dark") {
+        onPage(TestPages.of(stepBag(graphs = 9)), Screen(1366, 768, isDark = true)) {
+            val before = color("--surface")
+            val pdf = print()
+            pdf.pages.joinToString("\n").lines().map { it.trim() } shouldContainAll (1..9).map { "Step $it (V)" }
+            pdf.pictures.forEach { it.requireMargin() }
+            color("--surface") shouldBe before
+            elements(".paper svg, svg.paper").size shouldBe 0
+            elements("[data-print]").size shouldBe 0
+        }
+    }
+
+    printTest("what is printed says which part of the log it is, and has the values at the cursor") {
+        onPage(match, Screen.PHONE) {
+            awaitRules()
+            script("location.hash = '#t=93.7&x=90:100'")
+            settle()
+            val text = print().pages.joinToString("\n")
+            text shouldContain "qualification-42.bag · 90.000 – 100.000 s · cursor at 93.700 s"
+            text shouldContain "Battery Voltage ${texts(".board .value").first()} V"
+            text shouldNotContain "Reset zoom"
+        }
+    }
+})
+
+/** A PDF as people see it: the text and the picture of each page. */
+private class Pdf(val pages: List<String>, val pictures: List<BufferedImage>)
+
+/** Prints the page as it is now. */
+private fun OpenPage.print(): Pdf {
+    val folder = Files.createTempDirectory("badlog-print")
+    val result = driver.executeCdpCommand("Page.printToPDF", mapOf("paperWidth" to 8.27, "paperHeight" to 11.69))
+    val pdf = folder.resolve("page.pdf")
+    Files.write(pdf, Base64.getDecoder().decode(result["data"] as String))
+    val text = output("pdftotext", "-layout", "$pdf", "-")
+    output("pdftoppm", "-r", "75", "-png", "$pdf", "${folder.resolve("picture")}")
+    val pictures = folder.listDirectoryEntries("picture*.png").sortedBy { it.name }.map { ImageIO.read(it.toFile()) }
+    folder.toFile().deleteRecursively()
+    return Pdf(text.trimEnd('\u000c').split('\u000c'), pictures)
+}
+
+private fun output(vararg command: String): String {
+    val process = ProcessBuilder(*command).redirectErrorStream(true).start()
+    val text = process.inputStream.readAllBytes().decodeToString()
+    check(process.waitFor() == 0) { "${command.first()} failed: $text" }
+    return text
+}
+
+private val hasPoppler: Boolean by lazy {
+    val folders = System.getenv("PATH").orEmpty().split(File.pathSeparator).map(Path::of)
+    listOf("pdftotext", "pdftoppm").all { program -> folders.any { Files.isExecutable(it.resolve(program)) } }
+}
+
+/** Nothing reaches the edge of the paper, at which it would be cut, and the paper is light. */
+private fun BufferedImage.requireMargin() {
+    for (y in 0 until height) for (x in listOf(1, width - 10, width - 2)) getRGB(x, y) and 0xffffff shouldBe 0xffffff
+}
+
+/** Whether it is the color of a first line, as far as a fine one has it. */
+private fun isBlue(color: Int): Boolean = (color shr 16 and 0xff) < 90 && (color and 0xff) > 150

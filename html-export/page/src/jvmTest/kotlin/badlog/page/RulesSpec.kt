@@ -1,0 +1,173 @@
+package badlog.page
+
+import badlog.core.analysis.LogView
+import badlog.core.bag.BagTopic
+import badlog.core.recording.Severity
+import badlog.expression.withVirtualTopics
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.RulesFile
+import badlog.rules.over
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.By
+import java.nio.file.Path
+
+internal class RulesSpec : PageSpec({
+    val samples = listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag")
+    val formulas = listOf("PDP/Double = 2 * Total Current")
+    val own = RulesFile.parse(
+        """
+        [aliases]
+        both = ["*double*"]
+        [[rule]]
+        name = "Enabled low"
+        severity = "warning"
+        when = "battery voltage < 11 and enabled"
+        text = "{value} at {time} in {file}, {count} times: {match}"
+        [[rule]]
+        name = "Double"
+        severity = "note"
+        when = "max(both) > 100 or count(time) > 3"
+        text = "{value}"
+        """.trimIndent(),
+    ).rules
+
+    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+
+    fun OpenPage.findings(): List<String> {
+        for (button in elements(".findings-more button")) if (button.isDisplayed && "Show all" in button.text) button.click()
+        settle()
+        return texts(".finding .severity").zip(texts(".finding-text")) { severity, text -> "$severity $text" }
+    }
+
+    fun found(sample: Path, rules: RuleSet): List<String> {
+        val view = LogView.of(readRecording(sample, LOG_FORMATS)).withVirtualTopics(formulas).view
+        return rules.over(view, sample.fileName.toString()).findings
+            .map { "${it.severity.name.lowercase()} ${it.rule}${it.text}" }
+    }
+
+    fun bare(texts: List<String>) = texts.map { it.filterNot(Char::isWhitespace) }
+
+    browserTest("a search for what has findings, typed while the rules run, finds it when they are done") {
+        val typed = """
+            new MutationObserver((changes, observer) => {
+                const box = document.querySelector('#search')
+                if (!box || document.documentElement.dataset.state != 'ready') return
+                observer.disconnect()
+                box.value = 'has:finding'
+                box.dispatchEvent(new Event('input'))
+                window.typedDuring = document.documentElement.dataset.rules ?? 'running'
+            }).observe(document, {attributes: true, childList: true, subtree: true})
+        """.trimIndent()
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)), script = typed) {
+            awaitRules()
+            script("return window.typedDuring") shouldBe "running"
+            texts(".search-count").single() shouldContain "graph"
+        }
+    }
+
+    for (sample in samples) {
+        for ((name, rules) in listOf("the built-in rules" to RuleSet.BUILT_IN, "a team's rules" to own)) {
+            browserTest("what the page's worker finds in $sample by $name is what the JVM finds") {
+                onPage(TestPages.ofSample(sample, PageAdditions(formulas, rules))) {
+                    awaitRules()
+                    bare(findings()) shouldContainExactlyInAnyOrder bare(found(SAMPLES.resolve(sample), rules))
+                    number("return performance.getEntriesByName('badlog-first-graphs').length") shouldBe 1.0
+                }
+            }
+        }
+    }
+
+    browserTest("where workers are forbidden the page itself finds the same") {
+        val script = "window.Worker = function () { throw new Error('forbidden') }"
+        onPage(TestPages.ofSample(samples[0], PageAdditions(formulas, RuleSet.BUILT_IN)), script = script) {
+            awaitRules()
+            bare(findings()) shouldContainExactlyInAnyOrder bare(found(SAMPLES.resolve(samples[0]), RuleSet.BUILT_IN))
+        }
+    }
+
+    browserTest("what rules find is marked, searched and gone through like what was embedded, beside that") {
+        val embedded = finding("Comparison", Severity.NOTE, "as the last match", 20.0)
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN, findings = listOf(embedded)))) {
+            awaitRules()
+            press("n", "n")
+            element(".finding[aria-current]").text shouldContain "CAN"
+            press("/")
+            press("browned")
+            texts(".search-count").single() shouldContain "1 finding"
+            texts(".finding-source") shouldBe listOf("Browned out")
+        }
+    }
+
+    browserTest("incidents stand above the findings, and each of their sentences goes to its place") {
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
+            awaitRules()
+            element(".incident").text shouldContain "Likely cause: the robot drew more than its battery gives."
+            element(".incident").text shouldContain "Next: "
+            val browned = elements(".incident p").first { "browned out" in it.text }
+            browned.findElement(By.cssSelector("button")).click()
+            element(".finding[aria-current]").text shouldContain "Browned out"
+            press("/")
+            press("browned")
+            elements(".incident").size shouldBe 1
+        }
+    }
+
+    browserTest("what rules find is drawn into the graphs that are there, which somebody may be dragging over") {
+        val removals = "window.removed = 0; new MutationObserver(changes => { for (const change of changes) " +
+            "for (const node of change.removedNodes) if (node.querySelector?.('canvas')) window.removed++ })" +
+            ".observe(document, { childList: true, subtree: true })"
+        val rules = RulesFile.parse("[[rule]]\nname = \"High\"\nseverity = \"error\"\nwhen = \"Step 1 > 0.5\"\ntext = \"t\"\n").rules
+        onPage(TestPages.of(stepBag(graphs = 2), additions = PageAdditions(rules = rules)), script = removals) {
+            awaitRules()
+            settle()
+            graph("Step 1").picture.rowsOf(color("--error")).takeLast(12).max() shouldBeGreaterThan 20
+            number("return window.removed") shouldBe 0.0
+        }
+    }
+
+    browserTest("rules that cannot be run say so, and what to do") {
+        val broken = "const Real = Worker; window.Worker = function (address, options) { if (options?.name !== 'rules') " +
+            "return new Real(address, options); const fake = { postMessage() { setTimeout(() => " +
+            "fake.onmessage({ data: { failure: 'no room.' } }), 0) }, terminate() {} }; return fake }"
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN)), script = broken) {
+            await("the failure") { script("return document.documentElement.dataset.rules") == "failed" }
+            texts("#findings .problem-text").single() shouldBe
+                "The rules could not be run (no room); reload the page, or run badlog report on the file."
+        }
+    }
+
+    val bag = bagOf(listOf(TIME, BagTopic("Angle", "deg")), 100) { row, _ -> row / 10.0 }
+
+    browserTest("where no rule applies there is no empty section, nor where nothing was found") {
+        val rules = RulesFile.parse(
+            "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Arm > 1\"\ntext = \"t\"\n" +
+                "[[rule]]\nname = \"B\"\nseverity = \"note\"\nwhen = \"Angle > 1000\"\ntext = \"t\"\n",
+        ).rules
+        onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
+            awaitRules()
+            element("#findings").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a rule that is wrong is pointed at, and those that were skipped are listed with the reason") {
+        val rules = RulesFile.parse(
+            "[[rule]]\nname = \"Wrong\"\nseverity = \"note\"\nwhen = \"mean(Angle, 5) < 3\"\ntext = \"t\"\n" +
+                "[[rule]]\nname = \"Lacking\"\nseverity = \"note\"\nwhen = \"Wrist > 1\"\ntext = \"t\"\n",
+        ).rules
+        val page = TestPages.of(bag, additions = PageAdditions(rules = rules, rulesProblem = "Other rules were meant: Line 1: bad\nx\n^"))
+        onPage(page) {
+            awaitRules()
+            texts("#findings .problem-text").single() shouldContain "The rule “Wrong” is wrong. Line 4: "
+            texts("#findings .pointer").single() shouldContain "^"
+            texts(".findings-skipped summary") shouldBe listOf("1 skipped rule (topics missing)")
+            texts("#problems .problem-text").single() shouldContain "Other rules were meant: Line 1: bad"
+        }
+    }
+})

@@ -1,0 +1,140 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.core.recording.Severity
+import badlog.protocol.PageAdditions
+import io.kotest.assertions.withClue
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+
+internal class SearchSpec : PageSpec({
+    val page by lazy {
+        val topics = listOf(
+            TIME,
+            BagTopic("Drivetrain/Left Position", "m"),
+            BagTopic("Drivetrain/Right Position", "m"),
+            BagTopic("Elevator/Position", "m"),
+            BagTopic("Elevator/Current", "A"),
+            BagTopic("System/Event Log", attributes = listOf("log")),
+        )
+        val values = mapOf("Alliance" to "Blue", "Elevator/P" to "3.5")
+        TestPages.of(
+            bagOf(topics, 100, values) { row, column ->
+                if (column == 5) "elevator stalled".takeIf { row == 50 } else row / 100.0
+            },
+        )
+    }
+    val all = listOf("Drivetrain/Left Position", "Drivetrain/Right Position", "Elevator/Position", "Elevator/Current")
+
+    browserTest("a slash goes to the search, whose words must all occur, in any order and case") {
+        onPage(page) {
+            graphNames shouldBe all
+            press("/")
+            press("POS elev")
+            graphNames shouldBe listOf("Elevator/Position")
+            texts(".search-count").single() shouldContain "1 graph"
+            texts(".folder[data-name='Elevator'] .folder-toggle .count") shouldBe listOf("1")
+            elements(".folder-link").single { it.isDisplayed }.text shouldContain "1"
+        }
+    }
+
+    browserTest("values and events are found, in folders that were closed as well") {
+        onPage(page) {
+            script("document.getElementById('collapse-all').click()")
+            graphNames shouldBe emptyList()
+            press("/")
+            press("stalled")
+            graphNames shouldBe emptyList()
+            elements("tr.event").single { it.isDisplayed }.text shouldContain "elevator stalled"
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("blue")
+            elements(".values .value-row").filter { it.isDisplayed }.map { it.text }
+                .filter { "Blue" in it }.size shouldBe 1
+        }
+    }
+
+    browserTest("what is found is drawn and follows the zoom") {
+        onPage(page) {
+            press("/")
+            press("current")
+            graph("Elevator/Current").scrollTo().drag(0.2, 0.6)
+            val zoomed = visibleRange
+            zoomed.start shouldBeGreaterThan 0.1
+            click("#search")
+            press(Keys.ESCAPE)
+            graph("Drivetrain/Left Position").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
+            visibleRange shouldBe zoomed
+        }
+    }
+
+    browserTest("Escape shows everything again") {
+        onPage(page) {
+            press("/")
+            press("current")
+            graphNames shouldBe listOf("Elevator/Current")
+            press(Keys.ESCAPE)
+            graphNames shouldBe all
+            element("#search").getDomProperty("value") shouldBe ""
+        }
+    }
+
+    browserTest("a search that finds nothing says so") {
+        onPage(page) {
+            press("/")
+            press("gyro")
+            graphNames shouldBe emptyList()
+            element(".nothing-found").isDisplayed shouldBe true
+            texts(".search-count").single() shouldContain "nothing"
+        }
+    }
+
+    browserTest("keys of the page are letters while one types") {
+        onPage(page) {
+            press("/")
+            press("0+-?/")
+            element("#search").getDomProperty("value") shouldBe "0+-?/"
+            elements("dialog[open]").size shouldBe 0
+        }
+    }
+
+    browserTest("a bar finds one or the other, a minus leaves out, and kinds are asked for") {
+        onPage(page) {
+            press("/")
+            press("current | left")
+            graphNames shouldBe listOf("Drivetrain/Left Position", "Elevator/Current")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("position -elevator")
+            graphNames shouldBe listOf("Drivetrain/Left Position", "Drivetrain/Right Position")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("is:event")
+            graphNames shouldBe emptyList()
+            withClue(text.take(2000)) { elements("tr.event").count { it.isDisplayed } shouldBe 1 }
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("is:number -is:constant")
+            graphNames shouldBe all
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("-is:number")
+            graphNames shouldBe emptyList()
+        }
+    }
+
+    browserTest("findings that a search hides are counted, and a press shows them again") {
+        val findings = listOf(finding("Low", Severity.ERROR, "too low", 3.0), finding("High", Severity.NOTE, "too high", 5.0))
+        onPage(TestPages.of(stepBag(graphs = 2), additions = PageAdditions(findings = findings))) {
+            press("/")
+            press("step")
+            elements(".finding").size shouldBe 0
+            element(".findings-hidden").text shouldContain "2 findings hidden by the search"
+            click("#show-findings")
+            elements(".finding").size shouldBe 2
+            element(".findings-hidden").isDisplayed shouldBe false
+            graphNames shouldBe listOf("Step 1", "Step 2")
+            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+            press("has:finding")
+            elements(".finding").size shouldBe 2
+        }
+    }
+})

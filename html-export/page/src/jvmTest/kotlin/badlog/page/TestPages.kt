@@ -1,0 +1,54 @@
+package badlog.page
+
+import badlog.exporter.HtmlExporter
+import badlog.protocol.PageAdditions
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The samples of this repository. */
+internal val SAMPLES: Path = Path.of("../samples")
+
+/** The pages that tests look at, made as a person makes them. */
+internal object TestPages {
+    private val folder = Files.createTempDirectory("badlog-pages").also { folder ->
+        Runtime.getRuntime().addShutdownHook(Thread { folder.toFile().deleteRecursively() })
+    }
+    private val exporter by lazy { HtmlExporter() }
+    private val samples = HashMap<String, Path>()
+    private var count = 0
+
+    /** The page of the sample [name]. */
+    fun ofSample(name: String): Path = samples.getOrPut(name) { ofFile(SAMPLES.resolve(name)) }
+
+    /** The page of a file with these [bytes] and this [name], with [additions]. */
+    fun of(bytes: ByteArray, name: String = "test.bag", additions: PageAdditions = PageAdditions()): Path {
+        val file = Files.createDirectory(folder.resolve("${count++}")).resolve(name)
+        return ofFile(Files.write(file, bytes), additions)
+    }
+
+    /** The page of a bag with these [bytes], beside which lies the [video] of this [name]. */
+    fun withVideo(bytes: ByteArray, name: String, video: ByteArray): Path {
+        val beside = Files.createDirectory(folder.resolve("${count++}"))
+        Files.write(beside.resolve(name), video)
+        val log = Files.write(beside.resolve("test.bag"), bytes)
+        return beside.resolve("page.html").also { exporter.export(log, it, PageAdditions(video = name)) }
+    }
+
+    /** The page of the log whose [first] file has a [second] one beside it. */
+    fun ofPair(first: Pair<String, ByteArray>, second: Pair<String, ByteArray>): Path {
+        val beside = Files.createDirectory(folder.resolve("${count++}"))
+        return listOf(second, first).map { (name, bytes) -> Files.write(beside.resolve(name), bytes) }.last().let { ofFile(it) }
+    }
+
+    /** The page of the sample [name] with [additions]. */
+    fun ofSample(name: String, additions: PageAdditions): Path = ofFile(SAMPLES.resolve(name), additions)
+
+    /** The page of a file with this [text]. */
+    fun of(text: String, name: String = "test.bag"): Path = of(text.encodeToByteArray(), name)
+
+    private fun ofFile(file: Path, additions: PageAdditions = PageAdditions()): Path {
+        val page = folder.resolve("page-${count++}.html")
+        exporter.export(file, page, additions)
+        return page
+    }
+}

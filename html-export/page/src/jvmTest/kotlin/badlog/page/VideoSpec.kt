@@ -1,0 +1,290 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.assertions.withClue
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Path
+import kotlin.math.abs
+import kotlin.math.floor
+
+/** A video beside the data: the robot is enabled at 7 s. */
+internal class VideoSpec : PageSpec({
+    val bag by lazy {
+        bagOf(listOf(TIME, BagTopic("Ramp", "m"), BagTopic("Enabled")), 1501) { row, column ->
+            when (column) {
+                0 -> row / 50.0
+                1 -> row / 50.0
+                else -> if (row >= 350) 1 else 0
+            }
+        }
+    }
+    val page by lazy { TestPages.of(bag, additions = PageAdditions(rules = RuleSet.BUILT_IN)) }
+
+    fun OpenPage.awaitVideo() = await("the video") { number("return document.querySelector('#video video').readyState") >= 2 }
+
+    fun OpenPage.pick() {
+        script(CountedVideo.pick)
+        awaitVideo()
+        // Only a person may begin to play what has a sound.
+        script("document.querySelector('#video video').muted = true")
+        settle()
+    }
+
+    fun OpenPage.shown() = number("return ${CountedVideo.SHOWN}").toInt()
+
+    /** Where the cursor is, in seconds; NaN where it has no place. */
+    fun OpenPage.cursor() = texts(".cursor-readout").single().removeSuffix(" s").toDoubleOrNull() ?: Double.NaN
+
+    /** Waits until the video shows frame [number], the browser has reported it, and what follows from that is on the screen. */
+    fun OpenPage.awaitFrame(number: Int) {
+        await("frame $number") {
+            shown() == number && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - number) < 0.5 && script("return video().seeking") == false
+        }
+        settle()
+    }
+
+    /** Goes to frame [number] by the video's own means. */
+    fun OpenPage.goToFrame(number: Int) {
+        script("document.querySelector('#video video').currentTime = arguments[0]", (number + 0.5) / CountedVideo.FRAMES_PER_SECOND)
+        awaitFrame(number)
+    }
+
+    fun OpenPage.openAligned() {
+        pick()
+        script("location.hash = '#v=5'")
+        settle()
+    }
+
+    /** Whether the cursor is within a frame of the picture, and the video stands. */
+    fun OpenPage.isAtCursor() = abs((cursor() - 5) * CountedVideo.FRAMES_PER_SECOND - shown()) <= 1 && script("return video().seeking") == false
+
+    fun videoTest(name: String, page: () -> Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = browserTest(name) {
+        onPage(page(), screen, script = REPORTS, test = test)
+    }
+
+    videoTest("one button says that the robot is enabled in this frame: from then the video moves the cursor, and the cursor the video", { page }) {
+        element("#video").isDisplayed shouldBe false
+        pick()
+        element("#video").isDisplayed shouldBe true
+        texts("#video h2").single() shouldBe "match.webm"
+        goToFrame(60)
+        texts(".cursor-readout").single() shouldBe ""
+        click("#video-enabled")
+        cursor() shouldBe (7.0 plusOrMinus 0.02)
+        for (frame in 0 until CountedVideo.FRAMES step 37) {
+            goToFrame(frame)
+            await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
+        }
+        // 30 s across.
+        for (across in listOf(0.9, 0.2, 0.201, 0.5, 0.7)) {
+            graph("Ramp").click(across)
+            val frame = floor((cursor() - 5) * 30).toInt().coerceIn(0, CountedVideo.FRAMES - 1)
+            await("the frame at ${cursor()} s") { abs(shown() - frame) <= 1 }
+        }
+        keepScreenshot("video")
+    }
+
+    videoTest("the frame stays within one of the cursor over the video’s whole length, at four times and a quarter of its speed", { page }) {
+        openAligned()
+        for ((speed, halts) in listOf("4" to listOf(2.0, 5.0, 9.0, 13.0, 17.0, 19.0), "1" to listOf(0.7, 1.4), "0.25" to listOf(0.4, 0.8))) {
+            goToFrame(0)
+            script("const s = document.querySelector('#video-speed'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", speed)
+            number("return document.querySelector('#video video').playbackRate") shouldBe speed.toDouble()
+            script("window.samples = []")
+            for (halt in halts) {
+                script("window.isOver = false; sample(); video().play()")
+                await("second $halt at $speed times") { number("return video().currentTime") >= halt }
+                script("video().pause(); window.isOver = true")
+                await("picture and cursor after $halt s at $speed times") { isAtCursor() }
+            }
+            val samples = (script("return window.samples") as List<*>).map { pair -> (pair as List<*>).map { it.toString().toDouble() } }
+            samples.shouldNotBeEmpty()
+            for ((frame, cursor) in samples) {
+                withClue("$speed times, frame at $frame s, cursor at $cursor s") {
+                    (cursor - 5 - frame) * CountedVideo.FRAMES_PER_SECOND shouldBe (0.0 plusOrMinus 1.0)
+                }
+            }
+        }
+    }
+
+    videoTest("a pause puts the cursor at the frame that is shown, even if a busy browser has not reported that frame", { page }) {
+        openAligned()
+        goToFrame(30)
+        await("the cursor at frame 30") { isAtCursor() }
+        script("reports.areLost = true; video().play()")
+        await("half a second more") { number("return video().currentTime") >= 1.5 }
+        cursor() shouldBe (6.0 plusOrMinus 0.02)
+        script("video().pause()")
+        await("picture, cursor and report") {
+            isAtCursor() && cursor() >= 6.4 && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - shown()) < 0.5
+        }
+        // The same at the video’s end.
+        goToFrame(585)
+        script("reports.areLost = true; video().play()")
+        await("the end") { script("return video().ended") == true }
+        await("the last picture and cursor") { isAtCursor() && shown() == CountedVideo.FRAMES - 1 }
+    }
+
+    videoTest("a step goes by exactly one frame, even if a busy browser reports frames late", { page }) {
+        openAligned()
+        script("reports.delay = 400")
+        goToFrame(100)
+        for (frame in listOf(101, 102)) {
+            press(".")
+            await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.002 }
+            shown() shouldBe frame
+        }
+    }
+
+    videoTest("the frame that is shown is the one that is aligned, even if a busy browser has not reported it yet", { page }) {
+        pick()
+        goToFrame(30)
+        script("reports.areLost = 'for long'; video().currentTime = 35.5 / 30")
+        await("frame 35") { shown() == 35 && script("return video().seeking") == false }
+        click("#video-enabled")
+        script("reports.areLost = false")
+        goToFrame(65)
+        await("the cursor a second after the robot was enabled") { abs(cursor() - 8) < 0.035 }
+    }
+
+    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor goes with it", { page }) {
+        openAligned()
+        goToFrame(100)
+        for ((key, frame) in listOf("." to 101, "." to 102, "." to 103, "," to 102, "," to 101, "." to 102)) {
+            press(key)
+            awaitFrame(frame)
+            await("the cursor") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
+        }
+        click("#next-frame")
+        awaitFrame(103)
+        click("#previous-frame")
+        awaitFrame(102)
+    }
+
+    videoTest("video and cursor part, and this frame is put where the cursor is: that is remembered, and in the link", { page }) {
+        openAligned()
+        goToFrame(90)
+        await("the cursor at 8 s") { abs(cursor() - 8) < 0.02 }
+        click("#video-link")
+        graph("Ramp").click(0.5)
+        script("return video().seeking") shouldBe false
+        shown() shouldBe 90
+        click("#video-link")
+        val at = cursor()
+        goToFrame(120)
+        await("the cursor a second later") { abs(cursor() - at - 1) < 0.02 }
+        script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+        click("#copy-link")
+        await("the link") { script("return window.copied") != null }
+        (script("return window.copied") as String).substringAfter("&v=").toDouble() shouldBe (at - 3 plusOrMinus 0.02)
+        script("location.hash = ''")
+        reload()
+        pick()
+        element("#video-link").getAttribute("aria-pressed") shouldBe "true"
+        goToFrame(90)
+        await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
+    }
+
+    browserTest("a file that the browser cannot play is said to be one, a dropped one too, and a layout is still opened") {
+        onPage(page) {
+            script(
+                """
+                const data = new DataTransfer()
+                data.items.add(new File(['no pictures'], 'phone.mov', {type: 'video/quicktime'}))
+                document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
+                """.trimIndent(),
+            )
+            await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
+            texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
+            // A video that can be played takes the place of it.
+            pick()
+            texts("#video [role=status]").single() shouldContain "Find the frame"
+        }
+    }
+
+    browserTest("on a phone the video is a sheet over the foot of the page, and leaves room for the graphs") {
+        onPage(page, Screen.PHONE) {
+            openAligned()
+            val box = "const b = document.querySelector('#video').getBoundingClientRect(); return "
+            number(box + "b.bottom") shouldBe 844.0
+            (number(box + "b.top") > 400) shouldBe true
+            number("return document.documentElement.scrollWidth") shouldBe 390.0
+            keepScreenshot("phone-video")
+        }
+    }
+
+    browserTest("on a phone held sideways the video is beside the graphs, and so are the values at the cursor") {
+        onPage(page, Screen(844, 390, density = 2.0, isPhone = true, isDark = true)) {
+            openAligned()
+            press("v")
+            settle()
+            val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+            (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+            (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
+            (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
+            number("return document.documentElement.scrollWidth") shouldBe 844.0
+            keepScreenshot("phone-sideways-video")
+        }
+    }
+
+    browserTest("video and values at the cursor share the right side, and nothing lies over the graphs or the bar’s texts") {
+        val match = TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))
+        for (isDark in listOf(false, true)) {
+            onPage(match, Screen(1366, 768, isDark = isDark)) {
+                script("location.hash = '#v=85&t=93.7&x=85:105'")
+                pick()
+                settle()
+                keepScreenshot(if (isDark) "video-dark" else "video-light")
+                press("v")
+                settle()
+                val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+                (number(box + "b('#cursor-values').top - b('#video').bottom") >= 0) shouldBe true
+                (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+                (number(box + "b('.place').top - b('.zoom-buttons').bottom") >= 0) shouldBe true
+                element(".cursor-readout").text shouldBe "93.700 s"
+                if (isDark) keepScreenshot("video-values")
+                seriousForReaders() shouldBe emptyList()
+            }
+        }
+    }
+
+    browserTest("a page whose log has no time on x offers no video") {
+        onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) { element("#video-button").isDisplayed shouldBe false }
+    }
+})
+
+/**
+ * Lets the browser report frames `reports.delay` milliseconds late, and while `reports.areLost` not at all; if that is true, only until the
+ * next seek. After `sample()`, keeps for each frame that comes to the screen when it begins and where the page says that the cursor is. Its
+ * picture can be read only when the video stands still: a canvas may be given the next one already.
+ */
+private const val REPORTS = """
+window.video = () => document.querySelector('#video video')
+window.reports = {delay: 0, areLost: false, last: -1}
+const request = HTMLVideoElement.prototype.requestVideoFrameCallback
+HTMLVideoElement.prototype.requestVideoFrameCallback = function (callback) {
+    return request.call(this, (now, shown) => {
+        const report = () => {
+            callback(now, shown)
+            reports.last = shown.mediaTime
+        }
+        if (reports.areLost) this.requestVideoFrameCallback(callback)
+        else if (reports.delay) setTimeout(report, reports.delay)
+        else report()
+    })
+}
+document.addEventListener('seeking', () => { if (reports.areLost === true) reports.areLost = false }, true)
+window.sample = () => request.call(video(), (_, shown) => {
+    // The page writes where the cursor is before the next picture; it has asked for that before. A frame of before a seek means nothing.
+    const isOld = video().seeking
+    requestAnimationFrame(() => { if (!isOld) samples.push([shown.mediaTime, parseFloat(document.querySelector('.cursor-readout').textContent)]) })
+    if (!window.isOver) sample()
+})
+"""

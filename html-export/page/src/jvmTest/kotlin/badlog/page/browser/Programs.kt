@@ -1,0 +1,24 @@
+package badlog.page.browser
+
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/** The program [name] of the PATH. */
+internal fun onPath(name: String): Path? = System.getenv("PATH").orEmpty().split(File.pathSeparator).filter { it.isNotEmpty() }.map { Path.of(it, name) }.firstOrNull(Files::isExecutable)
+
+/** Starts a program of the PATH. */
+internal fun program(name: String, vararg arguments: String): ProcessBuilder {
+    val file = checkNotNull(onPath(name)) { "BADLOG_BROWSER=required, but $name is not on the PATH." }
+    return ProcessBuilder("$file", *arguments).redirectOutput(ProcessBuilder.Redirect.DISCARD)
+}
+
+/** Ends it with all that it started. */
+internal fun Process.end() {
+    descendants().forEach(ProcessHandle::destroy)
+    destroy()
+    if (!waitFor(SECONDS_TO_END, TimeUnit.SECONDS)) destroyForcibly()
+}
+
+private const val SECONDS_TO_END = 10L

@@ -1,0 +1,46 @@
+package badlog.page.browser
+
+import org.openqa.selenium.Dimension
+import org.openqa.selenium.ImmutableCapabilities
+import org.openqa.selenium.remote.RemoteWebDriver
+import java.io.IOException
+import java.net.InetAddress
+import java.net.ServerSocket
+import java.net.Socket
+import java.net.URI
+import java.nio.file.Path
+import java.time.Duration
+
+internal const val WEBKIT_PROGRAM = "WebKitWebDriver"
+
+/** Starts the browser that comes with WebKitGTK, on the screen that DISPLAY names. */
+internal fun webKitTab(downloads: Path): BrowserTab {
+    val port = ServerSocket(0).use { it.localPort }
+    val service = program(WEBKIT_PROGRAM, "--port=$port").redirectError(ProcessBuilder.Redirect.DISCARD)
+        .apply {
+            // Where nobody says which folder downloads go to, they go to this one.
+            environment()["HOME"] = "$downloads"
+            environment()["XDG_CONFIG_HOME"] = "$downloads/config"
+        }
+        .start()
+    while (!isListening(port)) {
+        check(service.isAlive) { "$WEBKIT_PROGRAM ended by itself, with code ${service.exitValue()}." }
+        Thread.sleep(POLL_MILLISECONDS)
+    }
+    val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), ImmutableCapabilities("browserName", "MiniBrowser"), false)
+    driver.manage().timeouts().scriptTimeout(Duration.ofMinutes(2))
+    driver.manage().window().size = Dimension(1280, 940)
+    return WebDriverTab(driver) {
+        driver.quit()
+        service.end()
+    }
+}
+
+private fun isListening(port: Int): Boolean = try {
+    Socket(InetAddress.getLoopbackAddress(), port).close()
+    true
+} catch (_: IOException) {
+    false
+}
+
+private const val POLL_MILLISECONDS = 50L

@@ -1,0 +1,62 @@
+package badlog.protocol
+
+import badlog.core.json.JsonReader
+import badlog.core.json.JsonValue
+import badlog.core.json.quotedJson
+
+/**
+ * What a person wrote about a moment of a log.
+ *
+ * @property x the moment, in the unit of the log's x axis; finite.
+ * @property text the text; not blank, at most [MAX_TEXT] characters.
+ * @throws IllegalArgumentException if [x] or [text] is invalid.
+ */
+data class Note(val x: Double, val text: String) {
+    init {
+        require(x.isFinite()) { "A note stands at a number, not at $x." }
+        require(text.isNotBlank() && text.length <= MAX_TEXT) { "A note has 1 to $MAX_TEXT characters, not ${text.length}." }
+    }
+
+    companion object {
+        /** The maximum number of characters in a note. */
+        const val MAX_TEXT: Int = 2000
+
+        /** The maximum number of notes for a log. */
+        const val MAX_NOTES: Int = 1000
+    }
+}
+
+/** Says in a sentence why a text is not a log's notes, or why they could not be read. */
+class NotesException(message: String) : Exception(message)
+
+/** Returns these notes in the order of x, as JSON: `{"version":1,"notes":[{"x":93.7,"text":"…"}]}`. Keys may be added, never removed. */
+fun List<Note>.toJson(): String = sortedBy { it.x }.joinToString(",\n", "{\"version\":$VERSION,\"notes\":[\n", "\n]}\n") {
+    "{\"x\":${it.x},\"text\":${quotedJson(it.text)}}"
+}
+
+/**
+ * Returns the notes in [text], in the order of x; see [toJson]. Unknown keys are ignored.
+ *
+ * @throws NotesException if it has none, or too many.
+ */
+fun notesOfJson(text: String): List<Note> {
+    val members = JsonReader.readObject(text) ?: throw NotesException("This is not an object of JSON.")
+    val version = members.findLast { it.key == "version" }?.value?.json?.toIntOrNull()
+    if (version != null && version > VERSION) throw NotesException("The notes were saved by a newer badlog; update badlog.")
+    val items = members.findLast { it.key == "notes" }?.value?.items ?: throw NotesException("“notes” is not a list.")
+    if (items.size > Note.MAX_NOTES) throw NotesException("There are ${items.size} notes; a log has at most ${Note.MAX_NOTES}.")
+    return items.mapIndexed { i, item -> noteOf(i + 1, item) }.sortedBy { it.x }
+}
+
+private fun noteOf(number: Int, json: JsonValue): Note {
+    fun member(key: String) = json.members?.findLast { it.key == key }?.value
+    val x = member("x")?.takeIf { it.text == null }?.json?.toDoubleOrNull()?.takeIf { it.isFinite() }
+        ?: throw NotesException("“x” of note $number is not a number.")
+    val text = member("text")?.text?.takeIf { it.isNotBlank() } ?: throw NotesException("“text” of note $number is missing.")
+    if (text.length > Note.MAX_TEXT) {
+        throw NotesException("“text” of note $number has ${text.length} characters; ${Note.MAX_TEXT} are possible.")
+    }
+    return Note(x, text)
+}
+
+private const val VERSION = 1

@@ -1,0 +1,90 @@
+package badlog.protocol
+
+import badlog.core.analysis.Series
+import badlog.core.recording.Value
+import badlog.rules.Finding
+import badlog.rules.RuleSet
+
+/**
+ * What a page shows besides the recording itself.
+ *
+ * @property virtualTopics formulas: definitions of topics that are calculated from others, such as `Power [W] = Voltage * Current`. The
+ *   page evaluates them when it opens, and reports mistakes in them.
+ * @property rules what the page looks for in the recording once its graphs are drawn, and the names of signals' topics.
+ * @property rulesProblem why these are not the intended rules, as a sentence, with the line of a mistake below it if there is one; null if
+ *   all is well.
+ * @property findings what was found by other means than [rules], such as a comparison with other logs.
+ * @property hooks the results of programs that examined the recording, one for each program.
+ * @property differences how the log differs from the team's other logs, greatest difference first; incidents mention those related to them.
+ * @property layout the text of a layout file with whose graphs the page begins; null for none. The page reports mistakes in it.
+ * @property notes what people wrote about moments of the recording.
+ * @property notesProblem why there are no notes although a file has some, as a sentence; null if all is well.
+ * @property field the field on which paths are drawn, including its picture, in the form of `FieldFile`; null for a plain one.
+ * @property video the name of a video of the match beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
+ */
+class PageAdditions(
+    val virtualTopics: List<String> = emptyList(),
+    val rules: RuleSet = RuleSet.NONE,
+    val rulesProblem: String? = null,
+    val findings: List<Finding> = emptyList(),
+    val hooks: List<HookPart> = emptyList(),
+    val differences: List<Finding> = emptyList(),
+    val layout: String? = null,
+    val notes: List<Note> = emptyList(),
+    val notesProblem: String? = null,
+    val field: String? = null,
+    val video: String? = null,
+) {
+    /** Returns the same with [notes], and with [problem] if there should be notes but are none. */
+    fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
+        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
+
+    /** Reads what [toJson] wrote. */
+    companion object
+}
+
+/**
+ * The result of a program that examined a recording. The page shows it in a section that names the program.
+ *
+ * @property name the program's name for people.
+ * @property error why it returned nothing, or not everything; null if it succeeded.
+ * @property values the values it calculated, in its order.
+ * @property findings the findings; their [rule][Finding.rule] is usually [name].
+ * @property series the lines that it calculated.
+ * @property figures the pictures that it drew.
+ */
+class HookPart(
+    val name: String,
+    val error: String? = null,
+    val values: List<Value> = emptyList(),
+    val findings: List<Finding> = emptyList(),
+    val series: List<PageSeries> = emptyList(),
+    val figures: List<PageFigure> = emptyList(),
+)
+
+/**
+ * A line that was calculated from a recording.
+ *
+ * @property name its name; `/` makes folders within the hook's folder.
+ * @property unit its unit, empty for none.
+ * @property data its samples over the recording's x axis; x never decreases, and y may be NaN.
+ */
+class PageSeries(val name: String, val unit: String, val data: Series)
+
+/**
+ * A picture that was made from a recording. A page shows it as an image, in which no script can run.
+ *
+ * @property title the heading above it.
+ * @property mediaType `image/svg+xml` or `image/png`.
+ * @property base64 the bytes of the picture, in the standard alphabet with padding.
+ * @throws IllegalArgumentException if [mediaType] is something else.
+ */
+class PageFigure(val title: String, val mediaType: String, val base64: String) {
+    init {
+        require(mediaType in MEDIA_TYPES) { "A figure is ${MEDIA_TYPES.joinToString(" or ")}, not “$mediaType”." }
+    }
+
+    private companion object {
+        val MEDIA_TYPES = listOf("image/svg+xml", "image/png")
+    }
+}

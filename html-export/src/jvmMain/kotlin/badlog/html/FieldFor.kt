@@ -1,9 +1,0 @@
-package badlog.html
-
-import badlog.plot.path.FieldFile
-import java.nio.file.Path
-
-/**
- * Returns the field on which a page of [log] draws paths: that of the file [selected], or else the one beside the log, see [FieldFile.of].
- */
-public fun fieldFor(log: Path, selected: Path? = null): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log)

@@ -1,0 +1,89 @@
+package badlog.files
+
+import java.io.IOException
+import java.io.InterruptedIOException
+import java.nio.channels.ClosedByInterruptException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
+import java.nio.file.Files
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+/**
+ * Thrown if a file or a folder cannot be read. The message is one sentence for the user: what, where, and what to do.
+ *
+ * @property file the file or folder.
+ */
+public class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+    IOException(message, cause)
+
+/**
+ * Thrown if a file cannot be written. The message is one sentence for the user: what, where, and what to do.
+ *
+ * @property file the file.
+ */
+public class UnwritableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+    IOException(message, cause)
+
+/**
+ * Runs [work], which reads [file], a file or a folder.
+ *
+ * @throws UnreadableFileException for an [IOException] of [work].
+ * @throws InterruptedException if the thread was interrupted while reading.
+ */
+public fun <T> reading(file: Path, work: () -> T): T = try {
+    work()
+} catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
+    throw InterruptedException()
+} catch (e: IOException) {
+    val message = when (e) {
+        is NoSuchFileException -> "There is no file $file; check the spelling."
+        is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
+        else -> "$file cannot be read (${e.message}); copy it to this computer's disk first."
+    }
+    throw UnreadableFileException(file, message, e)
+}
+
+/**
+ * Checks that [file] exists and is a regular file, which can be opened without waiting for another program.
+ *
+ * @throws UnreadableFileException if it is not.
+ */
+public fun requireRegularFile(file: Path) {
+    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, not a file; name a file.")
+    reading(file) { file.toRealPath() }
+    if (!Files.isRegularFile(file)) {
+        throw UnreadableFileException(file, "$file is not a regular file; copy its content into a file first.")
+    }
+}
+
+/**
+ * Runs [work], which writes [file].
+ *
+ * @throws UnwritableFileException for an [IOException] of [work].
+ * @throws InterruptedException if the thread was interrupted while writing.
+ */
+public fun <T> writing(file: Path, work: () -> T): T = try {
+    work()
+} catch (_: ClosedByInterruptException) {
+    Thread.interrupted()
+    throw InterruptedException()
+} catch (_: InterruptedIOException) {
+    throw InterruptedException()
+} catch (e: UnreadableFileException) {
+    throw e
+} catch (e: UnwritableFileException) {
+    throw e
+} catch (e: IOException) {
+    val message = when (e) {
+        is AccessDeniedException -> "$file cannot be written: permission denied; select another folder."
+        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+        is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+        is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
+        is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); select another place."
+        else -> "$file cannot be written (${e.message}); select another place."
+    }
+    throw UnwritableFileException(file, message, e)
+}

@@ -1,0 +1,80 @@
+package badlog.files
+
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.nio.channels.FileChannel
+import java.nio.file.Path
+
+/** The bytes of an open file, in pieces. Failures become an [UnreadableFileException]. */
+internal class FilePieces(val file: Path, private val channel: FileChannel, val progress: (doneBytes: Long, totalBytes: Long) -> Unit) {
+    private val bytes = ByteArray(SIZE)
+
+    /** The file's size when it was opened. */
+    val total: Long = reading(file) { channel.size() }
+
+    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter; the array is reused after the call. */
+    fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
+
+    /**
+     * Returns how many bytes a gzip file may inflate to, or 0 if its end does not show it: the trailer of its last member, if
+     * there is one, has the size of that member.
+     */
+    fun inflatedSize(): Long {
+        if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
+        val size = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt().toUInt().toLong()
+        return if (size in total..total * MAX_INFLATION) size else 0
+    }
+
+    /** Returns where the line after the last line end begins; 0 if there is none. */
+    fun lastLineEnd(): Long {
+        var until = total
+        while (until > 0) {
+            val from = maxOf(0, until - SIZE)
+            for (i in readAt(from, (until - from).toInt()) - 1 downTo 0) {
+                if (bytes[i] == LINE_FEED || bytes[i] == CARRIAGE_RETURN) return from + i + 1
+            }
+            until = from
+        }
+        return 0
+    }
+
+    /**
+     * Passes all bytes before [until] to [sink], and reports the progress; ends when there are [enough]. The array is reused after the
+     * call.
+     */
+    fun forEach(until: Long = Long.MAX_VALUE, enough: () -> Boolean = { false }, sink: (bytes: ByteArray, size: Int) -> Unit) {
+        var done = 0L
+        var reported = 0L
+        while (done < until && !enough()) {
+            val size = readAt(done, minOf(SIZE.toLong(), until - done).toInt())
+            if (size == 0) break
+            sink(bytes, size)
+            done += size
+            if (done - reported >= STEP) {
+                reported = done
+                progress(done, total)
+            }
+        }
+        if (done > reported) progress(done, total)
+    }
+
+    /** Fills [bytes] from [position] on, with [size] bytes, or fewer at the end of the file. Returns their number. */
+    private fun readAt(position: Long, size: Int): Int = reading(file) {
+        val buffer = ByteBuffer.wrap(bytes, 0, size)
+        while (buffer.hasRemaining()) {
+            if (channel.read(buffer, position + buffer.position()) < 0) break
+        }
+        buffer.position()
+    }
+
+    private companion object {
+        // Larger pieces are not faster.
+        const val SIZE = 1 shl 18
+        const val STEP = 1L shl 20
+
+        /** A log that is smaller by more than this has lost its trailer. */
+        const val MAX_INFLATION = 40
+        const val LINE_FEED = '\n'.code.toByte()
+        const val CARRIAGE_RETURN = '\r'.code.toByte()
+    }
+}

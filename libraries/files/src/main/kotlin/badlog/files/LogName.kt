@@ -1,0 +1,37 @@
+package badlog.files
+
+/**
+ * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. Only the content shows what a file really
+ * is.
+ *
+ * @property stem the name without [ending] and `.gz`.
+ * @property ending the ending of a log, with its dot and in its original case; empty if there is none.
+ * @property isGzip whether `.gz` follows.
+ */
+public class LogName private constructor(public val stem: String, public val ending: String, public val isGzip: Boolean) {
+    /** Whether it may be the name of a log. */
+    public val mayBeLog: Boolean get() = ending.isNotEmpty() || isGzip
+
+    /** Whether only logs have such names; tables of all kinds end in `.csv`. */
+    public val isOnlyOfLogs: Boolean get() = ending.isNotEmpty() && ending.lowercase() != CSV
+
+    public companion object {
+        private const val GZIP = ".gz"
+        private const val CSV = ".csv"
+        internal const val DSLOG = ".dslog"
+        internal const val DSEVENTS = ".dsevents"
+        internal const val HOOT = ".hoot"
+
+        /** The ending of logs of REV's motor controllers. */
+        public const val REVLOG: String = ".revlog"
+        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
+
+        /** Returns the parts of [name], which must not include folders. */
+        public fun of(name: String): LogName {
+            val isGzip = name.endsWith(GZIP, ignoreCase = true) && name.length > GZIP.length
+            val inner = if (isGzip) name.dropLast(GZIP.length) else name
+            val ending = ENDINGS.find { inner.endsWith(it, ignoreCase = true) && inner.length > it.length }.orEmpty()
+            return LogName(inner.dropLast(ending.length), inner.takeLast(ending.length), isGzip)
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package badlog.files
+
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.atomic.AtomicBoolean
+
+/**
+ * Creates an empty temporary file in [folder], for use while a log is read; its name identifies the program that made it. The first call
+ * removes files left there by killed programs.
+ *
+ * @param ending the end of its name, such as `.wpilog`.
+ */
+internal fun newMadeFile(ending: String, folder: Path = Path.of(System.getProperty("java.io.tmpdir"))): Path {
+    if (isCleaned.compareAndSet(false, true)) removeLeftFiles(folder)
+    return Files.createTempFile(folder, "badlog-${ProcessHandle.current().pid()}-", ending)
+}
+
+/** Removes files from [folder] that [newMadeFile] made for programs that are no longer running. */
+internal fun removeLeftFiles(folder: Path) {
+    try {
+        Files.newDirectoryStream(folder, "badlog-*").use { files -> files.filter(::isLeft).forEach(::removeQuietly) }
+    } catch (_: IOException) {
+        // Something else may clean up the folder instead.
+    }
+}
+
+private fun isLeft(file: Path): Boolean {
+    val pid = MADE.matchEntire(file.fileName.toString())?.groupValues?.get(1)?.toLongOrNull() ?: return false
+    return ProcessHandle.of(pid).isEmpty
+}
+
+private fun removeQuietly(file: Path) {
+    try {
+        Files.deleteIfExists(file)
+    } catch (_: IOException) {
+        // It belongs to another user.
+    }
+}
+
+private val isCleaned = AtomicBoolean()
+private val MADE = Regex("badlog-(\\d+)-\\d+\\.(?:wpilog|txt)")

@@ -1,0 +1,60 @@
+package badlog.files
+
+import badlog.core.recording.Problem
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/**
+ * CTRE's program that converts a `.hoot`, a format that CTRE does not publish, to a WPILOG. It is never part of badlog: it is run if
+ * it is on the PATH, as described in its help: `owlet INPUT OUTPUT -f wpilog`.
+ */
+internal object Owlet {
+    private const val NAME = "owlet"
+
+    /** Whether a log of this format can be read here. */
+    val isInstalled: Boolean by lazy { programOnPath(NAME) != null }
+
+    /** Converts [hoot] to the WPILOG [made] with [program]. */
+    fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
+        val said = newMadeFile(".txt")
+        try {
+            val process = start(hoot, made, program, said)
+            try {
+                while (!process.waitFor(STEP, TimeUnit.MILLISECONDS)) checkpoint()
+            } finally {
+                process.destroyForcibly()
+            }
+            if (process.exitValue() != 0 || Files.size(made) == 0L) {
+                val words = Files.readString(said, Charsets.ISO_8859_1).lines().lastOrNull { it.isNotBlank() }?.trim()?.take(MOST)
+                throw UnreadableFileException(
+                    hoot,
+                    "CTRE's owlet did not convert $hoot (${words ?: "it gave no reason"}); " +
+                        "try a newer owlet, or Phoenix Tuner's Log Extractor.",
+                )
+            }
+            return emptyList()
+        } finally {
+            Files.deleteIfExists(said)
+        }
+    }
+
+    private fun start(hoot: Path, made: Path, program: String, said: Path): Process = try {
+        ProcessBuilder(program, hoot.toAbsolutePath().toString(), made.toString(), "-f", "wpilog")
+            .redirectErrorStream(true).redirectOutput(said.toFile()).start().also { it.outputStream.close() }
+    } catch (e: IOException) {
+        throw UnreadableFileException(
+            hoot,
+            "$hoot can only be read by CTRE's program owlet; put it on the PATH, " +
+                "or convert the log to a WPILOG in Phoenix Tuner's Log Extractor.",
+            e,
+        )
+    }
+
+    /** How often, in ms, cancellation is checked. */
+    private const val STEP = 50L
+
+    /** The maximum number of characters quoted from its output. */
+    private const val MOST = 200
+}

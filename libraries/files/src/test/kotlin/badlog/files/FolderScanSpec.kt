@@ -1,0 +1,69 @@
+package badlog.files
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+private fun Path.put(name: String) {
+    val file = resolve(name)
+    Files.createDirectories(file.parent)
+    Files.writeString(file, "x")
+}
+
+class FolderScanSpec : FunSpec({
+    fun found(folder: Path) = FolderScan.of(folder).files.map { folder.relativize(it.path).joinToString("/") }.sortedWith(NaturalOrder)
+
+    test("finds logs in all folders by their names, and passes over what is hidden") {
+        inFolder { folder ->
+            listOf("b/Q10.bag", "b/Q9.bag", "a.csv", "c.wpilog.gz", "c.BADBAG", "d.tar.gz", ".hidden.bag", ".git/x.bag", "notes.txt")
+                .forEach { folder.put(it) }
+            found(folder) shouldBe
+                listOf("a.csv", "b/Q9.bag", "b/Q10.bag", "c.BADBAG", "c.wpilog.gz")
+        }
+    }
+
+    test("a .dslog with its .dsevents is one log of both sizes, and each alone is one, too") {
+        inFolder { folder ->
+            listOf("a/one.dslog", "a/one.dsevents", "a/two.dslog", "three.dsevents", "three.DSLOG", "Four.DSLOG", "Four.DSEVENTS", "five.dslog.gz", "five.dsevents.gz")
+                .forEach { folder.put(it) }
+            found(folder) shouldBe listOf("a/one.dslog", "a/two.dslog", "five.dslog.gz", "Four.DSLOG", "three.dsevents", "three.DSLOG")
+            val one = FolderScan.of(folder).files.single { it.name == "one.dslog" }
+            one.size shouldBe 2
+            one shouldBe LogFile.of(folder.resolve("a/one.dslog"))
+        }
+    }
+
+    test("follows no link round in circles") {
+        inFolder { folder ->
+            folder.put("a/Q1.bag")
+            try {
+                Files.createSymbolicLink(folder.resolve("a/again"), folder)
+            } catch (_: UnsupportedOperationException) {
+                return@inFolder
+            }
+            found(folder).size shouldBe 1
+        }
+    }
+
+    test("shows when a file was written last, and how large it is") {
+        inFolder { folder ->
+            folder.put("Q1.bag")
+            FolderScan.of(folder).files.single() shouldBe LogFile.of(folder.resolve("Q1.bag"))
+            LogFile.of(folder.resolve("Q1.bag")).size shouldBe 1
+        }
+    }
+
+    test("passes over what Gradle builds, but not over a folder that only is called so") {
+        inFolder { folder ->
+            listOf("a/build.gradle", "a/build/Q1.bag", "b/build/Q2.bag").forEach { folder.put(it) }
+            found(folder) shouldBe listOf("b/build/Q2.bag")
+        }
+    }
+
+    test("a folder that is not there is reported") {
+        inFolder { folder -> shouldThrow<IOException> { FolderScan.of(folder.resolve("none")) } }
+    }
+})

@@ -1,0 +1,30 @@
+package badlog.formats.column
+
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.ProblemList
+import badlog.core.recording.Topic
+import badlog.core.recording.addNotFinite
+import badlog.core.recording.addNotUtf8
+
+/** Reports what was odd about [topic], which was made from [column] with the times of [timestamps]. */
+internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
+    val name = topic.name
+    if (timestamps.disorder > 0) {
+        problems.add(
+            ProblemKind.TIMES_SORTED,
+            "“$name” goes back in time (${timestamps.disorder}×); its samples were sorted.",
+            topic = name,
+            count = timestamps.disorder,
+        )
+    }
+    if (column.sawOtherText) problems.addNotUtf8(name)
+    if (column.roundedCount > 0) {
+        problems.add(
+            ProblemKind.NUMBERS_ROUNDED,
+            "Whole numbers in “$name” are too large to be kept exactly (${column.roundedCount}×).",
+            topic = name,
+            count = column.roundedCount,
+        )
+    }
+    problems.addNotFinite(topic, "samples")
+}

@@ -1,0 +1,32 @@
+package badlog.formats.column
+
+import badlog.core.recording.Loss
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.ProblemList
+
+/** Reports that the bytes from [from] until [until] were skipped, in which there may have been [records] records. */
+internal fun ProblemList.addSkipped(from: Long, until: Long, records: Int = 0) = add(
+    ProblemKind.RECORDS_SKIPPED,
+    "Bytes $from to ${until - 1} are not records and were skipped; the rest was read.",
+    loss = Loss(cells = records, bytes = until - from),
+)
+
+/** Reports that nothing could be read from byte [from] to the end, [total]. */
+internal fun ProblemList.addLost(from: Long, total: Long) = add(
+    ProblemKind.RECORDS_LOST,
+    "Bytes $from to ${total - 1}, the last of the file, cannot be read: they are not records.",
+    loss = Loss(bytes = total - from),
+)
+
+/** Reports that the file ends in a record of which only [bytes] bytes exist. */
+internal fun ProblemList.addCut(bytes: Int) = add(
+    ProblemKind.RECORD_CUT,
+    "The file ends inside a record, which was dropped.",
+    loss = Loss(cells = 1, bytes = bytes.toLong()),
+)
+
+/** Reports that there are more records than [max]. */
+internal fun ProblemList.addTooMany(max: Int) = add(
+    ProblemKind.TOO_MANY_ROWS,
+    "The log has more than $max records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
+)

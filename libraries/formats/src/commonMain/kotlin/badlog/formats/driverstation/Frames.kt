@@ -1,0 +1,24 @@
+package badlog.formats.driverstation
+
+/** The sequence in a file of the Driver Station: records, or events. */
+internal interface Frames {
+    /**
+     * Returns the size in bytes of the frame at [at]; [MORE] if too few bytes have arrived to know or to read it, [NONE] if none begins
+     * there.
+     */
+    fun sizeAt(bytes: ByteArray, at: Int, until: Int, isEnd: Boolean): Int
+
+    /** Returns whether the frame at [at], which is complete, is certainly one, and not damage that looks like it. */
+    fun isSure(bytes: ByteArray, at: Int): Boolean
+
+    /** Reads the frame at [at]. */
+    fun take(bytes: ByteArray, at: Int, size: Int)
+
+    /** Records that [bytes] bytes were lost. Returns how many frames that was. */
+    fun skip(bytes: Int): Int
+
+    companion object {
+        const val MORE = 0
+        const val NONE = -1
+    }
+}

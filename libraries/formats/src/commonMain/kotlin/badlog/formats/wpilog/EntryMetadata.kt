@@ -1,0 +1,72 @@
+package badlog.formats.wpilog
+
+import badlog.core.analysis.Units
+import badlog.core.json.JsonReader
+import badlog.core.json.quotedJson
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+
+/** The metadata that marks an entry as a value. */
+internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
+
+/** The part of the metadata that marks a topic as the former x axis of a bag. */
+internal const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
+
+/** Returns the unit in [metadata], where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
+internal fun unitIn(metadata: String): String {
+    val members = JsonReader.readObject(metadata).orEmpty()
+    val own = members.findLast { it.key == UNIT }
+    val property = members.findLast { it.key == "properties" }?.value?.members?.findLast { it.key == UNIT }
+    return (own ?: property)?.value?.text ?: Topic.UNITLESS
+}
+
+/** Returns the attributes of an entry [name]: those in its [metadata], or those for the entries that WPILib itself writes. */
+internal fun attributesIn(metadata: String, name: String): List<String> {
+    val member = JsonReader.readObject(metadata).orEmpty().findLast { it.key == ATTRIBUTES }
+    val own = member?.value?.items.orEmpty().mapNotNull { it.text }
+    return when {
+        own.isNotEmpty() -> own
+        name == MESSAGES || CONSOLE in name -> listOf(LOG)
+        name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name -> listOf("hide")
+        else -> emptyList()
+    }
+}
+
+/** Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does. */
+internal fun metadataOf(topic: Topic): String {
+    val attributes = attributesOf(topic)
+    val isX = X_AXIS in topic.attributes
+    val unit = unitIn(topic.metadata)
+    val isSameUnit = unit == topic.unit || (Units.isNone(unit) && Units.isNone(topic.unit))
+    if (!isX && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
+    val own = JsonReader.readObject(topic.metadata)
+    val members = ArrayList<String>()
+    for (member in own.orEmpty()) {
+        if (member.key != UNIT && member.key != ATTRIBUTES) members += quotedJson(member.key) + ":" + member.value.json
+    }
+    if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
+    if (isX) members += X_AXIS_METADATA
+    if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
+    if (attributes.isNotEmpty()) members += "\"attrs\":" + attributes.joinToString(",", "[", "]", transform = ::quotedJson)
+    return if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
+}
+
+private fun attributesOf(topic: Topic): List<String> {
+    // The times of the records replace an x axis.
+    val attributes = topic.attributes - X_AXIS
+    // In a bag, empty cells show that texts are events; they have no records here.
+    val isEvent = topic.times == null && topic.kind == TopicKind.EVENT && LOG !in attributes
+    return if (isEvent) attributes + LOG else attributes
+}
+
+/** Where WPILib's logger puts the program's messages. */
+private const val MESSAGES = "messages"
+
+/** Where the Driver Station of 2027 puts its messages, and the robot's errors. */
+private const val CONSOLE = "DS:/Dscomm/Console/"
+private const val UNIT = "unit"
+private const val ATTRIBUTES = "attrs"
+
+/** The attribute of texts that are events. */
+internal const val LOG: String = "log"
+private const val X_AXIS = "xaxis"

@@ -1,0 +1,99 @@
+package badlog.formats.wpilog
+
+/** What bytes look like where a record is expected. */
+internal enum class RecordLook {
+    /** A record that belongs to the log: its entry was started, its size fits the type, and its time is near the others. */
+    FITTING,
+
+    /** Possibly a record: its head is valid, but something in it is odd. */
+    ODD,
+
+    /** Not a record. */
+    NONE,
+
+    /** More bytes are needed to decide. */
+    MORE,
+}
+
+/** The part of a record before its payload. */
+internal class RecordHead {
+    /** The record's entry; 0 for a control record. */
+    var id = 0
+        private set
+
+    /** Its time, in µs. */
+    var micros = 0.0
+        private set
+
+    /** The size of the payload in bytes. */
+    var size = 0
+        private set
+
+    /** The record's entry, if it was looked up; null for a control record and for an unknown entry. */
+    var entry: Entry? = null
+
+    /** Whether all records of its entry have the same size, so that the size of a fitting one is certain. */
+    val hasOneSize: Boolean get() = entry?.hasOneSize == true
+
+    /** The size of the whole record in bytes. */
+    var length = 0
+        private set
+
+    /** Reads the head at [at]. Returns [RecordLook.FITTING] if it is valid. */
+    fun read(bytes: ByteArray, at: Int, until: Int): RecordLook {
+        if (at >= until) return RecordLook.MORE
+        val bits = bytes[at].toInt()
+        if (bits < 0) return RecordLook.NONE
+        val idSize = (bits and 3) + 1
+        val sizeSize = (bits shr 2 and 3) + 1
+        val timeSize = (bits shr 4 and 7) + 1
+        val headSize = 1 + idSize + sizeSize + timeSize
+        if (headSize > until - at) return RecordLook.MORE
+        size = unsignedAt(bytes, at + 1 + idSize, sizeSize)
+        if (size !in 0..MAX_PAYLOAD_BYTES) return RecordLook.NONE
+        id = unsignedAt(bytes, at + 1, idSize)
+        micros = wideAt(bytes, at + 1 + idSize + sizeSize, timeSize)
+        length = headSize + size
+        return RecordLook.FITTING
+    }
+
+    companion object {
+        /** No logger writes a larger payload; a larger size is damage. */
+        const val MAX_PAYLOAD_BYTES = 1 shl 24
+    }
+}
+
+/** The head of a control record's payload: its kind, and the entry that it is about. */
+internal const val CONTROL_HEAD = 5
+
+/** The kinds of control records. */
+internal object ControlKind {
+    const val START = 0
+    const val FINISH = 1
+    const val SET_METADATA = 2
+
+    /** Returns how many texts follow the head of a record of [kind]; -1 for a kind that does not exist. */
+    fun textsOf(kind: Int): Int = when (kind) {
+        START -> 3
+        FINISH -> 0
+        SET_METADATA -> 1
+        else -> -1
+    }
+}
+
+/** Returns whether the bytes from [from] until [until] are exactly one control record's payload, without a NUL in its texts. */
+internal fun isControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean {
+    if (until - from < CONTROL_HEAD) return false
+    val texts = ControlKind.textsOf(bytes[from].toInt())
+    if (texts < 0 || intAt(bytes, from + 1) == 0) return false
+    var at = from + CONTROL_HEAD
+    repeat(texts) {
+        if (until - at < Int.SIZE_BYTES) return false
+        val size = intAt(bytes, at)
+        at += Int.SIZE_BYTES
+        if (size !in 0..until - at) return false
+        for (i in at until at + size) if (bytes[i].toInt() == 0) return false
+        at += size
+    }
+    return at == until
+}

@@ -1,0 +1,74 @@
+package badlog.formats.wpilog
+
+import badlog.formats.column.ColumnSource
+import badlog.formats.column.SampleBlock
+import badlog.formats.column.Timestamps
+
+/**
+ * Payloads of a type that the file itself describes. Payloads before its schema wait for it, if there is room.
+ *
+ * @param version grows with every schema.
+ * @param decoderNow returns the decoder for the type; null while a schema is missing, and if there is no room.
+ */
+internal class SchemaDecoder(
+    private val source: ColumnSource,
+    private val version: () -> Int,
+    private val decoderNow: () -> PayloadDecoder?,
+) : PayloadDecoder() {
+    private class Held(val time: Double, val payload: ByteArray)
+
+    private val held = ArrayList<Held>()
+    private var heldBytes = 0
+    private var triedVersion = -1
+    private var decoder: PayloadDecoder? = null
+
+    override val isUndecoded: Boolean get() = decoder?.isUndecoded == true
+    override val timestamps: Timestamps get() = known().timestamps
+    override val blocks: List<SampleBlock> get() = known().blocks
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
+        if (decoder == null && triedVersion != version()) tryToDecode()
+        val known = decoder
+        if (known != null) {
+            known.accept(time, bytes, from, until)
+            takeCounts(known)
+            return
+        }
+        held += Held(time, bytes.copyOfRange(from, until))
+        heldBytes += until - from + OVERHEAD
+        if (heldBytes > MAX_HELD) decodeBy(SizeDecoder(source))
+    }
+
+    override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = decoder?.fits(bytes, from, until) != false
+
+    override fun finish() {
+        if (decoder == null) tryToDecode()
+        known()
+    }
+
+    private fun known(): PayloadDecoder = decoder ?: SizeDecoder(source).also(::decodeBy)
+
+    private fun tryToDecode() {
+        triedVersion = version()
+        decoderNow()?.let(::decodeBy)
+    }
+
+    private fun decodeBy(known: PayloadDecoder) {
+        decoder = known
+        for (record in held) known.accept(record.time, record.payload, 0, record.payload.size)
+        held.clear()
+        takeCounts(known)
+    }
+
+    private fun takeCounts(known: PayloadDecoder) {
+        badCount = known.badCount
+        droppedValues = known.droppedValues
+    }
+
+    private companion object {
+        const val MAX_HELD = 1 shl 20
+
+        /** The memory for holding a payload besides its bytes. */
+        const val OVERHEAD = 64
+    }
+}

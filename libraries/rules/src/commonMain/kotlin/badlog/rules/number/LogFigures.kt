@@ -1,0 +1,56 @@
+package badlog.rules.number
+
+/**
+ * Identifies a figure: what is measured, and in which topic.
+ *
+ * @property signal the signal of the topic, or [RESISTANCE].
+ * @property topic its full name.
+ * @property unit the unit of the figure, empty for none.
+ */
+data class FigureKey(val signal: String, val topic: String, val measure: Measure, val unit: String) {
+    companion object {
+        /** The signal of the figure calculated from battery voltage and total current. */
+        const val RESISTANCE: String = "battery resistance"
+    }
+}
+
+/** The kind of run that a log is of: logs of the same kind are compared. */
+enum class MatchKind(internal val words: String) {
+    /** A match that counts. */
+    MATCH("matches"),
+
+    /** Practice, or a test. */
+    PRACTICE("practice runs"),
+
+    /** The log does not say. */
+    UNKNOWN("logs"),
+}
+
+/**
+ * Numbers that summarize a whole log, and can be compared with those of others.
+ *
+ * @property kind the kind of run.
+ * @property keys what is measured.
+ * @property uncertainty the uncertainty of the battery's resistance, in milliohms (95 %); NaN if there is none.
+ */
+class LogFigures internal constructor(
+    val kind: MatchKind,
+    val keys: List<FigureKey>,
+    internal val values: DoubleArray,
+    val uncertainty: Double,
+) {
+    /** Returns the figure for [key]; NaN for none. */
+    operator fun get(key: FigureKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
+
+    /** Returns the value of the first figure of [signal] with [measure]; NaN for none. */
+    fun of(signal: String, measure: Measure): Double =
+        keys.indexOfFirst { it.signal == signal && it.measure == measure }.let { if (it < 0) Double.NaN else values[it] }
+
+    /** The resistance of battery and wiring in milliohms; NaN if the log does not show it. */
+    val resistance: Double get() = of(FigureKey.RESISTANCE, Measure.RESISTANCE)
+
+    companion object {
+        /** No figures. */
+        val NONE: LogFigures = LogFigures(MatchKind.UNKNOWN, emptyList(), DoubleArray(0), Double.NaN)
+    }
+}

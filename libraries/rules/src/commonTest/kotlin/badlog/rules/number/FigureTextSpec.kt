@@ -1,0 +1,26 @@
+package badlog.rules.number
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.types.shouldBeSameInstanceAs
+
+class FigureTextSpec : FunSpec({
+    val keys = listOf(FigureKey("loop time", "A/Loop; Time", Measure.ENABLED, "ms"), FigureKey("battery", "B", Measure.LOWEST, "V"))
+    val figures = LogFigures(MatchKind.MATCH, keys, doubleArrayOf(12.5, -1e-7), 0.25)
+
+    test("figures come back as they were, and equal names are read once") {
+        val reader = FigureReader()
+        val (one, other) = List(2) { reader.read(figures.toText()) }
+        one.kind shouldBe MatchKind.MATCH
+        one.keys shouldBe keys
+        one.values.toList() shouldBe listOf(12.5, -1e-7)
+        one.uncertainty shouldBe 0.25
+        other.keys shouldBeSameInstanceAs one.keys
+    }
+
+    test("none is none, and so is what is no text of figures") {
+        val reader = FigureReader()
+        val texts = listOf(LogFigures.NONE.toText(), FigureText("x", "1;2;3"), FigureText(figures.toText().names, "9;;1;2"), FigureText("", ""))
+        texts.map { reader.read(it).keys.size } shouldBe listOf(0, 0, 0, 0)
+    }
+})

@@ -1,0 +1,45 @@
+package badlog.signals
+
+import badlog.core.analysis.LogView
+import badlog.core.recording.TopicKind
+import badlog.expression.LogViewSignals
+import badlog.expression.signals.Vocabulary
+import badlog.signals.pose.PlannedPath
+import badlog.signals.pose.posesOf
+import badlog.signals.vocabulary.SignalTopics
+import badlog.signals.vocabulary.SignalVocabulary
+
+/**
+ * What decides how rules are prepared for a log. Logs with equal shapes share a program of the rules.
+ *
+ * @property vocabulary the names of the topics.
+ * @property timeTopic the topic of the x axis, or null.
+ * @property hasClock whether x is time, although no topic has it.
+ * @property empty the names of the topics without samples, which are not signals.
+ * @property path the driven path and the planned one; null for none.
+ */
+data class LogShape(
+    val vocabulary: Vocabulary,
+    val timeTopic: String?,
+    val hasClock: Boolean,
+    val empty: Set<String> = emptySet(),
+    val path: PlannedPath? = null,
+) {
+    /** Returns which of the topics are the signals of [signals]. */
+    fun topicsOf(signals: SignalVocabulary): SignalTopics = SignalTopics(signals, vocabulary, timeTopic, empty)
+
+    companion object {
+        /** Returns the shape of [view], which needs no samples. */
+        fun of(view: LogView): LogShape {
+            val x = view.xAxis
+            val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+            return LogShape(
+                LogViewSignals(view).vocabulary,
+                x.topic?.name,
+                hasClock = x.topic == null && !x.isIndex,
+                empty,
+                PlannedPath.of(posesOf(view.recording.topics)),
+            )
+        }
+    }
+}

@@ -1,0 +1,147 @@
+package badlog.signals
+
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.expression.signals.SampleBounds
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Signals
+import badlog.expression.signals.Vocabulary
+import badlog.signals.pose.PlannedPath
+import badlog.signals.vocabulary.FRACTION
+import badlog.signals.vocabulary.SignalTopic
+import kotlin.math.abs
+
+/** The name of the x axis among signals. */
+const val TIME = "time"
+
+/** The signal `time` if no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
+val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
+
+/**
+ * The numbers of [signal] times [scale]. If that is null, they are scaled so that the full value is [whole], whether they are
+ * percent or fractions. With a [reading], they are read as true or false.
+ */
+data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0, val reading: FlagReading? = null)
+
+/** The sum of [summands], usually a single one, under the name [name], in [unit]; for a calculated one, [madeOf] has the topics. */
+class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String, private val madeOf: List<String>? = null) {
+    /** Its entry in a vocabulary. */
+    val listed: Signal = Signal(name, kindOf(summands), unit)
+
+    /** The names of its topics. */
+    val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
+
+    /** The only signal; null for a sum. */
+    val only: Signal? get() = summands.singleOrNull()?.signal
+
+    companion object {
+        fun of(name: String, signal: Signal): NamedSignal = NamedSignal(name, listOf(ScaledSignal(signal, 1.0)), signal.unit)
+
+        /** Returns the distance from a plan, for a log with this [path]. */
+        fun of(path: PlannedPath): NamedSignal =
+            NamedSignal(DEVIATION.name, listOf(ScaledSignal(DEVIATION, 1.0)), DEVIATION.unit, path.topics)
+
+        /** Returns the sum of [topics] as [name]. */
+        fun of(name: String, topics: List<SignalTopic>): NamedSignal =
+            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit), it.reading) }, topics[0].unit)
+
+        private fun kindOf(summands: List<ScaledSignal>) = when {
+            summands.size > 1 -> SignalKind.NUMBER
+            summands[0].reading != null -> SignalKind.CONDITION
+            else -> summands[0].signal.kind
+        }
+
+        /** Returns the full value in [unit]. */
+        fun wholeIn(unit: String): Double = if (unit == FRACTION) 1.0 else PERCENT
+
+        private const val PERCENT = 100.0
+    }
+}
+
+/** The samples of [view], whose topics are in [log], under the names of [NamedSignal]s. Each is made once, however many rules need it. */
+class NamedSamples(private val log: Signals, private val view: LogView) {
+    private val made = HashMap<List<ScaledSignal>, Series>()
+
+    fun of(named: NamedSignal): Series = made.getOrPut(named.summands) {
+        named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
+    }
+
+    private val bounds = HashMap<DoubleArray, SampleBounds>()
+
+    /** Returns the bounds of the samples of [series]. */
+    fun boundsOf(series: Series): SampleBounds = bounds.getOrPut(series.y) { SampleBounds(series.y) }
+
+    private fun scaled(source: ScaledSignal): Series {
+        if (source.signal === CLOCK) return log.axis
+        if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
+        if (source.signal === DEVIATION) return planDistanceIn(view, log)
+        val series = log.series(source.signal.name)
+        if (source.reading != null) return flagged(series, source.reading, source.signal)
+        val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT
+        return if (scale == 1.0) series else Series(series.x, DoubleArray(series.size) { series.y[it] * scale })
+    }
+
+    private fun flagged(series: Series, reading: FlagReading, signal: Signal): Series {
+        val states = if (reading is FlagReading.Text) log.states(signal.name) else emptyList()
+        return Series(
+            series.x,
+            DoubleArray(series.size) {
+                val sample = series.y[it]
+                if (sample.isNaN()) {
+                    sample
+                } else if (reading.isSet(sample, states)) {
+                    1.0
+                } else {
+                    0.0
+                }
+            },
+        )
+    }
+
+    // No robot has a load of so few percent all the time, so such numbers are fractions.
+    private fun isFraction(series: Series): Boolean = series.y.all { it.isNaN() || abs(it) <= MAX_FRACTION }
+
+    private fun sumOf(summands: List<Series>): Series {
+        val x = summands[0].x
+        if (summands.all { it.x === x }) {
+            return Series(x, DoubleArray(x.size) { i -> summands.sumOf { it.y[i].orZero() } })
+        }
+        // Samples hold until the next, so there is a sum at each time at which one changes.
+        val times = summands.flatMapTo(HashSet()) { it.x.asIterable() }.toDoubleArray().apply { sort() }
+        val sums = DoubleArray(times.size)
+        for (series in summands) {
+            var next = 0
+            for (i in times.indices) {
+                while (next < series.size && series.x[next] <= times[i]) next++
+                if (next > 0) sums[i] += series.y[next - 1].orZero()
+            }
+        }
+        return Series(times, sums)
+    }
+
+    private fun Double.orZero() = if (isNaN()) 0.0 else this
+
+    private companion object {
+        const val PERCENT = 100.0
+
+        // A controller may demand a little more than the full value.
+        const val MAX_FRACTION = 2.0
+    }
+}
+
+/** The signals of a log, some of them also under other names, with the samples in [samples]. */
+class NamedSignals(
+    private val log: Signals,
+    private val named: Map<String, NamedSignal>,
+    override val vocabulary: Vocabulary,
+    private val samples: NamedSamples,
+) : Signals by log {
+    override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
+
+    /** Returns the bounds of the samples of the signal [name]. */
+    fun bounds(name: String): SampleBounds = samples.boundsOf(series(name))
+
+    override fun states(name: String): List<String> = log.states(named[name]?.only?.name ?: name)
+}

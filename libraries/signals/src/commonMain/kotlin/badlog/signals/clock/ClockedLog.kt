@@ -1,0 +1,74 @@
+package badlog.signals.clock
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
+import badlog.core.recording.Recording
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.matchOf
+import badlog.signals.withSignals
+
+/**
+ * A log, with everything that shows which other log is from the same time. All properties are evaluated lazily.
+ *
+ * @property name the name of its file.
+ * @property recording its content.
+ * @param vocabulary the names of its topics.
+ */
+class ClockedLog(val name: String, val recording: Recording, private val vocabulary: SignalVocabulary) {
+    private val view: LogView = LogView.of(recording)
+
+    /** Whether its x is a time, or a number without a unit that a person has made the x axis. */
+    val hasClock: Boolean =
+        view.xAxis.run { !isIndex && (Units.secondsIn(unit) != null || Units.isNone(unit)) && range != null }
+
+    /** Its first x, in s; NaN without any. */
+    val first: Double = (view.xAxis.range?.start ?: Double.NaN) * view.secondsPerX
+
+    /** Its last x, in s; NaN without any. */
+    val last: Double = (view.xAxis.range?.endInclusive ?: Double.NaN) * view.secondsPerX
+
+    /** The time of day at which its x is 0, in s since 1970, from its values or its name; null if neither has it. */
+    val start: Double? by lazy {
+        // The logged start is the time of the first sample.
+        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: NAMED.find(name)?.let { secondsOf(it.groupValues) }
+    }
+
+    /** When the robot was enabled and disabled. */
+    val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary).enabledEdges() }
+
+    /** The type and the number of its match; null if it is unknown. */
+    internal val match: Pair<String?, String>? by lazy { vocabulary.matchOf(recording).run { number?.let { type to it } } }
+
+    private companion object {
+        /** The form in which WPILib names its logs, in UTC. */
+        val NAMED = Regex("(?<!\\d)(\\d{4})(\\d{2})(\\d{2})_(\\d{2})(\\d{2})(\\d{2})(?!\\d)")
+    }
+}
+
+/** The name of the value that says when a log began. */
+const val START_VALUE: String = "Start Time"
+
+/** Returns when the log [recording] began, in s since 1970, if it says so in UTC; otherwise null. */
+fun loggedStart(recording: Recording): Double? =
+    recording.values.find { it.name == START_VALUE }?.let { LOGGED.matchEntire(it.text) }?.let { secondsOf(it.groupValues) }
+
+private val LOGGED = Regex("(\\d{4})-(\\d{2})-(\\d{2})[ T](\\d{2}):(\\d{2}):(\\d{2}(?:\\.\\d+)?)(?: UTC|Z)")
+
+/**
+ * Returns the seconds since 1970 for the year, month, day, hour, minute and second in [parts] from index 1 on; null for an invalid time.
+ */
+private fun secondsOf(parts: List<String>): Double? {
+    val (year, month, day, hour, minute) = parts.subList(1, 6).map { it.toInt() }
+    val second = parts[6].toDouble()
+    if (month !in 1..12 || day !in 1..31 || hour > 23 || minute > 59 || second >= 60 || year !in YEARS) return null
+    // Counting years from March puts the leap day at the end.
+    val marchYear = if (month > 2) year else year - 1
+    val dayOfYear = (153 * (if (month > 2) month - 3 else month + 9) + 2) / 5 + day - 1
+    val days = marchYear * 365 + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_TO_1970
+    return days * DAY + hour * 3600 + minute * 60 + second
+}
+
+/** A robot's clock starts at about 1970 until something sets it. */
+private val YEARS = 2000..2199
+private const val DAYS_TO_1970 = 719468
+private const val DAY = 86400.0

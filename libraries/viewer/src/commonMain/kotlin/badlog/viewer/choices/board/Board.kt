@@ -1,0 +1,222 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+import badlog.viewer.draw.path.FieldOrigin
+import badlog.viewer.draw.path.Plane
+
+/**
+ * The graphs that a person put together, from top to bottom. Immutable; each change returns a new board.
+ *
+ * @property graphs the graphs.
+ */
+data class Board(val graphs: List<BoardGraph> = emptyList()) {
+    private val nextId: Int get() = (graphs.maxOfOrNull { it.id } ?: 0) + 1
+
+    /** Adds a graph of the signals [names] at the end, or before the graph [before]. */
+    fun withGraph(names: List<String>, before: Int? = null): Board {
+        if (names.isEmpty()) return this
+        return withGraphs(listOf(BoardGraph(0, names.first(), names.distinct())), before)
+    }
+
+    /** Adds [added], with new ids, at the end, or before the graph [before]. */
+    fun withGraphs(added: List<BoardGraph>, before: Int? = null): Board {
+        val place = graphs.indexOfFirst { it.id == before }.let { if (it < 0) graphs.size else it }
+        val first = nextId
+        return copy(graphs = graphs.take(place) + added.mapIndexed { i, graph -> graph.copy(id = first + i) } + graphs.drop(place))
+    }
+
+    /** Replaces the graph that has the id of [graph]. */
+    fun with(graph: BoardGraph): Board = change(graph.id) { graph }
+
+    /** Adds the signal [name] to graph [id], if it is not there yet. */
+    fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
+
+    /** Adds those of the signals [names] to graph [id] that are not there yet. */
+    fun withLines(id: Int, names: List<String>): Board = names.fold(this) { board, name -> board.withLine(id, name) }
+
+    /** Adds the signals [names] to the last graph, or to a new one if there is none. */
+    fun withLinesInLast(names: List<String>): Board {
+        val last = graphs.lastOrNull() ?: return withGraph(names)
+        return withLines(last.id, names)
+    }
+
+    /** Adds a graph of the signal [name], drawn as [lines], or removes existing graphs of these lines or of the signal alone. */
+    fun withOwnToggled(name: String, lines: List<String> = listOf(name)): Board {
+        val own = graphs.filter { it.lines == listOf(name) || it.lines == lines }
+        return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
+    }
+
+    /** Returns whether it has a graph that draws the same as [graph]. */
+    fun has(graph: BoardGraph): Boolean = graphs.any { it.drawsAs(graph) }
+
+    /** Adds [graph] at the end, or removes existing graphs with the same lines. */
+    fun withToggled(graph: BoardGraph): Board =
+        if (has(graph)) copy(graphs = graphs.filterNot { it.drawsAs(graph) }) else withGraphs(listOf(graph))
+
+    /** Removes the signal [name] from graph [id]; a graph without lines is removed. */
+    fun withoutLine(id: Int, name: String): Board {
+        val changed = change(id) { it.copy(lines = it.lines - name, hidden = it.hidden - name) }
+        return changed.copy(graphs = changed.graphs.filter { it.lines.isNotEmpty() })
+    }
+
+    /** Removes the signal [name] from all graphs; graphs without lines are removed. */
+    fun withoutSignal(name: String): Board =
+        graphs.fold(this) { board, graph -> if (name in graph.lines) board.withoutLine(graph.id, name) else board }
+
+    /** Replaces the signal [before] by [name] in all graphs. */
+    fun renamed(before: String, name: String): Board = copy(
+        graphs = graphs.map { graph ->
+            fun nameNow(line: String) = if (line == before) name else line
+            graph.copy(
+                title = nameNow(graph.title),
+                lines = graph.lines.map(::nameNow).distinct(),
+                hidden = graph.hidden.mapTo(HashSet(), ::nameNow),
+            )
+        },
+    )
+
+    /** Removes graph [id]. */
+    fun without(id: Int): Board = copy(graphs = graphs.filterNot { it.id == id })
+
+    /** Moves graph [id] by [places], up if negative. */
+    fun moved(id: Int, places: Int): Board {
+        val from = graphs.indexOfFirst { it.id == id }
+        if (from < 0) return this
+        val to = (from + places).coerceIn(graphs.indices)
+        return copy(graphs = graphs.toMutableList().apply { add(to, removeAt(from)) })
+    }
+
+    /** Moves graph [id] before the graph [other], or to the end for null. */
+    fun movedBefore(id: Int, other: Int?): Board {
+        val graph = graphs.find { it.id == id }
+        if (graph == null || id == other) return this
+        val others = without(id).graphs
+        val place = others.indexOfFirst { it.id == other }.let { if (it < 0) others.size else it }
+        return copy(graphs = others.take(place) + graph + others.drop(place))
+    }
+
+    /** Moves the lines of graph [other] to graph [id], and removes [other]. */
+    fun joined(id: Int, other: Int): Board {
+        val added = graphs.find { it.id == other }
+        if (added == null || id == other || graphs.none { it.id == id }) return this
+        return without(other).change(id) {
+            it.copy(lines = (it.lines + added.lines).distinct(), hidden = it.hidden + (added.hidden - it.lines.toSet()))
+        }
+    }
+
+    /** Splits graph [id] into one graph for each line; the first one keeps all settings but y. */
+    fun separated(id: Int): Board {
+        val first = nextId
+        return copy(
+            graphs = graphs.flatMap { graph ->
+                if (graph.id != id || graph.lines.size < 2) return@flatMap listOf(graph)
+                graph.lines.mapIndexed { i, line ->
+                    graph.copy(
+                        id = if (i ==
+                            0
+                        ) {
+                            id
+                        } else {
+                            first + i
+                        },
+                        title = line,
+                        lines = listOf(line),
+                        yRange = null,
+                        rightYRange = null,
+                        hidden = emptySet(),
+                        isXy = false,
+                        xRange = null,
+                        origin = FieldOrigin.BLUE,
+                    )
+                }
+            },
+        )
+    }
+
+    /** With [isXy], draws the lines of graph [id] over its first one, or poses as paths; otherwise over the x axis again. */
+    fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
+
+    /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
+    fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
+
+    /** Treats the poses of graph [id] as measured from [origin]. */
+    fun withOrigin(id: Int, origin: FieldOrigin): Board = change(id) { it.copy(origin = origin) }
+
+    /** Shows only [range] of y in graph [id], and [right] on its right axis; null for all of it. A fixed range is not shared. */
+    fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
+        change(id) { it.copy(yRange = range, rightYRange = right, sharesY = it.sharesY && range == null && right == null) }
+
+    /** Makes graph [id] share its y range with all other such graphs for lines of the same unit, or stops sharing. */
+    fun withSharedY(id: Int, shares: Boolean): Board = change(id) {
+        if (shares) it.copy(sharesY = true, yRange = null, rightYRange = null) else it.copy(sharesY = false)
+    }
+
+    /** Hides or shows the line [name] of graph [id]; a hidden line stays in the graph. */
+    fun withLineHidden(id: Int, name: String, isHidden: Boolean): Board =
+        change(id) { if (name in it.lines) it.copy(hidden = if (isHidden) it.hidden + name else it.hidden - name) else it }
+
+    /** Sets the height of graph [id], see [BoardGraph.height]; null for the default. */
+    fun resized(id: Int, height: Int?): Board = change(id) { it.copy(height = height?.coerceIn(BoardGraph.HEIGHTS)) }
+
+    /** Returns, for each drawn signal, the index of its line in the first graph that draws it. */
+    fun placesOfLines(): Map<String, Int> {
+        val places = HashMap<String, Int>()
+        for (graph in graphs) graph.lines.forEachIndexed { place, line -> if (line !in places) places[line] = place }
+        return places
+    }
+
+    /** Returns the same board with ids from 1 on, like those of a board that was written and read again. */
+    fun renumbered(): Board = Board(graphs.mapIndexed { i, graph -> graph.copy(id = i + 1) })
+
+    /** Returns whether it shows the same as [other], regardless of the ids. */
+    fun showsSame(other: Board): Boolean = renumbered() == other.renumbered()
+
+    private fun change(id: Int, to: (BoardGraph) -> BoardGraph) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
+}
+
+/**
+ * What one graph shows, by names only, so that the same graph fits every recording of a robot.
+ *
+ * @property id identifies it on its board; has no other meaning, and is not written.
+ * @property title the heading above it.
+ * @property lines the names of the signals it draws, each once; those that a recording lacks are not shown for it.
+ * @property isFilled whether the area below the lines is filled.
+ * @property includesZero whether y must include 0.
+ * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need; on the
+ *   left axis if there are two.
+ * @property height its height in density-independent pixels, within [HEIGHTS]; null for the default. See [GraphHeight].
+ * @property rightYRange the same as [yRange] for the right axis.
+ * @property sharesY whether all graphs that share it show the same part of y for each unit; a fixed range is not shared.
+ * @property hidden those of [lines] that are currently not drawn.
+ * @property isXy whether the lines are not drawn over the common x: poses are paths on a field, others are drawn over the first line.
+ * @property xRange the part of x that a person selected of such a graph, with that of y in [yRange]; null for all of it.
+ * @property origin the origin of the poses in such a graph.
+ */
+data class BoardGraph(
+    val id: Int,
+    val title: String,
+    val lines: List<String>,
+    val isFilled: Boolean = false,
+    val includesZero: Boolean = false,
+    val yRange: Span? = null,
+    val height: Int? = null,
+    val rightYRange: Span? = null,
+    val sharesY: Boolean = false,
+    val hidden: Set<String> = emptySet(),
+    val isXy: Boolean = false,
+    val xRange: Span? = null,
+    val origin: FieldOrigin = FieldOrigin.BLUE,
+) {
+    /** The part of the plane that a person selected in a graph of y over x; null for all of it. */
+    val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
+
+    internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
+
+    companion object {
+        /** How high a graph of numbers can be. */
+        val HEIGHTS: IntRange = 60..600
+    }
+}
+
+/** Says in a sentence why a text is not a board. */
+class BoardException(message: String) : IllegalArgumentException(message)

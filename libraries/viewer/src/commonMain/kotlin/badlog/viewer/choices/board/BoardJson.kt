@@ -1,0 +1,108 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+import badlog.core.json.JsonReader
+import badlog.core.json.JsonValue
+import badlog.core.json.quotedJson
+import badlog.viewer.draw.path.FieldOrigin
+
+/**
+ * Returns the board as a JSON object with the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,
+ * if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines; `xy` if the lines
+ * are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog ignores what it
+ * does not know.
+ */
+fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
+    buildString {
+        append("{\"title\":").append(quotedJson(graph.title))
+        append(",\"lines\":").append(graph.lines.joinToString(",", "[", "]", transform = ::quotedJson))
+        if (graph.isFilled) append(",\"filled\":true")
+        if (graph.includesZero) append(",\"zero\":true")
+        appendSpan("y", graph.yRange)
+        appendSpan("right", graph.rightYRange)
+        if (graph.sharesY) append(",\"shared\":true")
+        graph.height?.let { append(",\"height\":").append(it) }
+        if (graph.isXy) append(",\"xy\":true")
+        appendSpan("x", graph.xRange)
+        if (graph.origin != FieldOrigin.BLUE) append(",\"origin\":").append(quotedJson(graph.origin.key))
+        val hidden = graph.lines.filter { it in graph.hidden }
+        if (hidden.isNotEmpty()) hidden.joinTo(this, ",", ",\"hidden\":[", "]", transform = ::quotedJson)
+        append('}')
+    }
+}
+
+/** Appends [span] as a member [key] of the object that is being written, unless it is null or JSON cannot hold it. */
+internal fun StringBuilder.appendSpan(key: String, span: Span?) {
+    if (span == null || !isWritable(span)) return
+    append(",\"").append(key).append("\":{\"from\":").append(span.from).append(",\"to\":").append(span.to).append('}')
+}
+
+/**
+ * Returns the board in the JSON object [text], see [toJson]; other keys, such as those of a layout file or of a newer badlog, are
+ * ignored.
+ *
+ * @throws BoardException if it has none, or the board is damaged.
+ */
+fun boardOfJson(text: String): Board {
+    val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
+    return boardOf(members.findLast { it.key == "graphs" }?.value) { "" }
+}
+
+/**
+ * Returns the board with the list [graphs].
+ *
+ * @param placeText returns where in the text a mistake begins, with a leading space.
+ */
+internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
+    val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
+    Board(items.mapIndexed { i, graph -> graphOf(i + 1, graph) })
+} catch (e: Damage) {
+    val place = e.place?.let(placeText).orEmpty()
+    throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")
+}
+
+private class Damage(val what: String, place: JsonValue?) : Exception() {
+    val place = place?.start
+}
+
+private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
+    if (graph.members == null) throw Damage("graph $id is not an object", graph)
+    val lines = graph["lines"]?.items ?: throw Damage("graph $id has no list of “lines”", graph)
+    val names = lines.map { it.text ?: throw Damage("a line of graph $id is not a name", it) }.distinct()
+    return BoardGraph(
+        id = id,
+        title = graph["title"]?.text ?: throw Damage("graph $id has no “title”", graph),
+        lines = names,
+        isFilled = graph.isSet("filled", id),
+        includesZero = graph.isSet("zero", id),
+        yRange = graph.span("y", id),
+        rightYRange = graph.span("right", id),
+        sharesY = graph.isSet("shared", id),
+        height = graph["height"]?.let { graph.number("height", id).coerceIn(HEIGHTS).toInt() },
+        hidden = graph["hidden"]?.items.orEmpty().mapNotNullTo(HashSet()) { item -> item.text?.takeIf { it in names } },
+        isXy = graph.isSet("xy", id),
+        xRange = graph.span("x", id),
+        origin = FieldOrigin.of(graph["origin"]?.text) ?: FieldOrigin.BLUE,
+    )
+}
+
+/** Returns the member [key]; null if there is none. */
+private operator fun JsonValue.get(key: String): JsonValue? = members?.findLast { it.key == key }?.value?.takeIf { it.json != "null" }
+
+private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.json ?: "false") {
+    "true" -> true
+    "false" -> false
+    else -> throw Damage("“$key” of graph $graph is neither true nor false", get(key))
+}
+
+private fun JsonValue.number(key: String, graph: Int): Double {
+    val value = get(key)
+    // A text is recognized by its quotes.
+    return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
+        ?: throw Damage("“$key” of graph $graph is not a number", value ?: this)
+}
+
+private fun JsonValue.span(key: String, graph: Int): Span? =
+    get(key)?.let { Span(it.number("from", graph), it.number("to", graph)).takeIf(::isWritable) }
+
+private val HEIGHTS = BoardGraph.HEIGHTS.first.toDouble()..BoardGraph.HEIGHTS.last.toDouble()

@@ -1,0 +1,69 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+import badlog.core.json.JsonReader
+import badlog.core.json.quotedJson
+
+/**
+ * The part of a layout file that page and window share. Everything else in a file (the open recording, what it was compared with, the
+ * selection, which parts of the window were open) belongs to the window: it is ignored when reading, and not written.
+ *
+ * @property board the graphs; null for the default ones.
+ * @property visible the visible range; null for all.
+ * @property formulas the definitions of topics that are calculated from others.
+ */
+class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: List<String> = emptyList()) {
+    /** Returns the text of the layout file. */
+    fun toJson(): String = buildString {
+        append("{\"").append(VERSION_KEY).append("\":").append(VERSION)
+        board?.let { append(',').append(it.toJson().removePrefix("{").removeSuffix("}")) }
+        appendSpan("visible", visible)
+        append(",\"formulas\":").append(formulas.joinToString(",", "[", "]", transform = ::quotedJson)).append("}\n")
+    }
+
+    companion object {
+        /** The ending of layout files' names. */
+        const val ENDING: String = ".badlog-layout.json"
+
+        /** The format version that this program writes; it cannot read newer ones. */
+        const val VERSION: Int = 1
+
+        /** The key that identifies a layout file; its value is the [VERSION]. */
+        const val VERSION_KEY: String = "badlog-layout"
+    }
+}
+
+/**
+ * Returns the layout in [text], the content of the file called [name].
+ *
+ * @throws BoardException if it is not a layout, or is from a newer badlog.
+ */
+fun boardLayoutOf(name: String, text: String): BoardLayout {
+    val members = JsonReader.readObject(text)?.associate { it.key to it.value }
+    val version = members?.get(BoardLayout.VERSION_KEY)?.json?.toDoubleOrNull()
+    if (members == null || version == null) {
+        throw BoardException(layoutMistake(name, text))
+    }
+    if (version > BoardLayout.VERSION) throw BoardException("$name was saved by a newer badlog; update badlog to open it.")
+    val visible = members["visible"]?.members?.associate { it.key to it.value.json.toDoubleOrNull() }
+    return BoardLayout(
+        board = members["graphs"]?.takeIf { it.json != "null" }?.let { boardOf(it) { place -> " (${lineAndColumn(text, place)})" } },
+        visible = visible?.let { Span(it["from"] ?: Double.NaN, it["to"] ?: Double.NaN) }?.takeIf(::isWritable),
+        formulas = members["formulas"]?.items.orEmpty().mapNotNull { it.text },
+    )
+}
+
+/**
+ * Returns a sentence that says why [text], the content of the file called [name], is not a layout, with the place where it stops being
+ * JSON.
+ */
+fun layoutMistake(name: String, text: String): String {
+    val place = JsonReader.mistakeIn(text)?.let { " in ${lineAndColumn(text, it)}" }.orEmpty()
+    return "$name is not a layout, or is damaged$place; select a file that badlog has saved."
+}
+
+/** Returns where [place], an index in [text], is: `line 3, column 14`. */
+private fun lineAndColumn(text: String, place: Int): String {
+    val before = text.take(place)
+    return "line ${before.count { it == '\n' } + 1}, column ${place - before.lastIndexOf('\n')}"
+}

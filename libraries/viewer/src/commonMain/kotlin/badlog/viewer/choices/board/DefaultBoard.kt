@@ -1,0 +1,30 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Graph
+import badlog.core.analysis.LogView
+import badlog.viewer.draw.lane.framesOf
+import badlog.viewer.draw.lane.statesTitle
+import badlog.viewer.shown.outline.everChanges
+
+/**
+ * Returns the graphs according to the attributes of a recording's topics, in order. Neighboring states of a folder share a
+ * graph with a lane for each, as many as fit on a screen. The x axis has no graph of its own. In a WPILOG, which has everything
+ * that a dashboard shows, topics that never change remain in the list.
+ */
+fun defaultBoard(view: LogView): Board {
+    var id = 0
+    val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
+    val specs = view.folders.flatMap { folder ->
+        val graphsOfFolder = folder.graphs.filter { graph ->
+            graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
+        }
+        framesOf(graphsOfFolder).map { graphs ->
+            val first = graphs.first().asBoardGraph().copy(id = ++id)
+            if (graphs.size == 1) return@map first
+            first.copy(title = statesTitle(folder.name), lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
+        }
+    }
+    return Board(specs)
+}
+
+private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }

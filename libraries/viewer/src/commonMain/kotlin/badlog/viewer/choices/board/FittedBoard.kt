@@ -1,0 +1,45 @@
+package badlog.viewer.choices.board
+
+/**
+ * A board as one recording can show it.
+ *
+ * @property board the graphs that have at least one line in the recording.
+ * @property missing the lines that the recording lacks, each once.
+ * @property dropped the titles of the graphs without any line in the recording.
+ */
+class FittedBoard(val board: Board, val missing: List<String>, val dropped: List<String>) {
+    /** A sentence that says what is hidden; null for nothing. */
+    val sentence: String?
+        get() {
+            if (missing.isEmpty()) return null
+            val names = missing.take(MAX_NAMES).joinToString { "“${it.take(MAX_NAME_LENGTH)}”" }
+            val more = if (missing.size > MAX_NAMES) " and ${missing.size - MAX_NAMES} more" else ""
+            return when (dropped.size) {
+                0 -> "Topics not in this log: $names$more."
+                1 -> "1 graph hidden: topics not in this log ($names$more)."
+                else -> "${dropped.size} graphs hidden: topics not in this log ($names$more)."
+            }
+        }
+
+    private companion object {
+        const val MAX_NAMES = 3
+        const val MAX_NAME_LENGTH = 60
+    }
+}
+
+/**
+ * Fits this board to a recording; [isThere] says whether it has a line. A graph without any known line is dropped.
+ *
+ * @param excused names that do not count as missing, such as those of formulas, whose problems are reported elsewhere.
+ */
+fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boolean): FittedBoard {
+    val missing = LinkedHashSet<String>()
+    val dropped = ArrayList<String>()
+    val fitting = graphs.mapNotNull { graph ->
+        val (known, unknown) = graph.lines.partition(isThere)
+        missing += unknown - excused
+        if (known.isEmpty()) dropped += graph.title
+        graph.copy(lines = known, hidden = graph.hidden - unknown.toSet()).takeIf { known.isNotEmpty() }
+    }
+    return FittedBoard(Board(fitting), missing.toList(), dropped)
+}

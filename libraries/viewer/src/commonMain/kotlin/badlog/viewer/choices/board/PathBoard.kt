@@ -1,0 +1,24 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.LogView
+import badlog.signals.pose.Pose
+import badlog.signals.pose.PoseRole
+import badlog.signals.pose.posesOf
+import badlog.viewer.shown.outline.everChanges
+
+/** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each; no graph for a log without a driven path. */
+fun pathBoard(view: LogView): Board {
+    val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
+    val poses = posesOf(view.recording.topics).filter { it.x in changing || it.y in changing }
+    fun of(role: PoseRole, most: Int) = poses.filter { it.role == role }.distinctBy { it.list ?: it.name }.sortedBy { it.depth }.take(most)
+    val driven = of(PoseRole.DRIVEN, MAX_DRIVEN)
+    if (driven.isEmpty()) return Board()
+    val shown = driven + of(PoseRole.PLANNED, MAX_PLANNED) + of(PoseRole.SEEN, MAX_SEEN)
+    return Board().withGraphs(
+        listOf(BoardGraph(0, "Path", shown.flatMap { listOf(it.x, it.y) }.distinct(), isXy = true)),
+    )
+}
+
+private const val MAX_DRIVEN = 2
+private const val MAX_PLANNED = 2
+private const val MAX_SEEN = 3

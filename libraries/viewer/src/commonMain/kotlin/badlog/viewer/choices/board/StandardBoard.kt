@@ -1,0 +1,109 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.LogView
+import badlog.signals.LogShape
+import badlog.signals.vocabulary.SignalTopics
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.viewer.shown.outline.MANY
+import badlog.viewer.shown.outline.everChanges
+import badlog.viewer.shown.outline.outlineOf
+
+/**
+ * Returns the initial graphs of a log if all of them are on the board: [boardAbove], then the rest of [defaultBoard]. For a log with more
+ * graphs than a person looks through, only [boardAbove].
+ *
+ * @param pointed the evidence of the first finding; used only if not all graphs are on the board anyway.
+ */
+fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
+    boardOfLarge(view, vocabulary, pointed)?.let { return it }
+    val above = boardAbove(view, vocabulary)
+    // A path is drawn on a field, so its parts are not yet drawn over time.
+    val shown = above.graphs.filterNot { it.isXy }.flatMapTo(HashSet()) { it.lines }
+    return above.withGraphs(defaultBoard(view).graphs.filterNot { shown.containsAll(it.lines) })
+}
+
+/**
+ * Returns the initial graphs above all graphs of a log. For a log with more graphs than a person looks through: those of its signals, of
+ * the topics [pointed], and of several topics together, at most 24. Otherwise [pathBoard] and, if the other graphs would be far apart,
+ * small ones of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and the topics
+ * [pointed].
+ *
+ * @param pointed the evidence of the first finding.
+ */
+fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
+    boardOfLarge(view, vocabulary, pointed)?.let { return it }
+    val path = pathBoard(view)
+    if (view.folders.sumOf { it.graphs.size } <= FEW) return path
+    val topics = LogShape.of(view).topicsOf(vocabulary)
+    val changing = changingIn(view)
+    val power = POWER.mapNotNull { signal -> namesOf(signal, topics).firstOrNull { it in changing } }
+    val together = BoardGraph(0, "Battery and current", power, height = GraphHeight.SMALL.pixels)
+    val first = if (power.size == POWER.size) listOf(together) else evidenceBoard(view, power, vocabulary).graphs
+    val others = listOf(MODES, LOOP).flatMap { signals ->
+        evidenceBoard(view, signals.flatMap { namesOf(it, topics) }.filter { it in changing }, vocabulary).graphs
+    }
+    return path.withGraphs(first + others).let { it.withGraphs(evidenceBeside(it.graphs, view, pointed, vocabulary)) }
+}
+
+private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: List<String>, vocabulary: SignalVocabulary): List<BoardGraph> {
+    val shown = graphs.flatMapTo(HashSet()) { it.lines }
+    return evidenceBoard(view, pointed.filter { it !in shown }, vocabulary).graphs.take(MOST_POINTED)
+}
+
+private fun changingIn(view: LogView) = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
+
+/**
+ * Returns the initial graphs of a log that has more of them than a person looks through, or null for a smaller one: [pathBoard]; then those
+ * of signals of [vocabulary] that change: battery and current, modes, loop time, loads, outputs, and the topics [pointed]; then the other
+ * graphs that [outlineOf] draws, those of several topics first.
+ */
+private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board? {
+    if (view.folders.sumOf { it.graphs.size } <= MANY) return null
+    // The x axis has no graph of its own.
+    val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }
+        .filter { graph -> graph.series.any { it.topic !== view.xAxis.topic } }.map { it to it.asBoardGraph() }
+    val together = outlined.filter { (graph, _) -> graph.series.size > 1 && !graph.showsStates }.map { it.second }
+    val topics = LogShape.of(view).topicsOf(vocabulary)
+    val changing = changingIn(view)
+    val signals = STANDARD.flatMap { signals ->
+        val names = signals.flatMap { namesOf(it, topics) }.filter { it in changing }
+        // Related topics stay together: a module's speed beside its target and those of the other modules.
+        val joint = together.filter { graph -> graph.lines.any { it in names } }
+        joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
+    }.distinctBy { it.lines }
+    val path = pathBoard(view)
+    val first = signals + evidenceBeside(path.graphs + signals, view, pointed, vocabulary).map { it.copy(height = null) }
+    val shown = first.flatMapTo(HashSet()) { it.lines }
+    val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
+        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size - path.graphs.size))
+    return path.withGraphs(first + others)
+}
+
+private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).map { it.topic }
+
+// With the default height, since they need not fit on one screen.
+private fun graphsOf(view: LogView, names: List<String>, vocabulary: SignalVocabulary) =
+    evidenceBoard(view, names, vocabulary).graphs.map { it.copy(height = null) }
+
+/** The maximum number of initial graphs of a large log. */
+private const val MOST = 24
+
+/** Up to this many graphs are close enough together. */
+private const val FEW = 10
+
+/** The maximum number of graphs of a finding beside the others. */
+private const val MOST_POINTED = 2
+
+private val POWER = listOf("battery", "total current")
+private val MODES = listOf("robot enabled", "robot autonomous", "robot teleop", "brownout", "link")
+private val LOOP = listOf("loop time")
+
+private val STANDARD = listOf(
+    POWER,
+    MODES,
+    LOOP,
+    listOf("CAN load", "CPU load"),
+    listOf("motor output"),
+    listOf("motor current"),
+    listOf("module speed"),
+)

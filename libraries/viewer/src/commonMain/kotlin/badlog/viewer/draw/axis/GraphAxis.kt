@@ -1,0 +1,70 @@
+package badlog.viewer.draw.axis
+
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+
+/** Where the numbers of a y axis are. */
+enum class AxisSide {
+    /** To the left of the graph. */
+    LEFT,
+
+    /** To its right. */
+    RIGHT,
+
+    /** Nowhere: a graph has only two sides, so lines of a third unit have their own scale, but their values are only in the legend. */
+    NONE,
+}
+
+/**
+ * The y axis of the lines of a graph that share a unit.
+ *
+ * @property unit the unit; empty for none.
+ * @property lines the indices of its lines in the graph.
+ */
+class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>) {
+    /** What a legend says about each of [lines]: the unit, and where its numbers are, unless on the left. */
+    val legend: String
+        get() = when (side) {
+            AxisSide.LEFT -> unit
+            AxisSide.RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"
+            AxisSide.NONE -> if (unit.isEmpty()) "own scale" else "$unit, own scale"
+        }
+}
+
+/**
+ * Returns the y axes of a graph whose lines have [units], null for a line that is not drawn: a hidden line leaves its axis to another unit.
+ * The first unit is on the left, the second on the right; further ones have no numbers.
+ */
+fun graphAxes(units: List<String?>): List<GraphAxis> {
+    val linesOf = LinkedHashMap<String, ArrayList<Int>>()
+    units.forEachIndexed { line, unit ->
+        if (unit != null) linesOf.getOrPut(if (Units.isNone(unit)) "" else unit) { ArrayList() } += line
+    }
+    return linesOf.entries.mapIndexed { i, (unit, lines) -> GraphAxis(unit, AxisSide.entries[minOf(i, AxisSide.entries.lastIndex)], lines) }
+}
+
+/**
+ * Returns what each of [axes] shows, given the [wholes] that would fit the visible samples, see [limitsFor]. A person may have selected the
+ * range on the [left] and on the [right]. Other axes show the same part of their whole range as the left one, so that all lines move
+ * together.
+ */
+fun axisLimits(axes: List<GraphAxis>, wholes: List<Span>, left: Span?, right: Span? = null): List<Span> {
+    val first = wholes.firstOrNull() ?: return emptyList()
+    return axes.mapIndexed { i, axis ->
+        val whole = wholes[i]
+        val chosen = when (axis.side) {
+            AxisSide.LEFT -> left
+            AxisSide.RIGHT -> right
+            AxisSide.NONE -> null
+        }
+        chosen?.takeIf(::isShowable) ?: left?.takeIf { i > 0 && isShowable(it) }?.let { alike(it, first, whole) } ?: whole
+    }
+}
+
+/** Returns the part of [whole] that corresponds to [chosen] in [first]; null if numbers are too coarse. */
+private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
+    whole.from + (chosen.from - first.from) / first.width * whole.width,
+    whole.from + (chosen.to - first.from) / first.width * whole.width,
+).takeIf(::isShowable)
+
+private fun isShowable(span: Span) = span.width > 0 && span.width.isFinite()

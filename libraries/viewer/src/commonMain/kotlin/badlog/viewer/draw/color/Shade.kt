@@ -1,0 +1,95 @@
+package badlog.viewer.draw.color
+
+/**
+ * A color of page and window by its purpose, in the light and the dark theme, as `0xRRGGBB`.
+ */
+enum class Shade(private val light: Int, private val dark: Int) {
+    /** The background of everything. */
+    PAGE(0xF4F5F7, 0x12161C),
+
+    /** The background of panels and graphs. */
+    SURFACE(0xFFFFFF, 0x1A2028),
+
+    /** The background of elements that stand out from a surface: headings, input fields. */
+    RAISED(0xF0F2F5, 0x232B35),
+
+    /** The lines between parts. */
+    BORDER(0xDFE3E8, 0x303A46),
+
+    /** Text. */
+    TEXT(0x1B2330, 0xE6EAF0),
+
+    /** Secondary text. */
+    MUTED(0x596477, 0x9EABBB),
+
+    /** Controls, and what is selected. */
+    ACCENT(0x0B62C4, 0x6CB0FF),
+
+    /** The background of a selection. */
+    ACCENT_SOFT(0xE3EEFB, 0x1D3350),
+
+    /** The grid lines of graphs. */
+    GRID(0xE9ECF0, 0x28313C),
+
+    /** The cursor. */
+    CURSOR(0x1B2330, 0xE6EAF0),
+
+    /** The marks of events. */
+    EVENT(0xA84300, 0xFFA25E),
+
+    /** Errors: data that is lost, or something that failed. */
+    ERROR(0xB3261E, 0xFF8F85),
+
+    /** The background of an error. */
+    ERROR_SOFT(0xFDECEA, 0x3B1F1F),
+
+    /** Warnings: something doubtful. */
+    WARNING(0x8A5300, 0xF3BD62),
+
+    /** The background of a warning. */
+    WARNING_SOFT(0xFFF3DC, 0x362A14),
+
+    /** The background of a note. */
+    NOTE_SOFT(0xEAF1F8, 0x1D2936),
+
+    /** The shading of graphs while the robot is autonomous. */
+    AUTONOMOUS(0xE08E00, 0xE8C04A),
+
+    /** The shading of graphs while a driver controls it. */
+    TELEOP(0x0B62C4, 0x5AA9FF),
+
+    /** A lane that is off. */
+    STATE_OFF(0xE4E8ED, 0x2A333E),
+
+    /** Text on a lane. */
+    STATE_TEXT(0x1B2330, 0xF2F5F9),
+    ;
+
+    /** Returns the color in the dark or the light theme. */
+    fun of(isDark: Boolean): Int = if (isDark) dark else light
+}
+
+/** The number of line colors; further lines start over. */
+const val LINE_COLORS: Int = 16
+
+/** Returns the color of line [index], from 0, as `0xRRGGBB`. */
+fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES else LIGHT_LINES)[index.mod(LINE_COLORS)]
+
+/** Returns the opacity of a line's color in a lane, so that text on it is readable. */
+fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
+
+/** Returns [color], given as `0xRRGGBB`, in the notation of style sheets, with [opacity] from 0 to 1. */
+fun cssColor(color: Int, opacity: Double = 1.0): String {
+    val solid = "#" + color.toString(16).padStart(6, '0')
+    return if (opacity == 1.0) solid else solid + (opacity * 255).toInt().toString(16).padStart(2, '0')
+}
+
+private val LIGHT_LINES = intArrayOf(
+    0x0B62C4, 0xD4501A, 0x0A8062, 0x9B3FA0, 0xB07A00, 0x1591B5, 0xC2255C, 0x5B6B14,
+    0x5F46C9, 0x8A4B20, 0x39424F, 0x13AA8B, 0xE36AA5, 0x123F8C, 0xE08E00, 0x7C8797,
+)
+
+private val DARK_LINES = intArrayOf(
+    0x5AA9FF, 0xFF8A57, 0x3FCFA4, 0xD58BE0, 0xE8C04A, 0x5FD3EE, 0xFF7AA2, 0xB3CC4F,
+    0xA99BFF, 0xD19A6F, 0xCDD6E1, 0x1FA88C, 0xF7B1D4, 0x3F78D8, 0xC97B16, 0x8794A5,
+)

@@ -1,0 +1,118 @@
+package badlog.viewer.draw.curve
+
+/**
+ * A [Curve] ready to be drawn: strokes between its gaps, and dots. The arrays are kept from one drawing to the next.
+ *
+ * Every sample has a dot if there are few; otherwise only isolated samples between two gaps, which no stroke would show.
+ */
+class Strokes {
+    /** x and y of all points, alternating; stroke `i` has those from index [startOf] until [endOf]. */
+    var points: DoubleArray = DoubleArray(0)
+        private set
+
+    /** The number of strokes. One may be a single point. */
+    var count: Int = 0
+        private set
+
+    /** x and y of all dots, alternating, in the first [dotsSize] entries. */
+    var dots: DoubleArray = DoubleArray(0)
+        private set
+
+    /** The number of used entries in [dots]: two for each dot. */
+    var dotsSize: Int = 0
+        private set
+
+    /** See [Curve.isSparse]. */
+    var isSparse: Boolean = false
+        private set
+
+    /** Whether there are so many that thin lines cover the same area, see [Curve.isDense]; thicker ones take many times longer. */
+    var isDense: Boolean = false
+        internal set
+
+    /** See [Curve.min]. */
+    var min: Double = Double.NaN
+        private set
+
+    /** See [Curve.max]. */
+    var max: Double = Double.NaN
+        private set
+
+    private var ends = IntArray(0)
+    private var size = 0
+
+    /** Returns where in [points] stroke [index] begins. */
+    fun startOf(index: Int): Int = if (index == 0) 0 else ends[index - 1]
+
+    /** Returns where in [points] stroke [index] ends. */
+    fun endOf(index: Int): Int = ends[index]
+
+    /** Takes the points of [curve], at the places given by [x] and [y]. */
+    fun trace(curve: Curve, x: Scale, y: Scale) {
+        isSparse = curve.isSparse
+        isDense = curve.isDense
+        min = curve.min
+        max = curve.max
+        begin()
+        for (i in 0 until curve.size) {
+            val value = curve.y[i]
+            if (value.isNaN()) {
+                lift()
+                continue
+            }
+            add(x.placeOf(curve.x[i]), y.placeOf(value))
+            if (if (isSparse) !curve.isCorner(i) else isAlone(curve, i)) dot(points[size - 2], points[size - 1])
+        }
+        lift()
+    }
+
+    /** Removes all strokes and dots. */
+    internal fun begin() {
+        count = 0
+        size = 0
+        dotsSize = 0
+    }
+
+    /** Continues the stroke to ([x], [y]). */
+    internal fun add(x: Double, y: Double) {
+        if (size == points.size) points = points.copyOf(maxOf(FIRST_POINTS, size * 2))
+        points[size++] = x
+        points[size++] = y
+    }
+
+    /** Applies the scale [y] to strokes that were traced with logged values of y: the scale may be known only after others were traced. */
+    fun place(y: Scale) {
+        for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
+        for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])
+    }
+
+    /** Applies the scales [x] and [y]. */
+    fun place(x: Scale, y: Scale) {
+        for (i in 0 until size step 2) points[i] = x.placeOf(points[i])
+        for (i in 0 until dotsSize step 2) dots[i] = x.placeOf(dots[i])
+        place(y)
+    }
+
+    /** Ends the stroke; the next point begins another one. */
+    internal fun lift() {
+        if (size == (if (count == 0) 0 else ends[count - 1])) return
+        if (count == ends.size) ends = ends.copyOf(maxOf(FIRST_STROKES, count * 2))
+        ends[count++] = size
+    }
+
+    /** Puts a dot at ([x], [y]). */
+    internal fun dot(x: Double, y: Double) {
+        if (dotsSize == dots.size) dots = dots.copyOf(maxOf(FIRST_DOTS, dotsSize * 2))
+        dots[dotsSize++] = x
+        dots[dotsSize++] = y
+    }
+
+    private fun isAlone(curve: Curve, index: Int) =
+        (index == 0 || curve.y[index - 1].isNaN()) && (index == curve.size - 1 || curve.y[index + 1].isNaN())
+
+    private companion object {
+        const val FIRST_POINTS = 512
+        const val FIRST_STROKES = 8
+        const val FIRST_DOTS = 32
+    }
+}

@@ -1,0 +1,88 @@
+package badlog.viewer.draw.lane
+
+import badlog.core.analysis.Span
+import badlog.core.analysis.StateRuns
+import kotlin.math.ceil
+import kotlin.math.floor
+
+/**
+ * The parts of a lane, each in one state, in drawing order. The arrays are reused for the next drawing.
+ */
+class LaneBlocks {
+    /** Where each block begins, in pixels from the frame's left edge, in the first [size] entries. */
+    var left: DoubleArray = DoubleArray(0)
+        private set
+
+    /** Where each block ends. */
+    var right: DoubleArray = DoubleArray(0)
+        private set
+
+    /** The state of each block. */
+    var states: IntArray = IntArray(0)
+        private set
+
+    /** The number of blocks. */
+    var size: Int = 0
+        private set
+
+    /** The short states, pixel by pixel, so that thousands of them cost no more than the width of the screen. */
+    private var slivers = IntArray(0)
+
+    /**
+     * Finds the visible parts of [runs] in [span] on [width] pixels. No state is lost: one shorter than [shortest] pixels gets
+     * that many, on top of its longer neighbors; if several compete, the state that is rarest in the recording is shown.
+     */
+    fun place(runs: StateRuns, span: Span, width: Double, shortest: Int) {
+        size = 0
+        val columns = ceil(width).toInt()
+        if (slivers.size != columns) slivers = IntArray(columns)
+        slivers.fill(NONE)
+        for (i in runs.firstReaching(span.from) until runs.states.size) {
+            if (runs.to[i] < span.from) continue
+            if (runs.from[i] > span.to) {
+                if (runs.isOrdered) break else continue
+            }
+            val from = (runs.from[i] - span.from) / span.width * width
+            val to = (runs.to[i] - span.from) / span.width * width
+            if (to - from < shortest) {
+                addSliver(runs, from, runs.states[i], shortest)
+            } else {
+                add(from.coerceAtLeast(0.0), to.coerceAtMost(width), runs.states[i])
+            }
+        }
+        addSlivers()
+    }
+
+    private fun addSliver(runs: StateRuns, from: Double, state: Int, shortest: Int) {
+        val first = floor(from).coerceIn(0.0, maxOf(0, slivers.size - shortest).toDouble()).toInt()
+        for (pixel in first until minOf(first + shortest, slivers.size)) {
+            val other = slivers[pixel]
+            if (other == NONE || runs.timeIn(state) < runs.timeIn(other)) slivers[pixel] = state
+        }
+    }
+
+    private fun addSlivers() {
+        var start = 0
+        for (pixel in 1..slivers.size) {
+            if (pixel < slivers.size && slivers[pixel] == slivers[start]) continue
+            if (slivers[start] != NONE) add(start.toDouble(), pixel.toDouble(), slivers[start])
+            start = pixel
+        }
+    }
+
+    private fun add(from: Double, to: Double, state: Int) {
+        if (size == states.size) {
+            left = left.copyOf(maxOf(FIRST_BLOCKS, size * 2))
+            right = right.copyOf(left.size)
+            states = states.copyOf(left.size)
+        }
+        left[size] = from
+        right[size] = to
+        states[size++] = state
+    }
+
+    private companion object {
+        const val NONE = -1
+        const val FIRST_BLOCKS = 32
+    }
+}

@@ -1,0 +1,48 @@
+package badlog.viewer.draw.lane
+
+/** How a block of a lane is colored. */
+enum class LaneTone {
+    /** Almost not at all: it must be visible at a glance when a switch is pressed, so the other times are muted. */
+    OFF,
+
+    /** In the state's color, muted enough for a name on top of it. */
+    QUIET,
+
+    /** In the state's full color: a few pixels of a muted one would be invisible. */
+    STRONG,
+    ;
+
+    companion object {
+        /** Returns the tone of a block in [state], one of [states], that is [width] density-independent pixels wide. */
+        fun of(states: List<String>, state: Int, width: Double): LaneTone = when {
+            state == 0 && states.size == 2 && states[0] == "false" -> OFF
+            width < NARROW -> STRONG
+            else -> QUIET
+        }
+
+        private const val NARROW = 4.0
+    }
+}
+
+/** Dimensions of all lanes, in CSS pixels of the page or dp of the window. */
+object LaneLook {
+    /** The height of a lane, with the space to the next. */
+    const val HEIGHT: Int = 18
+
+    /** The width of the shortest state. */
+    const val MIN_BLOCK: Double = 1.5
+
+    /** The font size of a state's name. */
+    const val LETTERS: Double = 11.0
+
+    /** The space on either side of a name. */
+    const val MARGIN: Double = 5.0
+
+    /**
+     * Returns whether [room] pixels are enough for a name, or its beginning and `…`: a few letters mean nothing, or look like another
+     * state's name.
+     */
+    fun hasRoom(room: Double, isWhole: Boolean): Boolean = room >= if (isWhole) LETTERS else PART
+
+    private const val PART = 40.0
+}

@@ -1,0 +1,125 @@
+package badlog.viewer.draw.mark
+
+import badlog.core.analysis.Event
+import badlog.core.analysis.EventLog
+import badlog.core.analysis.Series
+import badlog.core.analysis.stableOrder
+import badlog.core.text.isLetterOrDigit
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
+import kotlin.math.abs
+
+/**
+ * Events of several topics in the order of x, without an object for each. Those without an x come last. At the same x, events of
+ * an earlier log come first, and those of one log keep their order.
+ *
+ * @property x the place of each event; NaN where the x axis has a gap. Not to be changed.
+ */
+class EventTimeline private constructor(
+    val x: DoubleArray,
+    private val logs: List<EventLog>,
+    private val logOf: IntArray,
+    private val cells: IntArray,
+) {
+    /** Their number. */
+    val size: Int get() = x.size
+
+    /** The number of events with an x; these are the first ones. */
+    val placedCount: Int = x.size - x.count { it.isNaN() }
+
+    private val places = x.copyOf(placedCount).let { Series(it, it) }
+
+    /** For each event with an x, the number of errors and warnings before it, and at the end their total. */
+    private val seriousBefore by lazy {
+        // Each different text is examined once, however often it was logged.
+        val areSerious = logs.map { log -> BooleanArray(log.topic.texts.dictionary.size) { isSerious(log.topic.texts.dictionary[it]) } }
+        val counts = IntArray(placedCount + 1)
+        for (i in 0 until placedCount) counts[i + 1] = counts[i] + if (areSerious[logOf[i]][idOf(i)]) 1 else 0
+        counts
+    }
+
+    /** Returns event [index] as a new object. */
+    fun eventAt(index: Int): Event = logs[logOf[index]].events[cells[index]]
+
+    /** Returns the text of event [index]. */
+    fun textOf(index: Int): String = logs[logOf[index]].topic.texts[cells[index]]
+
+    /** Returns the full name of the topic of event [index]. */
+    fun topicOf(index: Int): String = logs[logOf[index]].name
+
+    /** Returns the first event at or after [position]; [placedCount] when there is none. */
+    fun firstAtOrAfter(position: Double): Int = places.firstAtOrAfter(position)
+
+    /** Returns the event nearest to [position]; -1 when none has an x. */
+    fun nearest(position: Double): Int = places.nearest(position)
+
+    /** Returns the event nearest to [position] if it is no further than [distance], otherwise null. */
+    fun nearest(position: Double, distance: Double): Event? =
+        nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
+
+    /** Returns the last event at or before [position]; null before the first. */
+    fun lastBefore(position: Double): Event? = (places.firstAfter(position) - 1).takeIf { it >= 0 }?.let(::eventAt)
+
+    /** Returns whether one of the events from index [from] until [until], which have an x, calls itself an error or a warning. */
+    internal fun areSerious(from: Int, until: Int): Boolean = seriousBefore[until] > seriousBefore[from]
+
+    /** Returns the events whose text or topic [query] finds, limited to the topics called [topics]; empty for all. */
+    fun matching(query: Query, topics: Set<String> = emptySet()): EventTimeline {
+        if (query.isEmpty && topics.isEmpty()) return this
+        val fits = logs.map { log ->
+            val isWanted = topics.isEmpty() || log.name in topics
+            val texts = log.topic.texts.dictionary
+            BooleanArray(texts.size) { isWanted && query.matches("${log.name} ${texts[it]}", EVENT) }
+        }
+        val kept = IntArray(size)
+        var count = 0
+        for (i in 0 until size) if (fits[logOf[i]][idOf(i)]) kept[count++] = i
+        return EventTimeline(
+            DoubleArray(count) { x[kept[it]] },
+            logs,
+            IntArray(count) { logOf[kept[it]] },
+            IntArray(count) { cells[kept[it]] },
+        )
+    }
+
+    private fun idOf(index: Int) = logs[logOf[index]].topic.texts.ids[cells[index]]
+
+    companion object {
+        /** No events. */
+        val NONE: EventTimeline = of(emptyList())
+
+        /** Returns the events of all [logs]. */
+        fun of(logs: List<EventLog>): EventTimeline {
+            val count = logs.sumOf { it.topic.texts.size }
+            val x = DoubleArray(count)
+            val logOf = IntArray(count)
+            val cells = IntArray(count)
+            var next = 0
+            logs.forEachIndexed { log, events ->
+                for (cell in 0 until events.topic.texts.size) {
+                    val place = events.events[cell].x
+                    x[next] = if (place.isFinite()) place else Double.NaN
+                    logOf[next] = log
+                    cells[next++] = cell
+                }
+            }
+            val order = stableOrder(x)
+            return EventTimeline(
+                DoubleArray(count) { x[order[it]] },
+                logs,
+                IntArray(count) { logOf[order[it]] },
+                IntArray(count) { cells[order[it]] },
+            )
+        }
+    }
+}
+
+/** Returns whether [text] says that it is an error or a warning, as in `ERROR: brownout` or `[warning] …`. */
+private fun isSerious(text: String): Boolean {
+    var start = 0
+    while (start < text.length && !isLetterOrDigit(text[start]) && text[start] != '_') start++
+    return SERIOUS.any { text.startsWith(it, start, ignoreCase = true) }
+}
+
+private val EVENT = setOf(Trait.EVENT)
+private val SERIOUS = listOf("error", "warn", "fatal", "severe", "critical")

@@ -1,0 +1,135 @@
+package badlog.viewer.draw.mark
+
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import kotlin.math.floor
+
+/**
+ * The mark of a finding of one severity on the time axis.
+ *
+ * @property outline its corners, alternating x and y, from -1 to 1; y points down. Empty for a circle.
+ * @property isHollow whether only its outline is drawn.
+ */
+enum class FindingGlyph(val outline: DoubleArray, val isHollow: Boolean) {
+    /** An error. */
+    DIAMOND(doubleArrayOf(0.0, -1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 0.0), isHollow = false),
+
+    /** A warning. */
+    TRIANGLE(doubleArrayOf(0.0, -1.0, 1.0, 1.0, -1.0, 1.0), isHollow = false),
+
+    /** A note: a ring, a little smaller. */
+    RING(doubleArrayOf(), isHollow = true),
+    ;
+
+    companion object {
+        /** The extent of a glyph from its center, in CSS pixels or dp. */
+        const val SIZE: Double = 4.5
+
+        /** Returns the mark of a finding of [severity]. */
+        fun of(severity: Severity): FindingGlyph = when (severity) {
+            Severity.ERROR -> DIAMOND
+            Severity.WARNING -> TRIANGLE
+            Severity.NOTE -> RING
+        }
+    }
+}
+
+/**
+ * The marks of findings on a time axis, in drawing order, the worst last: glyphs where places begin, one for all of a severity that would
+ * hide each other, some with a line; and runs of pixels for findings that last. The arrays are reused for the next drawing.
+ */
+class FindingMarks {
+    private var pixels = DoubleArray(0)
+    private var looks = IntArray(0)
+    private var worst = IntArray(0)
+    private var runEnds = IntArray(0)
+    private var onePixel = 1.0
+
+    /** The number of glyphs. */
+    var size: Int = 0
+        private set
+
+    /** The number of runs. */
+    var runCount: Int = 0
+        private set
+
+    /** Returns where glyph [index] is, in pixels from the left. */
+    fun pixelOf(index: Int): Double = pixels[index]
+
+    /** Returns the severity of glyph [index]. */
+    fun severityOf(index: Int): Severity = Severity.entries[looks[index] / 2]
+
+    /** Returns whether there is room for a line at glyph [index]: a crowd of lines would hide the graph. */
+    fun hasLine(index: Int): Boolean = looks[index] % 2 == 1
+
+    /** Returns where run [index] begins, in pixels from the left. */
+    fun runFrom(index: Int): Double = (if (index == 0) 0 else runEnds[index - 1]) * onePixel
+
+    /** Returns where run [index] ends. */
+    fun runTo(index: Int): Double = runEnds[index] * onePixel
+
+    /** Returns the worst severity found over run [index]; null for nothing. */
+    fun runSeverity(index: Int): Severity? = Severity.entries.getOrNull(worst[runEnds[index] - 1] - 1)
+
+    /** Finds the marks of those of [findings] in [span], over [width] physical pixels, [onePixel] of which are one CSS pixel or dp. */
+    fun place(findings: FindingTimeline<*>, span: Span, width: Double, onePixel: Double) {
+        this.onePixel = onePixel
+        size = 0
+        runCount = 0
+        val columns = maxOf(0, floor(width / onePixel).toInt())
+        if (columns == 0 || findings.places.isEmpty() || !(span.width > 0)) return
+        cover(findings, span, columns)
+        for (severity in Severity.entries) {
+            var last = Double.NEGATIVE_INFINITY
+            var lastLine = Double.NEGATIVE_INFINITY
+            for (place in findings.places) {
+                if (place.span.from > span.to) break
+                if (place.severity != severity || place.span.from < span.from) continue
+                val pixel = floor((place.span.from - span.from) / span.width * columns) * onePixel
+                if (pixel - last < CROWDED * onePixel) continue
+                last = pixel
+                val hasLine = pixel - lastLine >= APART * onePixel
+                if (hasLine) lastLine = pixel
+                add(pixel, severity.ordinal * 2 + if (hasLine) 1 else 0)
+            }
+        }
+    }
+
+    private fun add(pixel: Double, look: Int) {
+        if (size == pixels.size) {
+            pixels = pixels.copyOf(maxOf(FIRST_MARKS, size * 2))
+            looks = looks.copyOf(pixels.size)
+        }
+        pixels[size] = pixel
+        looks[size++] = look
+    }
+
+    private fun cover(findings: FindingTimeline<*>, span: Span, columns: Int) {
+        if (worst.size != columns) {
+            worst = IntArray(columns)
+            runEnds = IntArray(columns)
+        }
+        worst.fill(0)
+        for (place in findings.places) {
+            if (place.span.from > span.to) break
+            if (place.span.to < span.from || place.span.width <= 0) continue
+            val from = columnOf(place.span.from, span, columns)
+            val to = columnOf(place.span.to, span, columns)
+            val rank = place.severity.ordinal + 1
+            for (column in from..to) if (worst[column] < rank) worst[column] = rank
+        }
+        for (column in 1..columns) if (column == columns || worst[column] != worst[column - 1]) runEnds[runCount++] = column
+    }
+
+    private fun columnOf(x: Double, span: Span, columns: Int) =
+        floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
+
+    private companion object {
+        /** Two glyphs closer than this, in CSS pixels or dp, are merged: a thousand of them would take a frame, and show nothing more. */
+        const val CROWDED = 4
+
+        /** The minimum distance between two lines, in CSS pixels or dp. */
+        const val APART = 9
+        const val FIRST_MARKS = 16
+    }
+}

@@ -1,0 +1,95 @@
+package badlog.viewer.draw.mark
+
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import kotlin.math.abs
+
+/** A place on the x axis, [span], at which [finding] was found; a moment has no width. */
+class FindingPlace<F>(val finding: F, val severity: Severity, val span: Span)
+
+/**
+ * The findings of a recording by their places on the x axis.
+ *
+ * @param severityOf returns the severity of a finding.
+ * @param placesOf returns its places, the one to look at first before the others; empty if it is about the whole log.
+ */
+class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, placesOf: (F) -> List<Span>) {
+    /** All places of all findings, in the order of x. */
+    val places: List<FindingPlace<F>> =
+        all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
+
+    // For each place, the last end of it and all previous ones: a log may have ten thousand places, and they are needed in each frame.
+    private val lastEnds = DoubleArray(places.size).also { ends ->
+        for (i in ends.indices) ends[i] = if (i == 0) places[0].span.to else maxOf(ends[i - 1], places[i].span.to)
+    }
+
+    /** The worst first, and within a severity in the order of x; findings about the whole log come before those with a place. */
+    val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
+        .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
+
+    /** Returns the places of [finding], in the order of x. */
+    fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
+
+    /** Returns the place at [x] of the finding for which [isMeant] is true, or else of the worst one that begins there; null for none. */
+    fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =
+        places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isMeant(it.finding) }, { it.severity }))
+
+    /** Returns the index of the first place that begins after [x]. */
+    private fun firstAfter(x: Double): Int {
+        var low = 0
+        var high = places.size
+        while (low < high) {
+            val middle = (low + high) / 2
+            if (places[middle].span.from <= x) low = middle + 1 else high = middle
+        }
+        return low
+    }
+
+    /**
+     * Returns the place of [finding] that is [steps] after the one that begins at [x], or after its first one if none does; not
+     * beyond its last or first. Null if it has no place.
+     */
+    fun within(finding: F, x: Double, steps: Int): FindingPlace<F>? {
+        val own = placesOf(finding)
+        return own.getOrNull((maxOf(0, own.indexOfFirst { it.span.from == x }) + steps).coerceIn(0, maxOf(0, own.size - 1)))
+    }
+
+    /** Returns how many are of [severity]. */
+    fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
+
+    /** Returns the findings with a place at most [distance] from [x], or lasting over it, the worst first. */
+    fun at(x: Double, distance: Double): List<F> {
+        val found = HashSet<F>()
+        var index = firstAfter(x + distance) - 1
+        while (index >= 0 && lastEnds[index] >= x - distance) {
+            val place = places[index--]
+            if (place.span.to >= x - distance) found += place.finding
+        }
+        return if (found.isEmpty()) emptyList() else worstFirst.filter { it in found }
+    }
+
+    /**
+     * Returns the finding whose mark, at the start of a place in [visible], is at most [reach] from [x]: the worst of the nearest
+     * ones. Otherwise the worst of those that last over x, or end at most half the reach from it; null for none.
+     */
+    fun pointedAt(x: Double, reach: Double, visible: Span): F? {
+        val nearest = places.filter { it.span.from in visible && abs(it.span.from - x) <= reach }
+            .minWithOrNull(compareBy({ abs(it.span.from - x) }, { -it.severity.ordinal }))
+        return if (nearest != null) nearest.finding else at(x, reach / 2).firstOrNull()
+    }
+
+    /**
+     * Returns the place [steps] after that of [current] that begins at [x], if the cursor is still there; otherwise the first after
+     * x, or, for a negative number, the last before it. Not beyond the last or first place; null if there are none. An x that is
+     * NaN is not a place.
+     */
+    fun beside(current: F?, x: Double, steps: Int): FindingPlace<F>? {
+        val index = places.indexOfFirst { it.finding == current && it.span.from == x }
+        val next = when {
+            index >= 0 -> index + steps
+            steps > 0 -> steps - 1 + if (x.isNaN()) 0 else places.count { it.span.from <= x }
+            else -> steps + if (x.isNaN()) places.size else places.count { it.span.from < x }
+        }
+        return places.getOrNull(next.coerceIn(0, maxOf(0, places.size - 1)))
+    }
+}

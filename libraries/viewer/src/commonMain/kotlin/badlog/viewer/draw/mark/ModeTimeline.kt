@@ -1,0 +1,89 @@
+package badlog.viewer.draw.mark
+
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.core.analysis.enabledSpans
+import badlog.core.analysis.knowsAutonomous
+import badlog.viewer.text.minutesText
+import kotlin.math.floor
+
+/**
+ * The mode of an enabled robot.
+ *
+ * @property title its name in front ends.
+ */
+enum class RobotMode(val title: String) {
+    /** The robot controls itself. */
+    AUTONOMOUS("Auto"),
+
+    /** A driver controls it. */
+    TELEOP("Teleop"),
+
+    /** One of the two; the log does not have which. */
+    ENABLED("Enabled"),
+}
+
+/** A part of x over which the robot was in [mode]. */
+class ModeSpan(val span: Span, val mode: RobotMode)
+
+/**
+ * When the robot was in which mode, and the match clock.
+ *
+ * @property spans the spans in the order of x, without overlaps.
+ * @param secondsOfX the number of seconds in one unit of x; null if x is not a time.
+ */
+class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
+    private val starts = DoubleArray(spans.size) { spans[it].span.from }.let { Series(it, it) }
+    private val ends = DoubleArray(spans.size) { spans[it].span.to }.let { Series(it, it) }
+
+    /** For each span, the start of its match: when the robot was enabled after being disabled for longer than [SAME_MATCH]. */
+    private val matchStarts = DoubleArray(spans.size).also { matches ->
+        for (i in spans.indices) {
+            val goesOn = i > 0 && (spans[i].span.from - spans[i - 1].span.to) * (secondsOfX ?: 0.0) <= SAME_MATCH
+            matches[i] = if (goesOn) matches[i - 1] else spans[i].span.from
+        }
+    }
+
+    /** Returns the index of the first span that extends to [x] or beyond; the number of spans if none does. */
+    internal fun firstReaching(x: Double): Int = ends.firstAtOrAfter(x)
+
+    /** Returns the mode at [x]; null if the robot was disabled. */
+    fun modeAt(x: Double): RobotMode? = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }?.mode
+
+    /**
+     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23`, and while it is disabled within a match,
+     * `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
+     */
+    fun clockAt(x: Double): String? {
+        if (spans.isEmpty() || secondsOfX == null || !x.isFinite()) return null
+        val index = starts.firstAfter(x) - 1
+        val mode = modeAt(x)
+        val goesOn = index >= 0 && index + 1 < spans.size && matchStarts[index + 1] == matchStarts[index]
+        if (mode == null && !goesOn) return DISABLED
+        val since = minutesText(floor((x - matchStarts[index]) * secondsOfX), 0)
+        return "${mode?.title ?: DISABLED} $since"
+    }
+
+    companion object {
+        /** Returns the timeline of [view], according to its [modes][LogView.modes]; empty if they are unknown. */
+        fun of(view: LogView): ModeTimeline {
+            val knowsMode = view.knowsAutonomous
+            val spans = view.enabledSpans().map { ModeSpan(it.span, modeOf(it, knowsMode)) }
+            return ModeTimeline(spans, Units.secondsIn(view.xAxis.unit))
+        }
+
+        private fun modeOf(enabled: EnabledSpan, knowsMode: Boolean) = when {
+            enabled.isAutonomous -> RobotMode.AUTONOMOUS
+            knowsMode -> RobotMode.TELEOP
+            else -> RobotMode.ENABLED
+        }
+
+        private const val DISABLED = "Disabled"
+
+        /** Seconds for which a robot may be disabled within a match, for example while the link to it is lost. */
+        private const val SAME_MATCH = 60.0
+    }
+}

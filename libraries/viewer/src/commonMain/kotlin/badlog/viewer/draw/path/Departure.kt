@@ -1,0 +1,44 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Series
+import badlog.signals.pose.PLAN_LIMIT
+import badlog.signals.pose.PLAN_PATIENCE
+import badlog.viewer.text.fixedText
+
+/**
+ * The moment at which a robot left its planned path.
+ *
+ * @property time the time.
+ * @property index the index of the sample of the driven path.
+ * @property farthest the largest distance before it came back, or the plan ended; in meters.
+ */
+class Departure internal constructor(val time: Double, val index: Int, val farthest: Double) {
+    /** Returns a sentence about it, with its time as the text [moment]. */
+    fun text(moment: String): String = "Left the plan at $moment, by up to ${fixedText(farthest, 2)} m"
+
+    internal companion object {
+        /**
+         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null
+         * for none.
+         *
+         * @param second one second in the unit of the x axis.
+         */
+        fun of(distances: Series, second: Double): Departure? {
+            var since = -1
+            var farthest = 0.0
+            for (i in 0..distances.size) {
+                val distance = if (i < distances.size) distances.y[i] else Double.NaN
+                if (distance > PLAN_LIMIT) {
+                    if (since < 0) since = i
+                    farthest = maxOf(farthest, distance)
+                } else if (since >= 0) {
+                    val end = distances.x[minOf(i, distances.size - 1)]
+                    if (end - distances.x[since] >= PLAN_PATIENCE * second) return Departure(distances.x[since], since, farthest)
+                    since = -1
+                    farthest = 0.0
+                }
+            }
+            return null
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Span
+import badlog.signals.pose.Trail
+
+/**
+ * The field that paths are on: its outline and its center line, in meters from the corner at the right end of the blue alliance's
+ * wall.
+ *
+ * @property length its length, from the blue alliance's wall to the red one's.
+ * @property width its width.
+ * @property image its picture; null for none.
+ */
+class Field(val length: Double = LENGTH, val width: Double = WIDTH, val image: FieldImage? = null) {
+    /** Returns all of it, plus the surroundings if [trails] leave it. */
+    internal fun around(trails: List<Trail>): Plane {
+        fun spanOf(length: Double, spans: List<Span?>) = Span(
+            minOf(0.0, spans.minOfOrNull { it?.from ?: 0.0 } ?: 0.0).coerceAtLeast(-length) - MARGIN,
+            maxOf(length, spans.maxOfOrNull { it?.to ?: 0.0 } ?: 0.0).coerceAtMost(2 * length) + MARGIN,
+        )
+        return Plane(spanOf(length, trails.map { it.xSpan }), spanOf(width, trails.map { it.ySpan }))
+    }
+
+    /** Returns the same with [source] as the source of its picture. */
+    internal fun withPicture(source: String): Field =
+        Field(length, width, checkNotNull(image).run { FieldImage(source, left, top, right, bottom) })
+
+    companion object {
+        /** The length in 2026, from WPILib's AprilTag layout. */
+        const val LENGTH: Double = 16.541
+
+        /** The width in 2026. */
+        const val WIDTH: Double = 8.069
+
+        /** A field without a picture. */
+        val PLAIN: Field = Field()
+        private const val MARGIN = 0.3
+    }
+}
+
+/**
+ * The picture of a field, seen from above with the blue alliance at the left.
+ *
+ * @property source the name of its file, or all of it as a data URL.
+ * @param left where the field's corners are in the picture, in pixels from the left and from the top.
+ */
+class FieldImage internal constructor(
+    val source: String,
+    internal val left: Double,
+    internal val top: Double,
+    internal val right: Double,
+    internal val bottom: Double,
+) {
+    /** Returns the plane shown by the whole picture of [width] by [height] pixels, in which the corners are those of [field]. */
+    fun plane(field: Field, width: Int, height: Int): Plane {
+        val across = field.length / (right - left)
+        val up = field.width / (bottom - top)
+        return Plane(Span(-left * across, (width - left) * across), Span((bottom - height) * up, bottom * up))
+    }
+}

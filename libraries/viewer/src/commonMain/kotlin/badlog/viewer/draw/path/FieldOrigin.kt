@@ -1,0 +1,62 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.meant
+import badlog.signals.pose.Trail
+import kotlin.math.PI
+
+/**
+ * The alliance wall from which the poses of a log are measured: the corner at its right end is (0, 0).
+ *
+ * @property label its name in a menu.
+ */
+enum class FieldOrigin(val label: String) {
+    /** The blue alliance's wall, as in WPILib. */
+    BLUE("Blue origin"),
+
+    /** The red alliance's wall. */
+    RED("Red origin"),
+
+    /** The wall of the robot's own alliance in each match; the blue one if the log does not have the alliance. */
+    AUTO("Auto origin"),
+    ;
+
+    internal val key: String get() = name.lowercase()
+
+    /** Returns the flip that maps the poses of [view] onto [field] with blue origin; null if they already have it. */
+    fun flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
+        val values = view.recording.values
+        val isRed = this == RED || (this == AUTO && values.meant(*ALLIANCES)?.startsWith("red", ignoreCase = true) == true)
+        if (!isRed) return null
+        val year = values.firstOrNull { it.name == "Start Time" }?.text?.take(YEAR_DIGITS)?.toIntOrNull()
+        return FieldFlip(isMirrored = year in MIRRORED_YEARS, field)
+    }
+
+    internal companion object {
+        fun of(key: String?): FieldOrigin? = entries.find { it.key == key }
+
+        private val ALLIANCES = arrayOf("alliance", "alliance color", "alliance colour", "alliance station")
+
+        /** The fields of these years have mirror symmetry; all others since 2020, rotational symmetry. */
+        private val MIRRORED_YEARS = 2023..2024
+        private const val YEAR_DIGITS = 4
+    }
+}
+
+/**
+ * Swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it changes nothing.
+ */
+class FieldFlip internal constructor(private val isMirrored: Boolean, private val field: Field = Field.PLAIN) {
+    internal fun x(x: Double): Double = field.length - x
+
+    internal fun y(y: Double): Double = if (isMirrored) y else field.width - y
+
+    /** Returns the flipped [heading], in radians. */
+    internal fun heading(heading: Double): Double {
+        val turned = if (isMirrored) PI - heading else heading + PI
+        return if (turned > PI) turned - 2 * PI else turned
+    }
+
+    internal fun trail(trail: Trail): Trail =
+        Trail(trail.times, DoubleArray(trail.size) { x(trail.x[it]) }, DoubleArray(trail.size) { y(trail.y[it]) })
+}

@@ -1,0 +1,54 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Span
+import kotlin.math.abs
+
+/** Does what [XyPlot.timeAt] says, for the trail of [pyramid]. */
+internal fun timeOfNearest(
+    pyramid: TrailPyramid,
+    x: Double,
+    y: Double,
+    pixelX: Double,
+    pixelY: Double,
+    reach: Double,
+    visible: Span,
+    before: Double?,
+): Double {
+    val trail = pyramid.trail
+    val start = trail.startOf(visible)
+    val end = trail.endOf(visible)
+    fun square(atX: Double, atY: Double): Double {
+        val right = (atX - x) / pixelX
+        val up = (atY - y) / pixelY
+        return right * right + up * up
+    }
+
+    // A sample without a place is not near.
+    fun distance(i: Int) = square(trail.x[i], trail.y[i])
+    fun distance(boxes: DoubleArray, at: Int) = square(
+        maxOf(boxes[at], minOf(x, boxes[at + 1])),
+        maxOf(boxes[at + 2], minOf(y, boxes[at + 3])),
+    )
+
+    var least = reach * reach
+    var nearest = Double.NaN
+    // First how near it came; then, if it came so near more than once, when.
+    for (more in if (before == null) FIRST else BOTH) {
+        pyramid.visit(start, end, { boxes, at, _ -> distance(boxes, at) > least + more }, {}) { i ->
+            val here = distance(i)
+            val time = trail.times[i]
+            if (before != null && more > 0) {
+                if (here <= least + more && abs(time - before) < abs(nearest - before)) nearest = time
+            } else if (here < least || (here == least && nearest.isNaN())) {
+                least = here
+                nearest = time
+            }
+        }
+    }
+    return nearest
+}
+
+private val FIRST = doubleArrayOf(0.0)
+
+/** Samples whose squared distance differs by at most this many square pixels count as the same place. */
+private val BOTH = doubleArrayOf(0.0, 9.0)

@@ -1,0 +1,45 @@
+package badlog.viewer.draw.path
+
+import badlog.signals.pose.PoseRole
+
+/**
+ * One thing that an [XyPlot] shows at a moment.
+ *
+ * @property places the points to join by lines, alternating x and y; a single one is a dot.
+ * @property color the index of its color in the palette, like [XyTrace.color]; null for the arrow of a module.
+ * @property isClosed whether the last place is joined with the first: the outline of a robot.
+ * @property isFilled whether it is filled: the robot itself, but not its planned place.
+ * @property isTarget for an arrow, whether it is a target rather than a measured value.
+ */
+class XyMark internal constructor(
+    val places: DoubleArray,
+    val color: Int?,
+    val isClosed: Boolean = false,
+    val isFilled: Boolean = false,
+    val isTarget: Boolean = false,
+) {
+    /** Whether it is a single place. */
+    val isDot: Boolean get() = places.size == 2
+}
+
+/** Returns the traces that have no line in [hidden]. */
+fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { trace -> trace.lines.none { it in hidden } }
+
+/**
+ * Returns the marks of everything that is not [hidden] at [time], in drawing order: robots as outlines with a dot at their center, other
+ * places as dots, the plan in an array as a line, then the arrows of the driven robot's modules.
+ */
+fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
+    val index = trace.indexAt(time)
+    when {
+        trace.followers.isNotEmpty() -> listOfNotNull(XyMark(trace.chainAt(time), trace.color).takeIf { it.places.size > 2 })
+
+        index < 0 -> emptyList()
+
+        else -> listOfNotNull(
+            XyMark(trace.robotAt(time), trace.color, isClosed = true, isFilled = trace.role == PoseRole.DRIVEN)
+                .takeIf { isField && trace.role != PoseRole.SEEN },
+            XyMark(doubleArrayOf(trace.trail.x[index], trace.trail.y[index]), trace.color),
+        )
+    }
+} + arrowsAt(time).map { XyMark(it.places, color = null, isTarget = it.isTarget) }

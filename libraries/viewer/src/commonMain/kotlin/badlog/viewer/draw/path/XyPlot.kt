@@ -1,0 +1,164 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.signals.pose.PlannedPath
+import badlog.signals.pose.Pose
+import badlog.signals.pose.PoseRole
+import badlog.signals.pose.planDistance
+import badlog.signals.pose.planSpans
+import badlog.signals.pose.trailOf
+import badlog.viewer.draw.axis.limitsFor
+import badlog.viewer.text.shortNames
+
+/**
+ * What a graph of y over x shows: the paths of poses on a field, or else one topic over another.
+ *
+ * @property traces what is drawn: seen poses first, then planned ones, then the driven path.
+ * @property isField whether x and y are places on a field.
+ * @property xTitle the text below it: name and unit.
+ * @property yTitle the text beside it.
+ * @property field the field, if [isField].
+ */
+class XyPlot internal constructor(
+    val traces: List<XyTrace>,
+    val isField: Boolean,
+    val xTitle: String,
+    val yTitle: String,
+    private val xUnit: String = "",
+    private val yUnit: String = "",
+    private val modules: List<ModuleLines> = emptyList(),
+    private val flip: FieldFlip? = null,
+    val field: Field = Field.PLAIN,
+) {
+    /** The whole extent. */
+    val full: Plane by lazy {
+        if (isField) {
+            field.around(traces.map { it.trail })
+        } else {
+            Plane(wholeOf(traces.mapNotNull { it.trail.xSpan }), wholeOf(traces.mapNotNull { it.trail.ySpan }))
+        }
+    }
+
+    /** The driven path; null for none, for example if this is not a field. */
+    val driven: XyTrace? get() = if (isField) {
+        path?.let {
+            traceOf(it.driven)
+        } ?: traces.findLast { it.role == PoseRole.DRIVEN }
+    } else {
+        null
+    }
+
+    private val path by lazy { PlannedPath.of(traces.mapNotNull { it.pose }) }
+
+    /** The last answer of [lineFit]: a zoom into the plane asks again for the same time. */
+    private var fitted: Pair<Span, LineFit?>? = null
+
+    private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
+
+    /** Returns where the robot of [view] left its plan, according to [planDistance]; null for nowhere, and if there is no plan. */
+    fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
+
+    /** Returns the same during [spans], on an x axis on which [second] is one second. */
+    internal fun departure(spans: List<Span>, second: Double): Departure? {
+        val path = path ?: return null
+        val driven = traceOf(path.driven) ?: return null
+        val planned = traceOf(path.planned) ?: return null
+        return Departure.of(planDistance(driven.trail, planned.trail, spans), second)
+    }
+
+    /** Returns the target and measured arrows of the driven robot's modules at [time], targets first. */
+    fun arrowsAt(time: Double): List<ModuleArrow> {
+        val robot = driven ?: return emptyList()
+        val index = robot.indexAt(time)
+        if (index < 0) return emptyList()
+        val heading = robot.headingAt(time).let { if (it.isNaN()) 0.0 else it }
+        val x = robot.trail.x[index]
+        val y = robot.trail.y[index]
+        // A mirror swaps left and right, so the arrows are calculated for the robot as logged, and then mirrored, too.
+        val arrows = modules.flatMap {
+            if (flip == null) it.arrowsAt(time, x, y, heading) else it.arrowsAt(time, flip.x(x), flip.y(y), flip.heading(heading))
+        }
+        return arrows.map { if (flip == null) it else it.flipped(flip) }.sortedByDescending { it.isTarget }
+    }
+
+    /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or there is no fit. */
+    fun lineFit(visible: Span): LineFit? {
+        fitted?.let { (span, fit) -> if (span == visible) return fit }
+        val fit = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
+        fitted = visible to fit
+        return fit
+    }
+
+    /** Returns the text of [fit], with the units of x and y. */
+    fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
+
+    /**
+     * Returns when a trace passed nearest to ([x], [y]), at most [reach] away, within [visible]; NaN for never. If it passed more than
+     * once, the time nearest to [before].
+     *
+     * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
+     */
+    fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double =
+        (driven ?: traces.lastOrNull())?.let { timeOfNearest(it.pyramid, x, y, pixelX, pixelY, reach, visible, before) } ?: Double.NaN
+
+    private fun wholeOf(spans: List<Span>): Span =
+        limitsFor(spans.minOfOrNull { it.from } ?: Double.NaN, spans.maxOfOrNull { it.to } ?: Double.NaN, includesZero = false)
+}
+
+/**
+ * Returns the plot of y over x for a graph that draws [lines], given by name: the paths of those of [poses] whose x and y it has; if there
+ * are none, all other lines over the first one. Null if there is nothing to draw.
+ *
+ * @param modules the modules of the robot whose path it is.
+ * @param flip maps poses onto [field]; null to leave them as logged.
+ * @param line finds a line by its name.
+ */
+fun xyPlotOf(
+    lines: List<String>,
+    poses: List<Pose>,
+    modules: List<SwerveModules> = emptyList(),
+    flip: FieldFlip? = null,
+    field: Field = Field.PLAIN,
+    line: (String) -> GraphSeries?,
+): XyPlot? {
+    val shown = poses.filter { it.x in lines && it.y in lines }
+    if (shown.isEmpty()) return plainPlot(lines.mapNotNull { name -> line(name)?.takeIf { it.states == null } })
+    val names = shortNames(shown.map { it.list ?: it.name })
+    fun trail(x: GraphSeries, y: GraphSeries, pose: Pose) = trailOf(x.data, y.data, pose.meters).let { flip?.trail(it) ?: it }
+    val traces = shown.mapIndexedNotNull { i, pose ->
+        val x = line(pose.x) ?: return@mapIndexedNotNull null
+        val y = line(pose.y) ?: return@mapIndexedNotNull null
+        val followers = if (pose.list == null) emptyList() else poses.filter { it.list == pose.list && it !== pose }
+        XyTrace(
+            names[i],
+            i,
+            pose.role,
+            trail(x, y, pose),
+            listOf(pose.x, pose.y),
+            Heading.of(pose, flip, line),
+            followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trail(a, b, next) } } },
+            pose,
+        )
+    }
+    val wheels = modules.mapNotNull { ModuleLines.of(it, line) }
+    val ordered = traces.sortedByDescending { it.role }
+    return XyPlot(ordered, isField = true, "x (m)", "y (m)", "m", "m", wheels, flip, field).takeIf { traces.isNotEmpty() }
+}
+
+/** Returns the menu label for drawing [lines] like this. */
+fun xyLabelOf(lines: List<String>, poses: List<Pose>): String =
+    if (poses.any { it.x in lines && it.y in lines }) "Path on the field" else "XY plot over the first line"
+
+private fun plainPlot(found: List<GraphSeries>): XyPlot? {
+    if (found.size < 2) return null
+    val over = found[0]
+    val names = shortNames(found.map { it.topic.name })
+    val traces = found.drop(1).mapIndexed { i, series ->
+        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over.data, series.data), listOf(series.topic.name))
+    }
+    fun title(series: GraphSeries, name: String) = if (Units.isNone(series.unit)) name else "$name (${series.unit})"
+    return XyPlot(traces, isField = false, title(over, names[0]), title(found[1], names[1]), over.unit, found[1].unit)
+}

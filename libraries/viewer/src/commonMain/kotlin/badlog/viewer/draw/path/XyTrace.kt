@@ -1,0 +1,133 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.Span
+import badlog.signals.pose.Pose
+import badlog.signals.pose.PoseRole
+import badlog.signals.pose.Trail
+import badlog.viewer.draw.curve.Strokes
+import badlog.viewer.shown.cursor.indexAt
+import badlog.viewer.text.fixedText
+import kotlin.math.PI
+import kotlin.math.atan2
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * One of the traces of an [XyPlot].
+ *
+ * @property name its name in a legend.
+ * @property color the index of its color in the palette, from 0.
+ * @property role what it is; seen poses are drawn as dots.
+ * @property trail its places over time.
+ * @property lines the names of the lines that it is made of, by which a board hides it.
+ * @property followers for a plan that is an array, the places after the first one.
+ */
+class XyTrace internal constructor(
+    val name: String,
+    val color: Int,
+    val role: PoseRole,
+    val trail: Trail,
+    val lines: List<String>,
+    private val heading: Heading? = null,
+    val followers: List<Trail> = emptyList(),
+    internal val pose: Pose? = null,
+) {
+    /** Blocks of the samples of [trail]. */
+    internal val pyramid: TrailPyramid by lazy { TrailPyramid(trail) }
+    private val drawing by lazy { TrailDrawing(pyramid) }
+
+    /** Whether its samples are joined by lines. */
+    val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
+
+    /**
+     * Draws the part of it in [span] into [strokes], on [width] by [height] pixels that show [plane]: lines if it [isJoined], otherwise
+     * dots. If there are very many dots, there are no single ones: each stroke is a row of them, from its left pixel to its right one.
+     */
+    fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
+        val x = plane.xScale(width.toDouble())
+        val y = plane.yScale(height.toDouble())
+        drawing.draw(trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
+    }
+
+    /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then. */
+    fun indexAt(time: Double): Int = trail.indexAt(time).let { if (it >= 0 && trail.isPlace(it)) it else -1 }
+
+    /** Returns the heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
+    fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
+
+    /** Returns its place and heading at [time] for a legend: `3.21, 4.50 m · 87°`; empty for nowhere. */
+    fun textAt(time: Double, isField: Boolean): String {
+        val index = indexAt(time)
+        if (index < 0) return ""
+        val place = "${fixedText(trail.x[index], 2)}, ${fixedText(trail.y[index], 2)}"
+        val angle = headingAt(time)
+        val degrees = angle / PI * HALF_TURN
+        return if (!isField) {
+            place
+        } else if (angle.isNaN()) {
+            "$place m"
+        } else {
+            "$place m · ${fixedText(degrees, 0)}°"
+        }
+    }
+
+    /** Returns, for an array, the places at [time] in sequence, alternating x and y. */
+    fun chainAt(time: Double): DoubleArray {
+        val places = (listOf(trail) + followers).mapNotNull { one ->
+            one.indexAt(time).takeIf { it >= 0 && one.isPlace(it) }?.let {
+                one to
+                    it
+            }
+        }
+        return DoubleArray(places.size * 2) { i -> places[i / 2].let { (one, at) -> if (i % 2 == 0) one.x[at] else one.y[at] } }
+    }
+
+    /**
+     * Returns the corners of a robot at [time], alternating x and y, with its bow last unless its heading is unknown; empty if it has no
+     * place.
+     */
+    fun robotAt(time: Double): DoubleArray {
+        val index = indexAt(time)
+        if (index < 0) return DoubleArray(0)
+        val angle = headingAt(time)
+        val turn = if (angle.isNaN()) 0.0 else angle
+        val shape = if (angle.isNaN()) SQUARE else ARROW
+        return DoubleArray(shape.size) { i ->
+            val ahead = shape[i / 2 * 2]
+            val left = shape[i / 2 * 2 + 1]
+            if (i % 2 == 0) trail.x[index] + ahead * cos(turn) - left * sin(turn) else trail.y[index] + ahead * sin(turn) + left * cos(turn)
+        }
+    }
+
+    private companion object {
+        const val HALF_TURN = 180
+
+        /** A robot with its bumpers, in meters. */
+        val SQUARE = doubleArrayOf(-0.42, -0.42, -0.42, 0.42, 0.42, 0.42, 0.42, -0.42)
+        val ARROW = doubleArrayOf(0.42, -0.42, -0.42, -0.42, -0.42, 0.42, 0.42, 0.42, 0.75, 0.0)
+    }
+}
+
+/** The heading of a pose over time. */
+internal class Heading private constructor(
+    private val parts: List<GraphSeries>,
+    private val radians: Double,
+    private val flip: FieldFlip?,
+) {
+    fun at(time: Double): Double = logged(time).let { flip?.heading(it) ?: it }
+
+    private fun logged(time: Double): Double {
+        val values = parts.map { line -> line.indexAt(time).let { if (it < 0) return Double.NaN else line.data.y[it] } }
+        if (values.size == 1) return values[0] * radians
+        val (w, x, y, z) = values
+        return atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+    }
+
+    companion object {
+        fun of(pose: Pose, flip: FieldFlip?, line: (String) -> GraphSeries?): Heading? {
+            val parts = pose.heading.mapNotNull(line)
+            return if (parts.isNotEmpty() && parts.size == pose.heading.size) Heading(parts, pose.radians, flip) else null
+        }
+    }
+}

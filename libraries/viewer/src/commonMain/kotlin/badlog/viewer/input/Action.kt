@@ -1,0 +1,145 @@
+package badlog.viewer.input
+
+/**
+ * What a key does, on the page and in the window.
+ *
+ * @property group its heading in the help.
+ * @property meaning what it does, for the help.
+ * @property keys the keys; each does the same.
+ */
+enum class Action(val group: String, val meaning: String, vararg val keys: KeyStroke) {
+    /** The cursor goes to the previous sample. */
+    PREVIOUS_SAMPLE("Graphs", "Cursor to the previous sample", KeyStroke("←")),
+
+    /** The cursor goes to the next sample. */
+    NEXT_SAMPLE("Graphs", "Cursor to the next sample", KeyStroke("→")),
+
+    /** The cursor goes back ten samples. */
+    TEN_SAMPLES_BACK("Graphs", "Cursor ten samples back", KeyStroke("←", shift = true)),
+
+    /** The cursor goes forward ten samples. */
+    TEN_SAMPLES_ON("Graphs", "Cursor ten samples forward", KeyStroke("→", shift = true)),
+
+    /** A second cursor is put where the first one is, and keys then move it; or it is removed. */
+    SECOND_CURSOR("Graphs", "Second cursor, moved by the arrow keys; again: remove it", KeyStroke("B")),
+
+    /** Zooms in on x, around the cursor if it is visible. */
+    ZOOM_IN("Graphs", "Zoom in", KeyStroke("+")),
+
+    /** Zooms out on x. */
+    ZOOM_OUT("Graphs", "Zoom out", KeyStroke("-")),
+
+    /** Shows all of x. */
+    SHOW_ALL("Graphs", "Show everything", KeyStroke("0"), KeyStroke("Home")),
+
+    /** Shows the previous view. */
+    PREVIOUS_VIEW("Graphs", "Previous view", KeyStroke("Backspace")),
+
+    /** Shows the view that [PREVIOUS_VIEW] left. */
+    NEXT_VIEW("Graphs", "Next view", KeyStroke("Backspace", shift = true)),
+
+    /** Shows the time during which the robot was enabled. */
+    SHOW_ENABLED("Graphs", "Zoom to the time enabled", KeyStroke("E")),
+
+    /** Moves to the left. */
+    PAN_LEFT("Graphs", "Move to the left", KeyStroke("[")),
+
+    /** Moves to the right. */
+    PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
+
+    /** Opens or closes the values of many topics at the cursor. */
+    CURSOR_VALUES("Graphs", "Values at the cursor: open or close", KeyStroke("V")),
+
+    /** Adds the graph to the board, or removes it. */
+    PIN("Board", "Add the graph to the board, or remove it", KeyStroke("P")),
+
+    /** Swaps the graph with the one above it. */
+    MOVE_UP("Board", "Move the graph up", KeyStroke("↑", alt = true)),
+
+    /** Swaps the graph with the one below it. */
+    MOVE_DOWN("Board", "Move the graph down", KeyStroke("↓", alt = true)),
+
+    /** Gives the graph the next of three heights. */
+    NEXT_HEIGHT("Board", "Next height of the graph", KeyStroke("H")),
+
+    /** Undoes the last change of the board. */
+    UNDO("Board", "Undo", KeyStroke("Z", ctrl = true)),
+
+    /** Redoes what [UNDO] undid. */
+    REDO("Board", "Redo", KeyStroke("Z", shift = true, ctrl = true), KeyStroke("Y", ctrl = true)),
+
+    /** Opens the dialog for a formula. */
+    NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
+
+    /** Moves the cursor to the next finding. */
+    NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
+
+    /** Moves the cursor to the previous finding. */
+    PREVIOUS_FINDING("Findings", "Previous finding", KeyStroke("N", shift = true)),
+
+    /** Shows the previous frame of the video, and moves the cursor there. */
+    PREVIOUS_FRAME("Video", "Previous frame of the video", KeyStroke(",")),
+
+    /** Shows the next frame of the video, and moves the cursor there. */
+    NEXT_FRAME("Video", "Next frame of the video", KeyStroke(".")),
+    ;
+
+    /** The first of [keys], for the tooltip of a button: `Shift+N`. */
+    val shortcut: String get() = keys[0].text
+
+    /** Its line in the help. */
+    val help: HelpLine get() = HelpLine(group, keys.joinToString("  ") { it.text }, meaning)
+
+    companion object {
+        /** The number of samples by which the cursor moves with Shift. */
+        const val MANY_SAMPLES: Int = 10
+
+        /** The part of the visible range by which [PAN_LEFT] and [PAN_RIGHT] move. */
+        const val PAN_SHARE: Double = 0.25
+
+        /**
+         * Returns what [key], written as in [keys], does with these modifiers, where [ctrl] is the command key on a Mac; null for nothing.
+         */
+        fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): Action? = entries.firstOrNull { action ->
+            action.keys.any { it.key == key && it.ctrl == ctrl && it.alt == alt && (it.shift == shift || it.isSign) }
+        }
+    }
+}
+
+/**
+ * A key with the modifiers that must be held.
+ *
+ * @property key its label.
+ */
+class KeyStroke(val key: String, val shift: Boolean = false, val ctrl: Boolean = false, val alt: Boolean = false) {
+    /** Whether it is a character other than a letter, for which some keyboards need Shift and others do not. */
+    val isSign: Boolean get() = key.length == 1 && key[0] < 'A'
+
+    /** Its text in the help: `Ctrl+Shift+Z`. */
+    val text: String
+        get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, key).joinToString("+")
+}
+
+/**
+ * A line of the help.
+ *
+ * @property group its heading.
+ * @property how what to press, or what to do with the pointer.
+ * @property meaning the effect.
+ */
+data class HelpLine(val group: String, val how: String, val meaning: String)
+
+/** What the pointer does over graphs, on the page and in the window. */
+val GRAPH_GESTURES: List<HelpLine> = listOf(
+    HelpLine("On the graphs", "Wheel", "Scrolls."),
+    HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),
+    HelpLine("On the graphs", "Shift+wheel", "Pans, like a sideways wheel."),
+    HelpLine("On the graphs", "Drag", "Zooms to the range it covers."),
+    HelpLine("On the graphs", "Shift+drag", "Pans."),
+    HelpLine("On the graphs", "Alt+drag", "Zooms y of this graph."),
+    HelpLine("On the graphs", "Double click", "Shows everything again."),
+    HelpLine("On the graphs", "Click", "Pins the cursor; on the cursor, unpins it."),
+    HelpLine("On the graphs", "Shift+click", "Sets a second cursor: difference and slope of each line, and statistics between both."),
+    HelpLine("On the overview", "Drag", "Moves the visible range or one of its edges; outside it, selects a new one."),
+    HelpLine("On the overview", "Click", "Moves the visible range there."),
+)

@@ -1,0 +1,30 @@
+package badlog.viewer.session.link
+
+import badlog.rules.Finding
+import badlog.viewer.text.addressText
+import badlog.viewer.text.nameOfAddress
+
+/**
+ * Distinguishes a finding from others that begin at the same moment.
+ *
+ * @property rule the name of the rule or the hook that found it.
+ * @property topic the topic it is about; null if there is none.
+ */
+class FindingName(val rule: String, val topic: String?) {
+    /** Returns whether it is the name of [finding]. */
+    fun isOf(finding: Finding): Boolean = finding.rule == rule && finding.topic == topic
+
+    /** Returns its form in an address: `Brownout;PDP/Voltage`. */
+    internal fun toText(): String = listOfNotNull(rule, topic).joinToString(";", transform = ::addressText)
+
+    companion object {
+        /** Returns the name of [finding]. */
+        fun of(finding: Finding): FindingName = FindingName(finding.rule, finding.topic)
+    }
+}
+
+/** Returns the name that [FindingName.toText] wrote as [text]; null for any other text. */
+internal fun findingNameOf(text: String): FindingName? {
+    val names = text.split(';').map { nameOfAddress(it) ?: return null }
+    return if (names.size > 2) null else FindingName(names[0], names.getOrNull(1))
+}

@@ -1,0 +1,102 @@
+package badlog.viewer.session.link
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardException
+import badlog.viewer.choices.board.boardOfText
+import badlog.viewer.choices.board.spanOfText
+import badlog.viewer.choices.board.spanText
+import badlog.viewer.choices.board.toText
+import badlog.viewer.session.video.VideoAlignment
+import badlog.viewer.text.addressText
+import badlog.viewer.text.nameOfAddress
+
+/**
+ * What the end of a page's address asks for: `#t=93.7&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
+ *
+ * @property moment where the cursor goes, in the unit of the x axis; null for nowhere.
+ * @property finding the finding to show at [moment]; null for the worst one there.
+ * @property visible the part of x to show; null for a range around the moment.
+ * @property board the graphs to show together, by the names of their lines; null for the existing ones.
+ * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
+ * @property problems a sentence for each damaged part, which is ignored.
+ * @property video the alignment of the video that the reader opens or the page has: `v=-3.5` if it begins 3.5 s before x is 0.
+ */
+class PageAddress(
+    val moment: Double? = null,
+    val visible: Span? = null,
+    val board: Board? = null,
+    val formulas: List<String> = emptyList(),
+    val problems: List<String> = emptyList(),
+    val finding: FindingName? = null,
+    val video: VideoAlignment? = null,
+) {
+    /** Whether it asks for nothing. */
+    val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty() && video == null
+
+    /** Returns the end of the address, from the `#` on; empty if it asks for nothing. */
+    fun toText(): String {
+        val parts = listOfNotNull(
+            moment?.takeIf { it.isFinite() }?.let { "t=" + numberText(it) },
+            finding?.takeIf { moment?.isFinite() == true }?.let { "finding=" + it.toText() },
+            visible?.takeIf { it.from < it.to && it.from.isFinite() && it.to.isFinite() }?.let { "x=" + spanText(it) },
+            board?.let { "board=" + it.toText() },
+            formulas.takeIf { it.isNotEmpty() }?.joinToString(";", "f=", transform = ::addressText),
+            video?.let { "v=" + numberText(it.startSeconds) },
+        )
+        return if (parts.isEmpty()) "" else parts.joinToString("&", "#")
+    }
+}
+
+/**
+ * Returns what [text] asks for, the end of an address from the `#` on. Unknown parts, such as places on the page or those from a newer
+ * badlog, are ignored silently.
+ */
+fun pageAddressOf(text: String): PageAddress {
+    val problems = ArrayList<String>()
+    // Programs that pass links on may percent-encode any character, although none of these needs it.
+    val parts = withoutPercents(text.removePrefix("#")).split('&').filter { '=' in it }
+        .associate { it.substringBefore('=') to it.substringAfter('=') }
+
+    fun <T : Any> read(key: String, what: String, read: (String) -> T?): T? {
+        val part = parts[key] ?: return null
+        val value = read(part)
+        if (value == null) problems += "This link’s $what is damaged; copy the link again."
+        return value
+    }
+    return PageAddress(
+        moment = read("t", "time") { it.toDoubleOrNull()?.takeIf(Double::isFinite) },
+        visible = read("x", "range", ::spanOfText),
+        board = read("board", "board", ::boardOrNull),
+        formulas = read("f", "formula", ::formulasOrNull).orEmpty(),
+        problems = problems,
+        finding = read("finding", "finding", ::findingNameOf),
+        video = read("v", "video’s place") { text -> text.toDoubleOrNull()?.takeIf(Double::isFinite)?.let(::VideoAlignment) },
+    )
+}
+
+private fun numberText(number: Double) = "$number".replace("+", "").removeSuffix(".0")
+
+private fun boardOrNull(text: String): Board? = try {
+    boardOfText(text)
+} catch (_: BoardException) {
+    null
+}
+
+private fun formulasOrNull(text: String): List<String>? {
+    val read = text.split(';').filter { it.isNotEmpty() }.map(::nameOfAddress)
+    return if (null in read) null else read.filterNotNull().distinct()
+}
+
+// Only single-byte characters: others are never written here.
+private fun withoutPercents(text: String): String {
+    val parts = text.split('%')
+    return parts.drop(1).joinToString("", parts[0]) { part ->
+        val code = part.take(DIGITS).takeIf { it.length == DIGITS }?.toIntOrNull(HEXADECIMAL)?.takeIf { it in 0..LAST_ASCII }
+        if (code == null) "%$part" else code.toChar() + part.drop(DIGITS)
+    }
+}
+
+private const val HEXADECIMAL = 16
+private const val DIGITS = 2
+private const val LAST_ASCII = 0x7f

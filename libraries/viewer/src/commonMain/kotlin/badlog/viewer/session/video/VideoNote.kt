@@ -1,0 +1,21 @@
+package badlog.viewer.session.video
+
+/**
+ * What is remembered about the video of a log.
+ *
+ * @property name the name of the video's file.
+ * @property alignment how it is aligned with the log; null if nobody has aligned it.
+ */
+class VideoNote(val name: String, val alignment: VideoAlignment?) {
+    /** Returns it as one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
+    fun toText(): String = "${alignment?.startSeconds ?: NONE} $name"
+}
+
+/** Returns the note that [VideoNote.toText] wrote as [text]; null for any other text. */
+fun videoNoteOf(text: String): VideoNote? {
+    val (start, name) = text.split(' ', limit = 2).takeIf { it.size == 2 } ?: return null
+    if (start == NONE) return VideoNote(name, null)
+    return start.toDoubleOrNull()?.takeIf(Double::isFinite)?.let { VideoNote(name, VideoAlignment(it)) }
+}
+
+private const val NONE = "-"

@@ -1,0 +1,25 @@
+package badlog.viewer.shown.cursor
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.Units
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
+
+/**
+ * Returns the values of this line at cursors at [a] and [b], the difference, and the slope between them: `A 12.1 · B 9.3 · Δ -2.8 ·
+ * -1.4 V/s`. States and gaps have no difference and slope.
+ *
+ * @param xUnit the unit of x.
+ * @param numberText formats a sample.
+ */
+fun GraphSeries.comparisonText(a: Double, b: Double, xUnit: String, numberText: (Double) -> String): String {
+    val one = indexAt(a)
+    val other = indexAt(b)
+    val texts = "A ${textOf(one, numberText)} · B ${textOf(other, numberText)}"
+    if (states != null || one < 0 || other < 0) return texts
+    val change = data.y[other] - data.y[one]
+    if (change.isNaN()) return texts
+    val slope = change / (dotAt(b) - dotAt(a))
+    val text = "$texts · Δ ${roundedText(change)}"
+    return if (slope.isFinite()) "$text · ${withUnit(roundedText(slope), Units.ofDerivative(unit, xUnit))}" else text
+}

@@ -1,0 +1,124 @@
+package badlog.viewer.shown.outline
+
+import badlog.core.analysis.Folder
+import badlog.core.analysis.Graph
+import badlog.core.analysis.LogView
+import badlog.core.recording.Topic
+import badlog.signals.LogShape
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.viewer.shown.cursor.textOf
+import badlog.viewer.text.exactText
+import badlog.viewer.text.withUnit
+
+/**
+ * What is initially drawn of a log, and what is only listed: every topic that a graph or a list of events would show is in one of
+ * these.
+ *
+ * @property folders what is drawn and listed by folder, the root folder first, in the order of the view.
+ * @property constants topics that never change, with their values, in the order of the file.
+ * @property empty the topics without any logged value, in the order of the file.
+ */
+class LogOutline(val folders: List<OutlineFolder>, val constants: List<ConstantTopic> = emptyList(), val empty: List<Topic> = emptyList())
+
+/**
+ * A folder of an outline.
+ *
+ * @property folder what is initially shown of it.
+ * @property listed its other graphs, which are drawn on request.
+ */
+class OutlineFolder(val folder: Folder, val listed: List<Graph> = emptyList())
+
+/**
+ * A topic that never changes.
+ *
+ * @property graph the graph that draws it.
+ * @property text its value, with its unit.
+ */
+class ConstantTopic(val graph: Graph, val text: String) {
+    /** The full name of the topic. */
+    val name: String get() = graph.name
+}
+
+/**
+ * Returns the initial outline of [view]. A log with at most [MANY] graphs shows all that its attributes ask for. In a larger one, empty
+ * and constant topics are not drawn; the parts of an array or struct share a graph, and so do target and actual of one thing, and the
+ * states of a folder. Of the remaining graphs, only so many are drawn that, with those of a board, there are at most [MANY]: first those
+ * of the signals of [vocabulary], then those that show several topics.
+ *
+ * @param kept names of graphs that are always drawn unchanged.
+ */
+fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = emptySet()): LogOutline {
+    val all = view.folders.flatMap { it.graphs }
+    if (all.size <= MANY) return LogOutline(view.folders.map { OutlineFolder(it) })
+    // In the order of the file: in a pose, x comes before the angle, although its folder does not.
+    val places = view.recording.topics.withIndex().associate { (place, topic) -> topic to place }
+    val (asked, others) = all.sortedBy { places[it.series[0].topic] ?: 0 }.partition { it.name in kept }
+    val (empty, present) = others.partition { graph -> graph.series.all { it.isEmpty } }
+    val (changing, still) = groupsOf(present).partition { it.changes }
+    val groups = asked.map { TopicGroup(it.name, it.series, it) } + withLanes(changing)
+    val first = firstOf(groups, view, vocabulary, kept)
+    val (drawn, undrawn) = groups.partition { it in first }
+    // A graph derived from a constant topic by an attribute is not a topic, but keeps its place.
+    val (derived, constant) = still.partition { group -> group.own != null && group.lines.any { it.isDerived } }
+    return LogOutline(
+        foldersOf(view, drawn.map { it.toGraph() }, (undrawn + derived).map { it.toGraph() }),
+        constant.flatMap { it.lines }.distinctBy { it.topic }.map { line ->
+            val sample = line.data.y.indexOfFirst { !it.isNaN() }
+            ConstantTopic(
+                Graph(line.topic.name, line.unit, isVirtual = false, isFilled = false, includesZero = false, listOf(line)),
+                line.textOf(sample) { withUnit(exactText(it), line.unit) },
+            )
+        },
+        empty.flatMap { it.series }.map { it.topic }.distinct(),
+    )
+}
+
+/** Returns [groups] with neighboring states of a folder joined, each in a lane. */
+private fun withLanes(groups: List<TopicGroup>): List<TopicGroup> {
+    val alone = groups.filter { it.showsStates && it.own == null && !it.isTogether }
+    val blocks = alone.groupBy { it.folder }.values.flatMap(::inParts).filter { it.size > 1 }
+    val blockOf = blocks.flatMap { block -> block.map { it to block } }.toMap()
+    return groups.mapNotNull { group ->
+        val block = blockOf[group] ?: return@mapNotNull group
+        if (group !== block[0]) return@mapNotNull null
+        val name = listOf(group.folder, "States").filter { it.isNotEmpty() }.joinToString("/")
+        TopicGroup(name, block.flatMap { it.lines }, isTogether = true)
+    }
+}
+
+private fun firstOf(groups: List<TopicGroup>, view: LogView, vocabulary: SignalVocabulary, kept: Set<String>): Set<TopicGroup> {
+    val signals = LogShape.of(view).topicsOf(vocabulary).all.mapTo(HashSet()) { it.topic }
+    val byWorth = groups.sortedBy { group ->
+        when {
+            group.name in kept -> 0
+            group.lines.any { it.topic.name in signals } -> 1
+            group.isTogether || group.own != null -> 2
+            else -> OTHER
+        }
+    }
+    return byWorth.take(MOST).toSet()
+}
+
+private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): List<OutlineFolder> {
+    val drawnOf = drawn.groupBy { it.folder }
+    val listedOf = listed.groupBy { it.folder }
+    val others = view.folders.associateBy { it.name }
+    val names = (others.keys + drawnOf.keys + listedOf.keys).sortedWith(compareBy({ it.lowercase() }, { it }))
+    return names.mapNotNull { name ->
+        val values = others[name]?.values.orEmpty()
+        val events = others[name]?.eventLogs.orEmpty()
+        val folder = Folder(name, values, events, drawnOf[name].orEmpty())
+        val rest = listedOf[name].orEmpty()
+        if (values.isEmpty() && events.isEmpty() && folder.graphs.isEmpty() && rest.isEmpty()) null else OutlineFolder(folder, rest)
+    }
+}
+
+/** The number of graphs that a person still looks through. */
+const val MANY: Int = 60
+
+/** With more folders than this, the tree is initially closed. */
+const val MANY_FOLDERS: Int = 24
+
+/** The number of initial graphs of a large log: a board above them has at most 24. */
+private const val MOST = MANY - 24
+private const val OTHER = 3

@@ -1,0 +1,41 @@
+package badlog.viewer.shown.outline
+
+import badlog.signals.vocabulary.TARGET_WORDS
+import badlog.signals.vocabulary.wordsOf
+
+/**
+ * What the name of a topic is about, and whether the topic is its target or its actual value. Two topics are target and actual of one
+ * thing if their [words] are the same and one of them [isTarget]:
+ *
+ * - A name is split into words, including those of its folders: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
+ * - One word of [TARGET_WORDS] in it makes it a target; that word is dropped: *chassis front left speed*. A name with two is neither.
+ * - One word of [ACTUALS] is dropped from any other name. *Current* is one only before the word it describes, as in *current angle*: at
+ *   the end of a name, it means amperes.
+ *
+ * @property words the remaining words of the name, in lower case.
+ * @property isTarget whether the name says that this is a target.
+ * @property isBare whether the last part of the name says only that, as in `Arm/Goal`.
+ */
+internal class Thing private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
+    companion object {
+        /** Returns what [name] is about; null if that is not clear. */
+        fun of(name: String): Thing? {
+            val words = wordsOf(name)
+            val targets = words.indices.filter { words[it] in TARGET_WORDS }
+            if (targets.size > 1) return null
+            val target = targets.firstOrNull()
+            if (target != null) {
+                return Thing(words.without(target), isTarget = true, isBare = wordsOf(name.substringAfterLast('/')).size == 1)
+            }
+            val actual = words.indices.singleOrNull { words[it] in ACTUALS && (words[it] != CURRENT || it < words.lastIndex) }
+            return Thing(if (actual == null) words else words.without(actual), isTarget = false, isBare = false)
+        }
+
+        private fun List<String>.without(index: Int) = filterIndexed { i, _ -> i != index }
+
+        private const val CURRENT = "current"
+
+        /** Words for an actual value. */
+        private val ACTUALS = setOf("actual", "actuals", "measured", "measurement", "current", "observed", "feedback", "estimated")
+    }
+}

@@ -1,0 +1,72 @@
+package badlog.viewer.shown.search
+
+/**
+ * What a person searches for, regardless of case:
+ *
+ * - all words must occur, in any order; quoted words must occur together, exactly as written;
+ * - `a | b` finds items with one or the other;
+ * - `-c` excludes items with it;
+ * - `is:` and `has:` ask for traits of the topic, see [Trait]; with any other word after the colon they are ordinary words.
+ *
+ * While typing, incomplete parts have no effect: a sign without a word, and an empty alternative, are ignored.
+ */
+class Query(text: String) {
+    private class Term(val isWanted: Boolean, val word: String, val trait: Trait?)
+
+    private val alternatives: List<List<Term>> = tokensOf(text.lowercase()).let { tokens ->
+        val parts = ArrayList<ArrayList<Term>>().apply { add(ArrayList()) }
+        for (token in tokens) if (token == null) parts.add(ArrayList()) else parts.last().add(token)
+        parts.filter { it.isNotEmpty() }
+    }
+
+    /** The words that must occur, in lower case, for highlighting. */
+    val words: List<String> = alternatives.flatten().filter { it.isWanted && it.trait == null }.map { it.word }
+
+    /** Whether nothing is searched for, so that everything is shown. */
+    val isEmpty: Boolean get() = alternatives.isEmpty()
+
+    /** Returns whether it finds [text] of something that has all of [traits]. */
+    fun matches(text: String, traits: Set<Trait> = emptySet()): Boolean = isEmpty || matchesLowercase(text.lowercase(), traits)
+
+    /** Returns the same for a text that is already in lower case, as texts that are searched on each keystroke should be. */
+    fun matchesLowercase(text: String, traits: Set<Trait> = emptySet()): Boolean {
+        if (isEmpty) return true
+        for (terms in alternatives) {
+            if (terms.all { (if (it.trait == null) it.word in text else it.trait in traits) == it.isWanted }) return true
+        }
+        return false
+    }
+
+    /** Returns whether it asks for [trait], so that it must be known. */
+    fun asksFor(trait: Trait): Boolean = alternatives.any { terms -> terms.any { it.trait == trait } }
+
+    private companion object {
+        private fun isBlank(char: Char) = char == ' ' || char == '\t'
+
+        /** Returns the terms of [text], in lower case; null for a bar between alternatives. */
+        fun tokensOf(text: String): List<Term?> {
+            val tokens = ArrayList<Term?>()
+            var at = 0
+            while (at < text.length) {
+                val char = text[at]
+                if (isBlank(char)) {
+                    at++
+                } else if (char == '|') {
+                    tokens += null
+                    at++
+                } else {
+                    val isWanted = char != '-'
+                    if (!isWanted) at++
+                    val isQuoted = at < text.length && text[at] == '"'
+                    val start = if (isQuoted) at + 1 else at
+                    at = start
+                    while (at < text.length && if (isQuoted) text[at] != '"' else !isBlank(text[at]) && text[at] != '|') at++
+                    val word = text.substring(start, at)
+                    if (isQuoted) at++
+                    if (word.isNotEmpty()) tokens += Term(isWanted, word, if (isQuoted) null else Trait.of(word))
+                }
+            }
+            return tokens
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package badlog.viewer.shown.search
+
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.text.countText
+
+/** The text that a [Query] searches, in lower case: the rule, the severity and the message. */
+val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
+
+/** The text that a [Query] searches, in lower case: everything that the incident says. */
+val Incident.searchedText: String get() = "$name ${sentences.joinToString(" ") { it.text }} $next".lowercase()
+
+/** Returns whether this finds a finding or an incident with [searchedText]. */
+fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)
+
+/** Returns a sentence that says how many [incidents] and [findings] a search hides; empty if it hides none. */
+fun hiddenBySearch(incidents: Int, findings: Int): String = listOf("incident" to incidents, "finding" to findings).filter { it.second > 0 }
+    .joinToString(" and ") { (name, number) -> countText(number, name) }
+    .let { if (it.isEmpty()) "" else "$it hidden by the search." }
+
+private val FINDING = setOf(Trait.FINDING)

@@ -1,0 +1,97 @@
+package badlog.viewer.shown.statistics
+
+import badlog.core.analysis.SeriesStatistics
+import badlog.core.analysis.Units
+import badlog.core.recording.Topic
+import badlog.viewer.text.exactText
+import badlog.viewer.text.roundedText
+
+/**
+ * A number that describes the samples of a range. Statistics that could be weighted by samples or by time are weighted by
+ * time: a value that holds longer has more weight, however often it was logged; see [badlog.core.analysis.SeriesStatistics].
+ *
+ * @property title its label in front ends.
+ * @property hint an explanation for those who do not know the title.
+ * @property isSample whether it is one of the samples, rather than calculated from them.
+ * @property isCount whether it counts samples.
+ */
+enum class Statistic(val title: String, val hint: String, val isSample: Boolean = false, val isCount: Boolean = false) {
+    /** The smallest value. */
+    MIN("min", "the smallest value", isSample = true),
+
+    /** The largest value. */
+    MAX("max", "the largest value", isSample = true),
+
+    /** The mean by time. */
+    MEAN("mean", "the mean by time: each value counts as long as it holds"),
+
+    /** Below this for half of the time. */
+    MEDIAN("median", "below this for half of the time"),
+
+    /** Below this for 5 % of the time. */
+    PERCENTILE_5("5 %", "below this for 5 % of the time"),
+
+    /** Below this for 95 % of the time. */
+    PERCENTILE_95("95 %", "below this for 95 % of the time"),
+
+    /** The standard deviation by time. */
+    STANDARD_DEVIATION("std", "the standard deviation by time: each value counts as long as it holds"),
+
+    /** The first value. */
+    FIRST("first", "the first value", isSample = true),
+
+    /** The last value. */
+    LAST("last", "the last value", isSample = true),
+
+    /** The last value minus the first. */
+    CHANGE("last − first", "the last value minus the first"),
+
+    /** The area under the values. */
+    INTEGRAL("integral", "the area under the values, each as long as it holds"),
+
+    /** The number of samples with a value. */
+    SAMPLES("samples", "how many samples have a value", isCount = true),
+
+    /** The number of samples without a value. */
+    GAPS("gaps", "how many samples have no value", isCount = true),
+    ;
+
+    /** Returns its value in [statistics]; NaN if there is none. */
+    fun of(statistics: SeriesStatistics): Double = when (this) {
+        MIN -> statistics.min
+        MAX -> statistics.max
+        MEAN -> statistics.mean
+        MEDIAN -> statistics.median
+        PERCENTILE_5 -> statistics.percentile5
+        PERCENTILE_95 -> statistics.percentile95
+        STANDARD_DEVIATION -> statistics.standardDeviation
+        FIRST -> statistics.first
+        LAST -> statistics.last
+        CHANGE -> statistics.last - statistics.first
+        INTEGRAL -> statistics.integral
+        SAMPLES -> statistics.count.toDouble()
+        GAPS -> statistics.gaps.toDouble()
+    }
+
+    /**
+     * Returns its value in [statistics] as text: a sample exactly as logged, but a calculated value, also if the samples are
+     * [isDerived], without meaningless digits.
+     */
+    fun textOf(statistics: SeriesStatistics, isDerived: Boolean): String {
+        val value = of(statistics)
+        return if (isCount || (isSample && !isDerived)) exactText(value) else roundedText(value)
+    }
+
+    /** Its unit for a topic of [unit] over an x of [xUnit], null if that is not known; `ul` for none. */
+    fun unitOf(unit: String, xUnit: String?): String = when {
+        isCount -> Topic.UNITLESS
+        this != INTEGRAL -> unit
+        xUnit == null -> Topic.UNITLESS
+        else -> Units.ofIntegral(unit, xUnit)
+    }
+
+    companion object {
+        /** The remark beside the statistics, so that nobody takes them for unweighted ones. */
+        const val BY_TIME: String = "Mean, median, percentiles and std are by time."
+    }
+}

@@ -1,0 +1,128 @@
+package badlog.viewer.shown.table
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.analysis.periodicTimes
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import kotlin.math.floor
+
+/**
+ * A [CsvTable] in the making. Each [step] deals with one topic, since a log may have thousands of them, with a million samples each: between
+ * steps, a page can respond and a task can be canceled.
+ */
+class CsvDraft private constructor(private val view: LogView, private val span: Span?, private val events: List<Topic>) {
+    private val steps = ArrayList<() -> Unit>()
+    private var next = 0
+    private val lines = ArrayList<GraphSeries>()
+    private val columns = ArrayList<CsvColumn>()
+    private var made: CsvTable? = null
+
+    /** From where to where the rows are, if the log has none of its own; null for nowhere. */
+    private val range: Span? = view.xAxis.range?.let { whole ->
+        val from = maxOf(span?.from ?: whole.start, whole.start)
+        val to = minOf(span?.to ?: whole.endInclusive, whole.endInclusive)
+        if (from <= to) Span(from, to) else null
+    }
+    private var densest: GraphSeries? = null
+    private var mostSamples = 0
+
+    /** How much of the work is done, from 0 to 1. */
+    val share: Double get() = next.toDouble() / steps.size
+
+    /** The table, once [step] has returned false. */
+    val table: CsvTable get() = checkNotNull(made)
+
+    /** Does the next part of the work. Returns whether there was one. */
+    fun step(): Boolean {
+        if (next == steps.size) return false
+        steps[next++]()
+        return true
+    }
+
+    internal fun finished(): CsvTable {
+        do {
+            val isMore = step()
+        } while (isMore)
+        return table
+    }
+
+    private fun add(line: GraphSeries) {
+        lines += line
+        if (view.xAxis.positions.isNotEmpty()) return
+        val samples = range?.let { line.data.x.count(it::contains) } ?: 0
+        if (densest == null || samples > mostSamples) {
+            densest = line
+            mostSamples = samples
+        }
+    }
+
+    /** Decides on the rows, which takes one step, and then makes a column per step. */
+    private fun layRows() {
+        val positions = view.xAxis.positions
+        val hasRows = positions.isNotEmpty()
+        val (times, remark) = if (hasRows) positions to "" else timesFor()
+        val rows = if (hasRows && span != null) rowsIn(positions, span) else times.indices
+        for (line in lines) {
+            steps += {
+                columns += if (!hasRows || line.isDerived || line.topic.times != null) heldColumn(line, times) else loggedColumn(line.topic)
+            }
+        }
+        for (topic in events) steps += { columns += eventColumn(view, topic, times) }
+        steps += { made = CsvTable(view.xAxis.title, times, rows, columns, remark) }
+    }
+
+    /** Returns the rows from the first to the last in [span]; where x is missing or goes backward, the rows between belong to it, too. */
+    private fun rowsIn(positions: DoubleArray, span: Span): IntRange {
+        val first = positions.indexOfFirst { it in span }
+        return if (first < 0) IntRange.EMPTY else first..positions.indexOfLast { it in span }
+    }
+
+    /**
+     * Returns rows for topics that share none: one every 20 ms, as often as a robot's program runs, or one at each sample of a line
+     * that has more.
+     */
+    private fun timesFor(): Pair<DoubleArray, String> {
+        val range = range ?: return DoubleArray(0) to ""
+        // Many topics over many hours would be more than any spreadsheet can open.
+        val most = MAX_CELLS / (lines.size + 1)
+        val period = generateSequence(PERIOD) { it * 2 }.first { range.width / it < most }
+        val periodic = floor(range.width / period + ROUNDING).toInt() + 1
+        val densest = densest
+        val own = densest?.data?.x?.filter { it in range }?.distinct()?.sorted().orEmpty()
+        if (densest != null && own.size > periodic && own.size < most) {
+            return own.toDoubleArray() to ", one at each sample of “${densest.topic.name}”$HELD"
+        }
+        return periodicTimes(range.from, period, periodic) to ", one every ${(period * 1000).toInt()} ms$HELD"
+    }
+
+    companion object {
+        /** Begins a table of each topic of [view] that has samples, within [span]; null for all rows. */
+        fun ofAll(view: LogView, span: Span? = null): CsvDraft {
+            val topics = view.recording.topics.filter { it !== view.xAxis.topic }
+            val (events, others) = topics.partition { it.kind == TopicKind.EVENT || "log" in it.attributes }
+            return CsvDraft(view, span, events).apply {
+                for (topic in others) {
+                    steps += { view.seriesOf(topic).let { if (it.states != null || it.topic.samples.isNotEmpty()) add(it) } }
+                }
+                steps += ::layRows
+            }
+        }
+
+        /** Begins the same for [lines], some of [view]'s. */
+        fun of(view: LogView, span: Span?, lines: List<GraphSeries>): CsvDraft = CsvDraft(view, span, emptyList()).apply {
+            for (line in lines) steps += { add(line) }
+            steps += ::layRows
+        }
+
+        private const val HELD = ", each with the last values before it"
+
+        /** In seconds. */
+        private const val PERIOD = 0.02
+        private const val MAX_CELLS = 40e6
+
+        // The tolerance, in periods, for the last step of a period that divides the range.
+        private const val ROUNDING = 1e-9
+    }
+}

@@ -1,0 +1,57 @@
+package badlog.viewer.shown.table
+
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+
+/**
+ * A part of a log for a spreadsheet: x first, then a column for each line with its name and unit, then one for each topic of events. Rows
+ * are those of the log; topics with times of their own have in each row the last value at or before it.
+ *
+ * @property rowCount the number of rows below the titles.
+ * @property remark how the rows were made if the log has none, to append to a sentence; otherwise empty.
+ */
+class CsvTable internal constructor(
+    xTitle: String,
+    private val x: DoubleArray,
+    private val rows: IntRange,
+    private val columns: List<CsvColumn>,
+    val remark: String,
+) {
+    private val titles = listOf(xTitle) + columns.map { it.title }
+
+    val rowCount: Int get() = rows.last + 1 - rows.first
+
+    /** The line of titles. A byte order mark before it marks the text as UTF-8 if necessary: without it, Excel assumes something else. */
+    val header: String
+        get() = titles.joinToString(
+            ",",
+            if (titles.all { title ->
+                    title.all { it < '\u0080' }
+                }
+            ) {
+                ""
+            } else {
+                "\uFEFF"
+            },
+            "\n",
+            transform = ::cellOf,
+        )
+
+    /** Returns the lines of [count] rows from [first] on, counted from 0, or of as many as there are. */
+    fun text(first: Int, count: Int): String = buildString {
+        for (row in rows.first + first until minOf(rows.first + first + count, rows.last + 1)) {
+            append(cellOf(x[row]))
+            for (column in columns) append(',').append(column.cell(row))
+            append('\n')
+        }
+    }
+
+    companion object {
+        /** Returns a table of each topic of [view] that has samples, within [span]; null for all rows. */
+        fun ofAll(view: LogView, span: Span? = null): CsvTable = CsvDraft.ofAll(view, span).finished()
+
+        /** Returns the same for [lines], some of [view]'s. */
+        fun of(view: LogView, span: Span?, lines: List<GraphSeries>): CsvTable = CsvDraft.of(view, span, lines).finished()
+    }
+}

@@ -1,0 +1,77 @@
+package badlog.viewer.text
+
+import badlog.core.analysis.Units
+import kotlin.math.abs
+import kotlin.math.ceil
+import kotlin.math.floor
+import kotlin.math.log10
+
+/**
+ * Returns a sample exactly, with the fewest digits that distinguish it from every other double, the same on every platform; `–`
+ * for none. Whole numbers below 1e15 are written in full; others below 1e-4 or from 1e15 on have an exponent.
+ */
+fun exactText(value: Double): String = when {
+    value.isNaN() -> NO_NUMBER
+
+    value.isInfinite() -> if (value > 0) "∞" else "-∞"
+
+    value == 0.0 -> "0"
+
+    value == floor(value) && abs(value) < MAX_PLAIN -> fixedDigits(value, 0)
+
+    else -> {
+        var digits = exponentialDigits(value, MIN_EXACT_DIGITS)
+        for (decimals in MIN_EXACT_DIGITS + 1..MAX_EXACT_DIGITS) {
+            if (digits.toDouble() == value) break
+            digits = exponentialDigits(value, decimals)
+        }
+        shortened(digits)
+    }
+}
+
+/** Returns a calculated number, which is not exact to its last digit, with six digits. */
+fun roundedText(value: Double): String =
+    if (value.isFinite() && value != 0.0) shortened(exponentialDigits(value, ROUNDED)) else exactText(value)
+
+/** Returns [value] with [decimals] decimals; in the form of [exactText] if it is not finite, or 1e15 or more. */
+fun fixedText(value: Double, decimals: Int): String =
+    if (value.isFinite() && abs(value) < MAX_PLAIN) fixedDigits(value, decimals) else exactText(value)
+
+/** Returns how many decimals distinguish places on an axis when a screen shows [span] of it. */
+fun decimalsFor(span: Double): Int = if (span > 0) ceil(DECADES_SEEN - log10(span)).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
+
+/** Returns the displayed text of a unit: empty for none. */
+fun unitText(unit: String): String = if (Units.isNone(unit)) "" else unit
+
+/** Returns [number] with its [unit], if it has one. */
+fun withUnit(number: String, unit: String): String = if (Units.isNone(unit) || number == NO_NUMBER) number else "$number $unit"
+
+/** The text for a missing number. */
+const val NO_NUMBER: String = "–"
+
+/** Returns [digits], in powers of ten, without unnecessary zeros, and without an exponent if that is not longer. */
+private fun shortened(digits: String): String {
+    val e = digits.indexOf('e')
+    val exponent = digits.substring(e + 1).toInt()
+    val sign = if (digits[0] == '-') "-" else ""
+    val mantissa = digits.substring(sign.length, e).trimEnd('0').trimEnd('.')
+    if (exponent !in MIN_EXPONENT until MAX_EXPONENT) return "$sign${mantissa}e$exponent"
+    val all = mantissa.replace(".", "")
+    return sign + when {
+        exponent < 0 -> "0." + "0".repeat(-exponent - 1) + all
+        exponent < all.length - 1 -> all.substring(0, exponent + 1) + "." + all.substring(exponent + 1)
+        else -> all + "0".repeat(exponent + 1 - all.length)
+    }
+}
+
+private const val MAX_PLAIN = 1e15
+private const val MIN_EXPONENT = -4
+private const val MAX_EXPONENT = 15
+
+// With this many decimals, and one digit before them, all decimal numbers differ as doubles; with two more decimals, all doubles can be
+// distinguished.
+private const val MIN_EXACT_DIGITS = 14
+private const val MAX_EXACT_DIGITS = 16
+private const val ROUNDED = 5
+private const val DECADES_SEEN = 4
+private const val MAX_DECIMALS = 9

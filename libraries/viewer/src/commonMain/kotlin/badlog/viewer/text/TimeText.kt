@@ -1,0 +1,53 @@
+package badlog.viewer.text
+
+import badlog.core.analysis.Units
+import badlog.core.analysis.XAxis
+import kotlin.math.abs
+
+/** Returns [x] as a place on [axis], with the precision of a screen that shows [width] of it, without the unit. */
+fun placeText(x: Double, axis: XAxis, width: Double): String = // There is nothing between two rows, so decimals would be meaningless.
+    if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
+
+/** Returns the cursor's place: `93.740 s · Teleop 1:31`, where [clocks] is the time of other clocks; without those, also in minutes. */
+fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
+    val place = withUnit(placeText(x, axis, width), axis.unit)
+    val seconds = Units.secondsIn(axis.unit)
+    return when {
+        clocks.isNotEmpty() -> "$place · $clocks"
+        seconds != null && x.isFinite() && abs(x * seconds) >= SECONDS -> "$place · ${minutesText(x * seconds)}"
+        else -> place
+    }
+}
+
+/** Returns a length on [axis] with its unit, and also in minutes if it is one or more. */
+fun lengthText(length: Double, axis: XAxis): String {
+    val number = withUnit(exactText(fixedText(length, decimalsFor(length)).toDouble()), axis.unit)
+    val name = if (axis.isIndex) "$number rows" else number
+    val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
+    return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
+}
+
+/** Returns the difference between two places on [axis]: `Δ 1.5 s`, with a minus for a step back. */
+fun differenceText(from: Double, to: Double, axis: XAxis): String {
+    val sign = if (to < from) "-" else ""
+    return "Δ $sign${lengthText(abs(to - from), axis)}"
+}
+
+/** Returns [seconds] in minutes, with hours if there are any: `1:33.7`, `1:02:05.0`. */
+fun minutesText(seconds: Double, decimals: Int = 1): String {
+    if (!(abs(seconds) < MAX_SECONDS)) return exactText(seconds)
+    val text = fixedText(abs(seconds), decimals)
+    val point = text.indexOf('.').let { if (it < 0) text.length else it }
+    val whole = text.substring(0, point).toInt()
+    val hours = whole / SECONDS / MINUTES
+    val minutes = whole / SECONDS % MINUTES
+    val sign = if (seconds < 0 && text.toDouble() > 0) "-" else ""
+    val large = if (hours > 0) "$hours:${twoDigits(minutes)}" else "$minutes"
+    return "$sign$large:${twoDigits(whole % SECONDS)}${text.substring(point)}"
+}
+
+private fun twoDigits(number: Int) = if (number < 10) "0$number" else "$number"
+
+private const val SECONDS = 60
+private const val MINUTES = 60
+private const val MAX_SECONDS = 2e9

@@ -1,0 +1,207 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+import badlog.viewer.draw.path.FieldOrigin
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldMatch
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.Codepoint
+import io.kotest.property.arbitrary.alphanumeric
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.choice
+import io.kotest.property.arbitrary.constant
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.enum
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class BoardSpec : FunSpec({
+    val name = Arb.choice(
+        Arb.string(0..12),
+        Arb.string(1..8, Codepoint.alphanumeric()),
+        Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
+    )
+    // Adding zero makes 0 of -0, whose sign JavaScript does not write.
+    val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
+    val graph = arbitrary {
+        val lines = Arb.list(name, 0..5).bind().distinct()
+        BoardGraph(
+            id = 0,
+            title = name.bind(),
+            lines = lines,
+            isFilled = Arb.boolean().bind(),
+            includesZero = Arb.boolean().bind(),
+            yRange = Arb.choice(range, Arb.constant(Span(-1e-300, 1e300))).orNull().bind(),
+            height = Arb.int(BoardGraph.HEIGHTS).orNull().bind(),
+            rightYRange = range.orNull().bind(),
+            sharesY = Arb.boolean().bind(),
+            hidden = lines.filterTo(HashSet()) { Arb.boolean().bind() },
+            isXy = Arb.boolean().bind(),
+            xRange = range.orNull().bind(),
+            origin = Arb.enum<FieldOrigin>().bind(),
+        )
+    }
+    val board = arbitrary { Board(Arb.list(graph, 0..6).bind().mapIndexed { i, it -> it.copy(id = i + 1) }) }
+
+    fun Board.lines() = graphs.map { it.lines }
+
+    test("a board that was written is read back the same, as JSON and as the text of an address") {
+        checkAll(board) {
+            boardOfJson(it.toJson()) shouldBe it
+            boardOfText(it.toText()) shouldBe it
+            it.toText() shouldMatch Regex("[-A-Za-z0-9_./:;,=+~]*")
+        }
+    }
+
+    test("whatever a text holds, it is a board or refused in a sentence") {
+        val pieces = Arb.element("{", "}", "\"graphs\":", "[", "]", "\"title\":\"a\"", "\"lines\":", "1e999", "null", ",", "~", "t=", "y=1:", ";", "h=9e9")
+        val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
+        checkAll(text) {
+            for (read in listOf(::boardOfJson, ::boardOfText)) {
+                try {
+                    read(it)
+                } catch (e: BoardException) {
+                    e.message!! shouldEndWith "."
+                }
+            }
+        }
+    }
+
+    test("a cut or changed text is a board or refused in a sentence") {
+        checkAll(board, Arb.int(0..200), Arb.string(0..2)) { whole, at, put ->
+            for ((text, read) in listOf(whole.toJson() to ::boardOfJson, whole.toText() to ::boardOfText)) {
+                for (broken in listOf(text.take(at), text.take(at) + put + text.drop(at + 1))) {
+                    try {
+                        read(broken)
+                    } catch (e: BoardException) {
+                        e.message!! shouldEndWith "."
+                    }
+                }
+            }
+        }
+    }
+
+    test("the graphs of a layout file of version 1 are read, whatever else is in it") {
+        val file = """{"badlog-layout": 1, "graphs": [
+            {"title": "Arm", "lines": ["Arm/Angle", "Arm/Goal"], "zero": true, "y": {"from": -1.5, "to": 90.0}},
+            {"title": "Mode", "lines": ["Mode"], "y": {"from": 2.0, "to": 1.0}, "log": true}
+        ], "recording": "a.bag", "panels": {"library": false}}"""
+        boardOfJson(file).graphs shouldBe listOf(
+            BoardGraph(1, "Arm", listOf("Arm/Angle", "Arm/Goal"), includesZero = true, yRange = Span(-1.5, 90.0)),
+            BoardGraph(2, "Mode", listOf("Mode")),
+        )
+    }
+
+    test("a mistake is reported, with what to do") {
+        val wrong = mapOf(
+            """[]""" to "This is not an object of JSON; select a file that badlog has saved.",
+            """{"graphs":"all"}""" to "The graphs are damaged: “graphs” is not a list; select a file that badlog has saved.",
+            """{"graphs":[{"lines":["a"]}]}""" to "The graphs are damaged: graph 1 has no “title”; select a file that badlog has saved.",
+        )
+        for ((text, sentence) in wrong) shouldThrow<BoardException> { boardOfJson(text) }.message shouldBe sentence
+        shouldThrow<BoardException> { boardOfText("A,q=1") }.message shouldBe
+            "Graph 1 has “q”, which is unknown here; update badlog to open this."
+    }
+
+    test("an unknown origin is reported") {
+        shouldThrow<BoardException> { boardOfText("A,B,p=,o=green") }.message shouldBe
+            "“green” is not an origin of poses; copy the whole address again."
+    }
+
+    test("an address is short") {
+        val chosen = BoardGraph(1, "Arm", listOf("Arm/Angle", "Goal (deg)"), isFilled = true, yRange = Span(0.5, 90.25), height = 120)
+        Board(listOf(chosen, BoardGraph(2, "Mode", listOf("Mode")))).toText() shouldBe
+            "Arm/Angle,Goal+~0028deg~0029,t=Arm,f=,y=0.5:90.25,h=120;Mode"
+    }
+
+    test("whatever is done to a board, its graphs have ids of their own, and lines, each once") {
+        checkAll(Arb.list(Arb.int(0..9), 0..30), Arb.list(Arb.element("A", "B", "C", "D"), 30..30)) { deeds, names ->
+            var now = Board()
+            deeds.forEachIndexed { i, deed ->
+                val id = i % 5 + 1
+                now = when (deed) {
+                    0, 1 -> now.withGraph(listOf(names[i], names[29 - i]), before = id)
+                    2 -> now.withLine(id, names[i])
+                    3 -> now.withoutLine(id, names[i])
+                    4 -> now.joined(id, i % 3 + 1)
+                    5 -> now.separated(id)
+                    6 -> now.moved(id, i - 15)
+                    7 -> now.renamed(names[i], names[29 - i]).withLineHidden(id, names[29 - i], i % 2 == 0)
+                    8 -> now.withoutSignal(names[i]).movedBefore(id, i % 4)
+                    else -> now.without(id).resized(id + 1, i * 100)
+                }
+                now.graphs.map { it.id }.shouldBeUnique()
+                for (graph in now.graphs) (graph.lines.isNotEmpty() && graph.lines.distinct() == graph.lines) shouldBe true
+                for (graph in now.graphs) (graph.hidden - graph.lines.toSet()) shouldBe emptySet()
+            }
+        }
+    }
+
+    test("graphs are joined, separated, moved and take the heights that there are") {
+        val two = Board().withGraph(listOf("A", "B")).withGraph(listOf("B", "C"))
+        two.joined(1, 2).lines() shouldBe listOf(listOf("A", "B", "C"))
+        two.joined(1, 1) shouldBe two
+        two.separated(1).lines() shouldBe listOf(listOf("A"), listOf("B"), listOf("B", "C"))
+        two.separated(1).graphs.map { it.title } shouldBe listOf("A", "B", "B")
+        two.moved(2, -1).lines() shouldBe listOf(listOf("B", "C"), listOf("A", "B"))
+        two.resized(1, 5).graphs[0].height shouldBe 60
+        two.showsSame(two.moved(2, -1).moved(2, 1)) shouldBe true
+        two.showsSame(two.moved(2, -1)) shouldBe false
+    }
+
+    test("a graph is dragged before another one, or to the end") {
+        val three = Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))
+        three.movedBefore(3, 1).lines().map { it.single() } shouldBe listOf("C", "A", "B")
+        three.movedBefore(1, 3).lines().map { it.single() } shouldBe listOf("B", "A", "C")
+        three.movedBefore(1, null).lines().map { it.single() } shouldBe listOf("B", "C", "A")
+        three.movedBefore(2, 2) shouldBe three
+        three.movedBefore(9, 1) shouldBe three
+    }
+
+    test("limits of y are fixed or shared, never both") {
+        val board = Board().withGraph(listOf("A"))
+        board.withSharedY(1, true).withYRange(1, Span(0.0, 1.0)).graphs[0].sharesY shouldBe false
+        board.withYRange(1, Span(0.0, 1.0), Span(0.0, 2.0)).withSharedY(1, true).graphs[0].run { listOf(yRange, rightYRange) } shouldBe listOf(null, null)
+        board.withSharedY(1, true).withYRange(1, null).graphs[0].sharesY shouldBe true
+    }
+
+    test("three heights have names, and any number of pixels is one of them") {
+        GraphHeight.of(null) shouldBe GraphHeight.MEDIUM
+        GraphHeight.entries.map { GraphHeight.of(it.pixels) } shouldBe GraphHeight.entries
+        GraphHeight.of(120) shouldBe GraphHeight.SMALL
+        GraphHeight.of(600) shouldBe GraphHeight.LARGE
+        for (height in GraphHeight.entries) (height.pixels in BoardGraph.HEIGHTS) shouldBe true
+    }
+
+    test("a board written by a newer badlog is read, except for what is unknown") {
+        boardOfJson("""{"graphs":[{"title":"A","lines":["A","B"],"hidden":["B","C",3],"glow":{"color":1}}]}""").graphs shouldBe
+            listOf(BoardGraph(1, "A", listOf("A", "B"), hidden = setOf("B")))
+    }
+
+    test("lines over each other are another graph than the same lines over time, and have no such graphs of their own") {
+        val over = Board().withGraph(listOf("A", "B")).withXy(1, true)
+        over.has(BoardGraph(0, "A", listOf("A", "B"))) shouldBe false
+        over.has(over.graphs[0]) shouldBe true
+        over.toText() shouldBe "A,B,p="
+        over.withPlane(1, Span(0.5, 2.5), Span(1.5, 3.5)).withOrigin(1, FieldOrigin.AUTO).toText() shouldBe "A,B,y=1.5:3.5,p=,w=0.5:2.5,o=auto"
+        over.separated(1).graphs.map { it.isXy } shouldBe listOf(false, false)
+        over.withXy(1, false).showsSame(Board().withGraph(listOf("A", "B"))) shouldBe true
+    }
+
+    test("what draws a signal goes with it, and takes its new name") {
+        val board = Board().withGraph(listOf("Power")).withGraph(listOf("Power", "Other")).withGraph(listOf("Other"))
+        board.withoutSignal("Power").lines() shouldBe listOf(listOf("Other"), listOf("Other"))
+        val renamed = board.renamed("Power", "P")
+        renamed.lines() shouldBe listOf(listOf("P"), listOf("P", "Other"), listOf("Other"))
+        renamed.graphs[0].title shouldBe "P"
+    }
+})

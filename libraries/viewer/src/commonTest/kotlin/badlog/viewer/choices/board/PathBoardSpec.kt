@@ -1,0 +1,25 @@
+package badlog.viewer.choices.board
+
+import badlog.signals.pose.Pose
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.viewer.draw.path.poseTopics
+import badlog.viewer.timedTopic
+import badlog.viewer.timedView
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class PathBoardSpec : FunSpec({
+    test("a log with poses begins with the driven and the planned path") {
+        val view = timedView(*(poseTopics("Drive/Target Pose") + poseTopics("Drive/Pose") + timedTopic("Volts", 0.0 to 1.0, 1.0 to 2.0)).toTypedArray())
+        val graph = pathBoard(view).graphs.single()
+        graph.isXy shouldBe true
+        graph.lines shouldBe listOf("Pose", "Target Pose").flatMap { listOf("Drive/$it/translation/x", "Drive/$it/translation/y") }
+        standardBoard(view, SignalVocabulary.NONE).graphs.map { it.title }.take(2) shouldBe listOf("Path", "Volts")
+    }
+
+    test("a log without a driven path, or one of a robot that stood still, has none") {
+        pathBoard(timedView(*poseTopics("Vision/Pose").toTypedArray())) shouldBe Board()
+        val still = poseTopics("Pose").map { it.copy(samples = DoubleArray(2)) }
+        pathBoard(timedView(*still.toTypedArray())) shouldBe Board()
+    }
+})

@@ -1,0 +1,153 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.recording.Topic
+import badlog.signals.pose.Pose
+import badlog.signals.pose.PoseRole
+import badlog.signals.pose.posesOf
+import badlog.viewer.bagView
+import badlog.viewer.timedTopic
+import badlog.viewer.timedView
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+import kotlin.math.PI
+
+class XyPlotSpec : FunSpec({
+    fun LogView.plot(vararg lines: String) = xyPlotOf(lines.toList(), posesOf(recording.topics)) { name ->
+        recording.topics.find { it.name == name }?.let(::seriesOf)
+    }
+
+    fun path(name: String, vararg places: Triple<Double, Double, Double>): List<Topic> = listOf(
+        timedTopic("$name/translation/x", *places.map { it.first to it.second }.toTypedArray()),
+        timedTopic("$name/translation/y", *places.map { it.first to it.third }.toTypedArray()),
+        timedTopic("$name/rotation/value", *places.map { it.first to PI / 2 }.toTypedArray()),
+    ).map { it.copy(type = "struct:Pose2d", unit = "") }
+
+    fun timed(topics: List<Topic>) = timedView(*topics.toTypedArray())
+
+    test("a graph of a pose's x and y is its path on the field, with the robot where it was") {
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(1.0, 4.0, 3.0)))
+        val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
+        plot.isField shouldBe true
+        plot.full.x.run { from <= 0 && to >= Field.LENGTH } shouldBe true
+        val driven = plot.driven!!
+        driven.headingAt(0.5) shouldBe (PI / 2 plusOrMinus 1e-12)
+        driven.textAt(1.0, isField = true) shouldBe "4.00, 3.00 m · 90°"
+        driven.textAt(-1.0, isField = true) shouldBe ""
+        // It faces up the field: its front is above its middle.
+        driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
+    }
+
+    test("poses from vision are drawn first, and the driven path last") {
+        val names = listOf("Pose", "Target Pose", "Vision/Pose")
+        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 1.0)) })
+        val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        plot.traces.map { it.role } shouldBe listOf(PoseRole.SEEN, PoseRole.PLANNED, PoseRole.DRIVEN)
+        plot.traces.map { it.color } shouldBe listOf(2, 1, 0)
+    }
+
+    test("a plan that is an array is drawn where its elements are at the moment") {
+        val view = timed(path("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + path("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
+        val plan = view.plot("Trajectory[0]/translation/x", "Trajectory[0]/translation/y")!!.traces.single()
+        plan.chainAt(0.5).toList() shouldBe listOf(1.0, 1.0, 2.0, 2.0)
+        plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
+    }
+
+    test("swerve modules are arrows at the robot's corners, with the targets drawn first") {
+        fun states(name: String, speed: Double) = List(4) { i ->
+            listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
+        }.flatten().map { it.copy(type = "struct:SwerveModuleState[]") }
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0)) + states("Measured", 2.0) + states("Target", 4.0) + states("Rest", 0.0))
+        val modules = swerveModulesOf(view.recording.topics)
+        modules.map { it.isTarget } shouldBe listOf(false, true, false)
+        val plot = xyPlotOf(listOf("Pose/translation/x", "Pose/translation/y"), posesOf(view.recording.topics), modules) { name ->
+            view.recording.topics.find { it.name == name }?.let(view::seriesOf)
+        }!!
+        val arrows = plot.arrowsAt(0.0)
+        arrows.map { it.isTarget } shouldBe List(4) { true } + List(4) { false }
+        // The robot faces up the field: its front left corner is at the upper left, and the arrow goes up, by 4 m/s for a quarter of a second.
+        arrows[0].places.take(4).zip(listOf(1.7, 3.3, 1.7, 4.3)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
+        plot.arrowsAt(-1.0) shouldBe emptyList()
+    }
+
+    test("modules with a topic of their own for speed and for angle are arrows, however their corners are named") {
+        fun found(vararg names: String, units: List<String> = listOf("m/s", "deg")): List<SwerveModules> {
+            val topics = names.flatMapIndexed { i, name -> listOf(name, name.replace("Speed", "Angle")).map { it to i } }
+            return swerveModulesOf(
+                topics.mapIndexed { i, (name, corner) -> timedTopic(name, 0.0 to corner.toDouble()).copy(unit = units[i % 2]) },
+            )
+        }
+
+        fun corners(vararg ends: String) = ends.map { "Drive/$it Speed" }.toTypedArray()
+        val right = listOf("Front Right", "Rear Right", "Front Left", "Rear Left")
+        found(*right.map { "Drive/$it Speed" }.toTypedArray()).single().speeds shouldBe
+            listOf("Drive/Front Left Speed", "Drive/Front Right Speed", "Drive/Rear Left Speed", "Drive/Rear Right Speed")
+        found(*corners("FL", "FR", "BL", "BR")).single().radians shouldBe (PI / 180 plusOrMinus 1e-12)
+        found(*corners("Module0/", "Module1/", "Module2/", "Module3/"), units = listOf("ft/s", "rad")).single().meters shouldBe 0.3048
+        found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
+        found(*corners("FL", "FR", "BL")) shouldBe emptyList()
+        found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
+        // How far a wheel has turned is not its direction.
+        val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
+            listOf("Speed" to "m/s", "DrivePosition" to "rad", "TurnPosition" to "rad").map { (what, unit) ->
+                timedTopic("Drive/$corner/$what", 0.0 to 0.0).copy(unit = unit)
+            }
+        }
+        swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
+    }
+
+    test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {
+        val names = listOf("Pose", "Target Pose", "Vision/Pose")
+        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 2.0)) })
+        val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        val marks = plot.marksAt(0.5, emptySet())
+        marks.map { it.color } shouldBe listOf(2, 1, 1, 0, 0)
+        marks.map { it.isDot } shouldBe listOf(true, false, true, false, true)
+        marks.map { it.isFilled } shouldBe listOf(false, false, false, true, false)
+        marks[0].places.toList() shouldBe listOf(1.0, 2.0)
+        marks[3].isClosed shouldBe true
+        plot.marksAt(0.5, setOf("Target Pose/translation/x")).map { it.color } shouldBe listOf(2, 0, 0)
+        plot.marksAt(Double.NaN, emptySet()) shouldBe emptyList()
+    }
+
+    test("other lines are drawn over the first one; volts over amperes give the resistance") {
+        val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
+        val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
+        val plot = view.plot("Current", "Voltage")!!
+        plot.isField shouldBe false
+        plot.xTitle shouldBe "Current (V)"
+        val fit = plot.lineFit(Span(0.0, 50.0))!!
+        fit.slope shouldBe (-0.016 plusOrMinus 1e-9)
+        fit.text("A", "V") shouldBe "Resistance 16.0 mΩ"
+        fit.text("s", "m") shouldBe "Slope -0.0160 m/s"
+        plot.lineFit(Span(0.0, 0.5)).shouldBeNull()
+        view.plot("Current").shouldBeNull()
+        view.plot("Gone", "Voltage").shouldBeNull()
+    }
+
+    test("the pointer finds the time whose place on the path is nearest to it, and at a crossing the one nearest to the cursor") {
+        val there = List(11) { Triple(it.toDouble(), it.toDouble(), 2.0) }
+        val back = List(11) { Triple(11.0 + it, 10.0 - it, 2.0) }
+        val view = timed(path("Pose", *(there + back).toTypedArray()))
+        val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
+        fun at(x: Double, y: Double, before: Double?) = plot.timeAt(x, y, 0.1, 0.1, reach = 20.0, Span(0.0, 30.0), before)
+        at(3.1, 2.2, null) shouldBe 3.0
+        at(3.1, 2.2, 20.0) shouldBe 18.0
+        at(3.1, 7.0, null).isNaN() shouldBe true
+    }
+
+    test("the moment at which the robot leaves its plan is found, but staying where a plan has ended is not leaving it") {
+        val plan = List(100) { Triple(it / 10.0, minOf(it, 60) / 10.0, 2.0) }
+        val driven = List(100) { i -> Triple(i / 10.0, minOf(i, 60) / 10.0, if (i >= 40) 2 + (i - 40) / 10.0 else 2.0) }
+        val plot = timed(path("Pose", *driven.toTypedArray()) + path("Target", *plan.toTypedArray()))
+            .plot("Pose/translation/x", "Pose/translation/y", "Target/translation/x", "Target/translation/y")!!
+        val left = plot.departure(listOf(Span(0.0, 10.0)), second = 1.0)!!
+        left.time shouldBe (4.6 plusOrMinus 1e-9)
+        left.farthest shouldBe (2.0 plusOrMinus 1e-9)
+        plot.departure(listOf(Span(0.0, 4.5)), second = 1.0).shouldBeNull()
+        plot.departure(listOf(Span(7.0, 10.0)), second = 1.0).shouldBeNull()
+    }
+})

@@ -1,0 +1,112 @@
+package badlog.viewer.input
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.checkAll
+
+class GestureSpec : FunSpec({
+    val whole = Viewport(Span(0.0, 100.0))
+    val zoomed = whole.showing(40.0, 60.0)
+
+    test("each key does one thing, whether or not a keyboard needs Shift for a character") {
+        Action.entries.flatMap { it.keys.toList() }.shouldBeUnique()
+        Action.of("N", shift = false) shouldBe Action.NEXT_FINDING
+        Action.of("N", shift = true) shouldBe Action.PREVIOUS_FINDING
+        Action.of("+", shift = true) shouldBe Action.ZOOM_IN
+        Action.of("+", shift = false) shouldBe Action.ZOOM_IN
+        Action.of("E", shift = true).shouldBeNull()
+        Action.of("Q", shift = false).shouldBeNull()
+    }
+
+    test("the help has every key, with Shift where it is needed") {
+        Action.NEXT_VIEW.help shouldBe HelpLine("Graphs", "Shift+Backspace", "Next view")
+        Action.SHOW_ALL.help.how shouldBe "0  Home"
+        Action.entries.map { it.meaning }.shouldBeUnique()
+    }
+
+    test("a drag zooms, with Shift pans, with Alt zooms y") {
+        DragKind.of(shift = false, alt = false) shouldBe DragKind.ZOOM
+        DragKind.of(shift = true, alt = false) shouldBe DragKind.PAN
+        DragKind.of(shift = false, alt = true) shouldBe DragKind.ZOOM_Y
+    }
+
+    test("the wheel alone scrolls, sideways only if there is more to the side") {
+        Wheel().turned(zoomed, 0.0, 40.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
+        Wheel().turned(whole, 40.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
+        Wheel().turned(zoomed, 80.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
+        Wheel().turned(zoomed, 0.0, 80.0, ctrl = false, shift = true, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
+    }
+
+    test("the wheel with Ctrl zooms, and leaves what is below the pointer where it is") {
+        checkAll(Arb.double(-200.0, 200.0).filter { it.isFinite() }, Arb.double(41.0, 59.0).filter { it.isFinite() }) { turn, x ->
+            val after = Wheel().turned(zoomed, 0.0, turn, ctrl = true, shift = false, x, 800.0, 0.0).shouldNotBeNull().visible
+            if (turn < 0) (after.width <= 20.0) shouldBe true
+            if (after.from > 0 && after.to < 100) (x - after.from) / after.width shouldBe ((x - 40) / 20 plusOrMinus 1e-9)
+        }
+    }
+
+    test("turns of the wheel that follow one another closely are one step back") {
+        val wheel = Wheel()
+        var seen = whole
+        for (turn in 0..3) seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, turn * 100.0).shouldNotBeNull()
+        seen.back().visible shouldBe whole.visible
+        seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, 5000.0).shouldNotBeNull()
+        seen.back().isZoomed shouldBe true
+    }
+
+    test("with Ctrl or Alt, a key means something else") {
+        Action.of("Z", shift = false, ctrl = true) shouldBe Action.UNDO
+        Action.of("Z", shift = true, ctrl = true) shouldBe Action.REDO
+        Action.of("Z", shift = false) shouldBe null
+        Action.of("↑", shift = false, alt = true) shouldBe Action.MOVE_UP
+        Action.of("N", shift = false, ctrl = true) shouldBe null
+        Action.REDO.help.how shouldBe "Ctrl+Shift+Z  Ctrl+Y"
+    }
+
+    test("two quick clicks at one place are a double click, and a third begins a new one") {
+        val clicks = DoubleClick()
+        clicks.isSecond(10.0, 0.0) shouldBe false
+        clicks.isSecond(12.0, 200.0) shouldBe true
+        clicks.isSecond(12.0, 300.0) shouldBe false
+        clicks.isSecond(100.0, 400.0) shouldBe false
+        clicks.isSecond(100.0, 4000.0) shouldBe false
+    }
+
+    test("in the overview, a drag can begin at the edges of the visible range, inside it, and beside it") {
+        OverviewGrip.at(40.5, zoomed, 0.2) shouldBe OverviewGrip.LEFT
+        OverviewGrip.at(60.5, zoomed, 0.2) shouldBe OverviewGrip.RIGHT
+        OverviewGrip.at(50.0, zoomed, 0.2) shouldBe OverviewGrip.WINDOW
+        OverviewGrip.at(80.0, zoomed, 0.2) shouldBe OverviewGrip.NEW
+        OverviewGrip.at(50.0, whole, 0.2) shouldBe OverviewGrip.NEW
+        OverviewGrip.at(50.0, whole.showing(49.9, 50.1), 1.0) shouldBe OverviewGrip.WINDOW
+    }
+
+    test("an edge moves alone, and stops at the other") {
+        OverviewDrag(zoomed, 40.0, 0.1).movedTo(30.0).visible shouldBe Span(30.0, 60.0)
+        OverviewDrag(zoomed, 60.0, 0.1).movedTo(10.0).visible.from shouldBe (40.0 plusOrMinus 1e-3)
+    }
+
+    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes each") {
+        val drag = OverviewDrag(zoomed, 50.0, 0.1)
+        drag.movedTo(50.1) shouldBe zoomed
+        drag.hasMoved shouldBe false
+        drag.movedTo(60.0)
+        drag.movedTo(70.0).visible shouldBe Span(60.0, 80.0)
+        drag.movedTo(70.0).back().visible shouldBe zoomed.visible
+        OverviewDrag(whole, 20.0, 0.1).movedTo(50.0).visible shouldBe Span(20.0, 50.0)
+    }
+
+    test("a click beside the visible range moves it there, one inside it does nothing") {
+        OverviewDrag(zoomed, 80.0, 0.1).clicked(80.0).visible shouldBe Span(70.0, 90.0)
+        OverviewDrag(zoomed, 50.0, 0.1).clicked(50.0) shouldBe zoomed
+    }
+})

@@ -1,0 +1,97 @@
+package badlog.viewer.session.link
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.viewer.session.video.VideoAlignment
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldMatch
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.Codepoint
+import io.kotest.property.arbitrary.alphanumeric
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.choice
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class PageAddressSpec : FunSpec({
+    val name = Arb.choice(Arb.string(0..12), Arb.string(1..8, Codepoint.alphanumeric()), Arb.element("a&b=c", "100%", "#", "A;B", "é\uD800"))
+    val board = arbitrary { Arb.list(name, 0..4).bind().fold(Board()) { board, topic -> board.withGraph(listOf(topic, "Other")) } }
+    val number = Arb.numericDouble(-1e9, 1e9)
+    val address = arbitrary {
+        PageAddress(
+            moment = number.orNull().bind()?.plus(0.0),
+            visible = arbitrary { Span(number.bind() + 0.0, 2e9) }.orNull().bind(),
+            board = board.orNull().bind(),
+            formulas = Arb.list(name, 0..3).bind().filter { it.isNotEmpty() }.distinct(),
+            finding = arbitrary { FindingName(name.bind(), name.orNull().bind()) }.orNull().bind(),
+            video = number.orNull().bind()?.let(::VideoAlignment),
+        )
+    }
+
+    test("an address is read as it was written, even if a program escaped its characters in its own way") {
+        checkAll(address) { written ->
+            val text = written.toText()
+            text shouldMatch Regex("(#[-A-Za-z0-9_./:;,=+~&]+)?")
+            val passedOn = text.replace("~", "%7E").replace(";", "%3B").replace("+", "%2b").replace(",", "%2C")
+            for (read in listOf(pageAddressOf(text), pageAddressOf(passedOn))) {
+                read.moment shouldBe written.moment
+                read.visible shouldBe written.visible
+                read.board shouldBe written.board
+                read.formulas shouldBe written.formulas
+                read.finding?.run { rule to topic } shouldBe written.finding?.takeIf { written.moment != null }?.run { rule to topic }
+                read.video?.startSeconds shouldBe written.video?.startSeconds?.plus(0.0)
+                read.problems shouldBe emptyList()
+            }
+        }
+    }
+
+    test("a link to only a moment, as in older reports, still works") {
+        pageAddressOf("#t=93.7").run {
+            moment shouldBe 93.7
+            (visible == null && this.board == null && formulas.isEmpty() && problems.isEmpty()) shouldBe true
+        }
+    }
+
+    test("a link is short enough to read") {
+        val two = Board().withGraph(listOf("Battery Voltage")).withGraph(listOf("Mode"))
+        PageAddress(93.5, Span(90.5, 100.5), two, listOf("Power = Voltage")).toText() shouldBe
+            "#t=93.5&x=90.5:100.5&board=Battery+Voltage;Mode&f=Power+~003d+Voltage"
+        PageAddress(93.0, finding = FindingName("Loop stood still", "Loop time")).toText() shouldBe "#t=93&finding=Loop+stood+still;Loop+time"
+        PageAddress(93.0, finding = FindingName("Restart", null)).toText() shouldBe "#t=93&finding=Restart"
+        PageAddress(video = VideoAlignment(-3.5)).toText() shouldBe "#v=-3.5"
+        PageAddress().toText() shouldBe ""
+    }
+
+    test("each damaged part is reported in a sentence, and the rest is used") {
+        pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c&v=1e999").problems shouldContainExactly
+            listOf("time", "range", "board", "formula", "finding", "video’s place").map { "This link’s $it is damaged; copy the link again." }
+        pageAddressOf("#t=5&x=").run {
+            moment shouldBe 5.0
+            problems.size shouldBe 1
+        }
+    }
+
+    test("anchors of the page and what a newer badlog wrote are ignored silently") {
+        for (text in listOf("", "#", "#info", "#:~:text=Voltage", "#sound=loud")) {
+            pageAddressOf(text).run { (isEmpty && problems.isEmpty()) shouldBe true }
+        }
+    }
+
+    test("whatever an address ends with, it is read, and what is reported are sentences") {
+        val pieces = Arb.element("#", "t=", "x=", "board=", "f=", "finding=", "v=", "&", ":", ";", "~", "%", "1e999", "NaN", "-5", "%7E", "y=1", ",")
+        val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
+        checkAll(text, address, Arb.int(0..80)) { some, written, at ->
+            for (tried in listOf(some, written.toText().take(at), written.toText().take(at) + some)) {
+                for (sentence in pageAddressOf(tried).problems) sentence shouldEndWith "."
+            }
+        }
+    }
+})

@@ -1,0 +1,55 @@
+package badlog.viewer.session.video
+
+import badlog.core.analysis.Span
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class VideoAlignmentSpec : FunSpec({
+    val seconds = Arb.numericDouble(0.0, 10_000.0)
+    val unit = Arb.element(1.0, 0.001, 1e-6, 60.0)
+
+    test("an aligned frame is where it was put, and all others are as far from it as in the video, whatever the unit of x") {
+        checkAll(seconds, Arb.numericDouble(-5000.0, 5000.0), unit, seconds) { frame, moment, secondsOfX, other ->
+            val x = moment / secondsOfX
+            val alignment = VideoAlignment.of(frame, x, secondsOfX)
+            alignment.secondsAt(x, secondsOfX) shouldBe (frame plusOrMinus 1e-4)
+            alignment.xAt(other, secondsOfX) * secondsOfX shouldBe (moment + other - frame plusOrMinus 1e-4)
+            alignment.secondsAt(alignment.xAt(other, secondsOfX), secondsOfX) shouldBe (other plusOrMinus 1e-6)
+        }
+    }
+
+    test("a stored alignment is read as it was written, to the last bit") {
+        checkAll(Arb.string(0..20), Arb.numericDouble(-1e6, 1e6).orNull()) { name, start ->
+            val read = videoNoteOf(VideoNote(name, start?.let(::VideoAlignment)).toText())
+            read?.name shouldBe name
+            read?.alignment?.startSeconds shouldBe start?.let { VideoAlignment(it).startSeconds }
+        }
+        VideoNote("a match.mp4", VideoAlignment(-1.94667000001)).toText() shouldBe "-1.9467 a match.mp4"
+    }
+
+    test("text that something else wrote is not read as an alignment") {
+        for (text in listOf("", "12.5", "x match.mp4", "NaN match.mp4", "Infinity a")) videoNoteOf(text) shouldBe null
+    }
+
+    test("a frame of the moment of enabling belongs to the first such moment in sight, or otherwise to the first of the log") {
+        val enabled = listOf(Span(5.0, 20.0), Span(23.0, 158.0))
+        enabledStart(enabled, Span(0.0, 200.0)) shouldBe 5.0
+        enabledStart(enabled, Span(10.0, 60.0)) shouldBe 23.0
+        enabledStart(enabled, Span(170.0, 200.0)) shouldBe 5.0
+        enabledStart(emptyList(), Span(0.0, 200.0)) shouldBe null
+    }
+
+    test("speeds go from a quarter to four times, in steps") {
+        generateSequence(0.25) { videoSpeed(it, 1) }.take(6).toList() shouldBe listOf(0.25, 0.5, 1.0, 2.0, 4.0, 4.0)
+        videoSpeed(0.25, -1) shouldBe 0.25
+        videoSpeed(3.0, -1) shouldBe 2.0
+        videoSpeed(16.0, 0) shouldBe 4.0
+    }
+})

@@ -1,0 +1,52 @@
+package badlog.viewer.choices.board
+
+import badlog.rules.NearestFile
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The layout that a team has put beside its logs, with which windows and pages begin.
+ *
+ * @property file the file; null for none.
+ * @property text the content of the file, which is embedded in pages; null for none, or if it has a mistake.
+ * @property layout the same, parsed.
+ * @property problem why an existing file is not used, as a sentence; null if all is well.
+ */
+class FolderLayout private constructor(val file: Path?, val text: String?, val layout: BoardLayout?, val problem: String?) {
+    companion object {
+        /** No layout. */
+        val NONE: FolderLayout = FolderLayout(null, null, null, null)
+
+        /** The name of the file for all matches. */
+        const val NAME: String = "default${BoardLayout.ENDING}"
+
+        /**
+         * Returns the layout for [log]: that of the nearest file in its folder, or in one above it up to [top], which is null for only its
+         * own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`) comes before [NAME] in
+         * the same folder.
+         *
+         * @param matchType returns the type of the log's match, such as `Qualification`, or null for unknown; called only if there is such
+         * a file.
+         */
+        fun of(log: Path, top: Path? = null, matchType: () -> String? = { null }): FolderLayout {
+            val type by lazy { matchType()?.lowercase().orEmpty() }
+            val nearest = NearestFile.of(log, top, { folder -> fileIn(folder) { type } }) { text -> text to boardLayoutOf(NAME, text) }
+            val file = nearest.file ?: return NONE
+            val problem = nearest.problem?.replace(NAME, "It")?.let { "The layout $file is not used: $it" }
+            return FolderLayout(file, nearest.found?.first, nearest.found?.second, problem)
+        }
+
+        private fun fileIn(folder: Path, type: () -> String): Path? {
+            val typed = TYPES.keys.map { it to folder.resolve(it + BoardLayout.ENDING) }.filter { Files.isRegularFile(it.second) }
+            val own = typed.firstOrNull { (name, _) -> TYPES.getValue(name).any { type().startsWith(it) } }?.second
+            return own ?: folder.resolve(NAME).takeIf(Files::isRegularFile)
+        }
+
+        /** The beginnings of the types of match for which there may be a file, as robots, fields and file names write them. */
+        private val TYPES = mapOf(
+            "practice" to listOf("prac"),
+            "qualification" to listOf("qual"),
+            "elimination" to listOf("elim", "playoff", "quarter", "semi", "final"),
+        )
+    }
+}
