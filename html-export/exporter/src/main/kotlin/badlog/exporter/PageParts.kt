@@ -31,7 +31,7 @@ class PageParts private constructor(
     }
 
     /** The program and its style in the form embedded in a page. */
-    internal val packedProgram: ByteArray = gzip?.let(::base122) ?: packed(style + SEPARATOR + program)
+    internal val packedProgram: ByteArray = gzip?.let(Base64.getEncoder()::encode) ?: packed(style + SEPARATOR + program)
 
     /**
      * Returns the Content-Security-Policy of a page with these parts: nothing from the network, and no other script or style. A video may

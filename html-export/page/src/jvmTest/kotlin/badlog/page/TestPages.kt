@@ -6,7 +6,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** The samples of this repository. */
-internal val SAMPLES: Path = Path.of("../samples")
+internal val SAMPLES: Path = Path.of("../../samples")
 
 /** The pages that tests look at, made as a person makes them. */
 internal object TestPages {
