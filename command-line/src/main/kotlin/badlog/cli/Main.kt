@@ -32,7 +32,7 @@ fun main(arguments: Array<String>) {
     exitProcess(if (console.isOutClosed) afterLoss(console, results).code else code.code)
 }
 
-/** Returns the start script knows the width of the terminal, and passes 0 if there is none. */
+// The start script knows the width of the terminal, and passes 0 if there is none.
 private fun width(): Int = when (val told = System.getProperty("badlog.columns")?.toIntOrNull()) {
     null -> if (System.console() != null) LINE_WIDTH else Console.UNLIMITED
     0 -> Console.UNLIMITED

@@ -161,7 +161,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         return null
     }
 
-    /** Returns what is published during setup is kept for the first row, because the setup of a [RobotLog] may take long. */
+    /** Returns the topic [name] during setup: what is published to it then is kept for the first row, because the setup of a [RobotLog] may take long. */
     private fun earlySubscriber(name: String?): SubscribedTopic? {
         if (phase != LogState.SETTING_UP) return null
         return synchronized(lock) { namespace.topics.firstOrNull { it.name == name } as? SubscribedTopic }

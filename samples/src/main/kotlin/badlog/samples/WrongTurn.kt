@@ -40,10 +40,7 @@ fun wrongTurn(): ByteArray {
     for ((place, name) in listOf("X", "Y").withIndex()) {
         // The camera sees a tag now and then, a little beside where the robot is.
         log.number("Vision/Pose $name", "m", 3, "hide") {
-            (placeOf(run.robot)[place] + noise.around(SCATTER)).takeIf {
-                loop % SEEN_EVERY ==
-                    0
-            }
+            (placeOf(run.robot)[place] + noise.around(SCATTER)).takeIf { loop % SEEN_EVERY == 0 }
         }
     }
     log.finishInitialization()

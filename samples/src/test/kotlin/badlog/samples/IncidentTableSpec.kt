@@ -23,11 +23,11 @@ private val CAUSES = mapOf(
     Fault.SEIZED_MOTOR to "A motor was blocked",
     Fault.SEIZED_DRIVE to "A gearbox of the drivetrain was stuck",
     Fault.UNPLUGGED_MOTOR to "One of two linked motors did nothing",
-    Fault.PULLED_ENCODER to "An encoder no longer said how far its motor turned",
+    Fault.PULLED_ENCODER to "An encoder stopped reporting",
     Fault.CAN_CUT to "The CAN bus was interrupted",
     Fault.RADIO_REBOOT to "The robot lost its radio or driver station",
     Fault.SLOW_VISION to "Vision held up the loop",
-    Fault.RESTART to "The program ended in the match",
+    Fault.RESTART to "The robot code restarted during the match",
 )
 
 /** A match, and the fault that its first incident names, null for none. */

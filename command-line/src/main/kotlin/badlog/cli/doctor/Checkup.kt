@@ -49,7 +49,7 @@ internal class Checkup(private val computer: Computer, private val addresses: Li
         browser(),
         window(),
         owlet(),
-        folder("settings", computer.folders.settings, "kept"),
+        folder("settings", computer.folders.settings, "yours, badlog never deletes it"),
         folder("cache", computer.folders.cache, "safe to delete"),
     ) + listOfNotNull(answers(), robot())
 

@@ -27,13 +27,7 @@ internal enum class AnswerForm {
                 columns.mapIndexed { i, it ->
                     TextTable.Column(
                         it.name,
-                        if (i ==
-                            columns.lastIndex
-                        ) {
-                            Int.MAX_VALUE
-                        } else {
-                            MAX_WIDTH
-                        },
+                        if (i == columns.lastIndex) Int.MAX_VALUE else MAX_WIDTH,
                         it.isNumber,
                     )
                 },

@@ -38,9 +38,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
 
     /** Returns a sentence that says which log was added to [file]; null for none. */
     fun sentenceOf(file: LogFile): String? = found[file.path]?.run {
-        val how = if (fit.edges >
-            1
-        ) {
+        val how = if (fit.edges > 1) {
             "${fit.edges} edges of enabled fit within ${shortNumber(fit.error, DIGITS)} s"
         } else {
             "aligned by the clocks, to about 1 s"

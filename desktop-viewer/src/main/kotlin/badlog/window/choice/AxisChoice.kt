@@ -4,7 +4,7 @@ import badlog.window.compare.ComparedRecordings
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 
 /**
  * The choice whether logs that name no x axis are drawn over their time column, see [badlog.window.log.OpenRecording.overTime]; null
@@ -15,7 +15,7 @@ internal class AxisChoice(
     private val compared: ComparedRecordings,
     private val board: GraphBoard,
     private val view: AxisView,
-) : Part<Boolean?>(null) {
+) : StateHolder<Boolean?>(null) {
     /** The name of the column that the open log could be drawn over; null if that was already chosen, or there is none. */
     val offered: String? get() = if (state == null) current.recording?.timeColumn?.name else null
 

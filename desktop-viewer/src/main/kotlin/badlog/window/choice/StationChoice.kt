@@ -11,7 +11,7 @@ import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.settings.SettingsStore
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.runInterruptible
@@ -40,7 +40,7 @@ internal class StationChoice(
     private val settings: SettingsStore,
     private val folder: () -> Path?,
     private val find: (OpenRecording, Path?) -> FoundStation<LogFile>? = ::stationBeside,
-) : Part<StationOfLog>(StationOfLog()) {
+) : StateHolder<StationOfLog>(StationOfLog()) {
     /** The Driver Station's log that belongs to the current recording; null where none is known. */
     val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
 

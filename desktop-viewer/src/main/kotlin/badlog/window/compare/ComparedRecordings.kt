@@ -5,7 +5,7 @@ import androidx.compose.runtime.getValue
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingReader
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.task.LongTasks
 import kotlinx.coroutines.Job
 import java.nio.file.Path
@@ -19,7 +19,7 @@ internal class ComparedRecordings(
     private val current: CurrentRecording,
     private val tasks: LongTasks,
     private val reader: RecordingReader,
-) : Part<Comparison>(Comparison()) {
+) : StateHolder<Comparison>(Comparison()) {
     private val jobs = HashMap<Path, Job>()
 
     /**

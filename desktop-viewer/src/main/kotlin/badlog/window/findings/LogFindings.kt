@@ -14,7 +14,7 @@ import badlog.viewer.choices.board.evidenceBoard
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
@@ -42,7 +42,7 @@ internal class LogFindings(
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
-) : Part<Findings>(Findings()) {
+) : StateHolder<Findings>(Findings()) {
     /** The log whose worst finding will be shown once it is known; null for none. */
     private var worstWanted: Path? = null
 

@@ -4,7 +4,7 @@ import badlog.window.folder.index.IndexCache
 import badlog.window.folder.index.IndexQueue
 import badlog.window.folder.index.Indexing
 import badlog.window.settings.SettingsStore
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
@@ -24,7 +24,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * @param settings remembers which folders were opened.
  */
 internal class Library(private val scope: CoroutineScope, private val cache: Path, private val settings: SettingsStore) :
-    Part<LibraryState>(LibraryState()) {
+    StateHolder<LibraryState>(LibraryState()) {
     private var job: Job? = null
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)

@@ -15,9 +15,7 @@ import badlog.window.graph.scene.GraphScene
  */
 internal fun graphHeights(graphs: List<BoardGraph>, lanes: List<Int>, room: Int, usual: Int, fit: Boolean): List<Int> {
     val natural = lanes.mapIndexed { i, count ->
-        if (count ==
-            0
-        ) {
+        if (count == 0) {
             graphs[i].height ?: if (graphs[i].isXy) GraphHeight.LARGE.pixels else 0
         } else {
             GraphScene.HEADER_HEIGHT +

@@ -53,7 +53,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     }
 }
 
-/** Returns a press here takes the focus away from text fields, so that keys are commands again. */
+/** A press here removes the focus from text fields, so that keys are commands again. */
 private fun Modifier.takesKeyboard() = composed {
     val focus = LocalFocusManager.current
     pointerInput(focus) {

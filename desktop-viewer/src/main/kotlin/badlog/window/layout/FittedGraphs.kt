@@ -10,6 +10,6 @@ import badlog.window.log.OpenRecording
 internal fun fitted(board: Board, recording: OpenRecording): FittedBoard =
     board.fittedTo(excused = recording.formulas.mapNotNullTo(HashSet()) { it.name }) { recording.signal(it) != null }
 
-/** Returns Returns [span] in the window's form; null if it is not valid. */
+/** Returns [span] in the window's form; null if it is not valid. */
 internal fun spanOf(span: LayoutSpan): Span? =
     if (span.from < span.to && span.from.isFinite() && span.to.isFinite()) Span(span.from, span.to) else null

@@ -75,7 +75,7 @@ internal class FolderLayouts(private val place: Path) {
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
 
-/** Returns Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
+/** Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
 internal fun pathText(file: Path, folder: Path?): String {
     val base = folder?.toAbsolutePath()?.normalize()
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()

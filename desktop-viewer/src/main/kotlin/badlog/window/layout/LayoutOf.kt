@@ -12,10 +12,10 @@ import java.nio.file.Path
 
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-/** Returns Returns [panels] in the form for a layout. */
+/** Returns [panels] in the form for a layout. */
 internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
 
-/** Returns Returns [comparison] in the form for a layout, with files relative to [folder]. */
+/** Returns [comparison] in the form for a layout, with files relative to [folder]. */
 internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
     files = comparison.checked.map { pathText(it, folder) },
     alignment = comparison.alignment.layoutName,
@@ -26,7 +26,7 @@ internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
 internal fun alignmentOf(layout: LayoutComparison): Alignment =
     Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
 
-/** Returns Returns [panels] in the window's form; anything unknown stays as in [now]. */
+/** Returns [panels] in the window's form; anything unknown stays as in [now]. */
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,

@@ -3,10 +3,10 @@ package badlog.window.log
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import badlog.viewer.draw.mark.EventTimeline
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 
 /** The recording that the window shows, if any. */
-internal class CurrentRecording : Part<OpenRecording?>(null) {
+internal class CurrentRecording : StateHolder<OpenRecording?>(null) {
     /** The recording; null before one was opened, and after it was closed. */
     val recording: OpenRecording? get() = state
 
@@ -18,7 +18,7 @@ internal class CurrentRecording : Part<OpenRecording?>(null) {
 }
 
 /** The events of the [current] recording, and which of them are listed and have marks. */
-internal class FilteredEvents(private val current: CurrentRecording) : Part<EventFilter>(EventFilter()) {
+internal class FilteredEvents(private val current: CurrentRecording) : StateHolder<EventFilter>(EventFilter()) {
     /** The events that pass the filter. */
     val matching: EventTimeline by derivedStateOf { current.recording?.let { state.over(it.events, it.eventLogs) } ?: EventTimeline.NONE }
 }

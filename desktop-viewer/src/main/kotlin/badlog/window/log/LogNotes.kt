@@ -7,7 +7,7 @@ import androidx.compose.runtime.snapshotFlow
 import badlog.exporter.NotesFile
 import badlog.protocol.Note
 import badlog.protocol.NotesException
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
@@ -23,7 +23,7 @@ import java.nio.file.Path
 internal data class WrittenNotes(val log: Path? = null, val notes: List<Note> = emptyList(), val isDamaged: Boolean = false)
 
 /** The notes of the [current] log, and the file beside it that stores them. */
-internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : Part<WrittenNotes>(WrittenNotes()) {
+internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : StateHolder<WrittenNotes>(WrittenNotes()) {
     /** The note that is being written, or changed; null for none. */
     var draft: NoteDraft? by mutableStateOf(null)
         private set

@@ -186,9 +186,7 @@ internal class OpenRecording(
     }
 
     /** Returns the same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
-    fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station ===
-        this.station
-    ) {
+    fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station === this.station) {
         this
     } else {
         OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }

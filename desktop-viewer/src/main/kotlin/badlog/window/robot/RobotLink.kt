@@ -14,7 +14,7 @@ import badlog.fetch.LogFetch
 import badlog.fetch.LoginRefusedException
 import badlog.fetch.RobotAddress
 import badlog.fetch.UnknownStateException
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
@@ -45,7 +45,7 @@ internal class RobotLink(
     private val folder: () -> Path?,
     private val show: (Path) -> Unit,
     private val addressesOf: (String) -> List<RobotAddress>,
-) : Part<RobotLinkState>(RobotLinkState()) {
+) : StateHolder<RobotLinkState>(RobotLinkState()) {
     private var job: Job? = null
 
     /** Looks for [robot], a team's number or an address, and fetches from it until [disconnect]; [anyway] even if it may be enabled. */

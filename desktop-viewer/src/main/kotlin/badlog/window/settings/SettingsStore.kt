@@ -2,7 +2,7 @@ package badlog.window.settings
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.files.writeAtomically
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.FlowPreview
@@ -60,7 +60,7 @@ internal class SettingsFile(private val file: Path) {
  * @param kept the content of [file].
  */
 internal class SettingsStore(private val file: SettingsFile, private val notices: Notices, private val kept: Settings = Settings()) :
-    Part<Settings>(kept) {
+    StateHolder<Settings>(kept) {
     private var written = kept
 
     /** Writes each change a moment after it was made, until cancelled. */

@@ -33,7 +33,7 @@ internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView)
     StatisticsRange.ALL -> NamedSpan("Whole log", open.span)
 }
 
-/** Returns Returns [spans] in the order of x; those that touch are joined. */
+/** Returns [spans] in the order of x; those that touch are joined. */
 private fun joined(spans: List<Span>): List<Span> = buildList {
     for (span in spans.sortedBy { it.from }) {
         val before = lastOrNull()

@@ -1,7 +1,7 @@
 package badlog.window.sidebar
 
 import androidx.compose.ui.graphics.vector.ImageVector
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
 /**
@@ -82,4 +82,4 @@ internal enum class MainView {
 }
 
 /** Which parts of this window are open. */
-internal class WindowPanels : Part<Panels>(Panels())
+internal class WindowPanels : StateHolder<Panels>(Panels())

@@ -2,7 +2,7 @@ package badlog.window.sidebar
 
 import badlog.core.recording.Topic
 import badlog.viewer.shown.statistics.Statistic
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 
 /**
  * What the table of statistics shows. Immutable; each transition returns a new one.
@@ -55,4 +55,4 @@ internal data class FigureColumn(val topic: String, val statistic: Statistic) : 
 }
 
 /** What the window's table of statistics shows. */
-internal class SelectedStatistics : Part<StatisticsChoice>(StatisticsChoice())
+internal class SelectedStatistics : StateHolder<StatisticsChoice>(StatisticsChoice())

@@ -51,13 +51,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
         is FigureColumn -> withUnit(
             textOf(column.statistic, column.of(row)),
-            if (unitOf(column) ==
-                null
-            ) {
-                column.unitIn(row)
-            } else {
-                Topic.UNITLESS
-            },
+            if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS,
         )
     }
 

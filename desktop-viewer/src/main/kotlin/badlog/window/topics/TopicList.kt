@@ -1,7 +1,7 @@
 package badlog.window.topics
 
 import badlog.viewer.shown.outline.MANY_FOLDERS
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 
 /**
  * The state of the list of topics. Immutable; each transition returns a new one.
@@ -58,4 +58,4 @@ internal data class TopicList(
 }
 
 /** The state of the window's list of topics. */
-internal class TopicListing : Part<TopicList>(TopicList())
+internal class TopicListing : StateHolder<TopicList>(TopicList())

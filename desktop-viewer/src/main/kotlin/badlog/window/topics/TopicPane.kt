@@ -225,7 +225,7 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
 /** Returns the indentation at [depth] folders; it is limited, so that there is room for names. */
 internal fun indentOf(depth: Int): Dp = (8 + 12 * minOf(depth, MAX_DEPTH)).dp
 
-/** Returns Returns [text] with the matches of the words of [query] highlighted. */
+/** Returns [text] with the matches of the words of [query] highlighted. */
 internal fun withMatches(text: String, query: String, palette: Palette): AnnotatedString = buildAnnotatedString {
     val isFound = BooleanArray(text.length)
     for (word in Query(query).words) {

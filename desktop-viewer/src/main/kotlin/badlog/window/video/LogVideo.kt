@@ -11,7 +11,7 @@ import badlog.window.files.sayNoLog
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.settings.SettingsStore
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.coroutineScope
@@ -51,7 +51,7 @@ internal class LogVideo(
     private val files: FileChoice,
     private val notices: Notices,
     private val source: (Path, (ReadFrame) -> Unit, (VideoException) -> Unit) -> FrameSource = ::FrameReader,
-) : Part<ShownVideo>(ShownVideo()) {
+) : StateHolder<ShownVideo>(ShownVideo()) {
     private var reader: FrameSource? = null
 
     /** The previous frame: it may still be being drawn. */

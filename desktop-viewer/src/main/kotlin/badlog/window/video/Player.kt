@@ -8,10 +8,10 @@ import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
-import badlog.window.state.Part
+import badlog.window.state.StateHolder
 
 /** Plays the recording by moving the cursor. */
-internal class Player(private val current: CurrentRecording, private val view: AxisView) : Part<Playback>(Playback()) {
+internal class Player(private val current: CurrentRecording, private val view: AxisView) : StateHolder<Playback>(Playback()) {
     /** The played range: when looping, the selection or the visible range; otherwise, up to the end of the selection or of everything. */
     private val range: Span get() = view.selection ?: if (state.loops) view.viewport.visible else view.viewport.full
 

@@ -102,7 +102,7 @@ private fun Hint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
-/** Returns Returns [seconds] from the start of the video as text, such as `1:23.467`. */
+/** Returns [seconds] from the start of the video as text, such as `1:23.467`. */
 internal fun secondsText(seconds: Double): String {
     val millis = Math.round(maxOf(0.0, seconds) * MILLIS)
     return String.format(Locale.ROOT, "%d:%02d.%03d", millis / MINUTE, millis / MILLIS % SECONDS, millis % MILLIS)

@@ -47,13 +47,7 @@ internal sealed interface LogContent {
                 None(problem.message, isNoLog = true)
             } else {
                 withVirtualTopics(
-                    if (xTopic ==
-                        null
-                    ) {
-                        recording
-                    } else {
-                        recording.withX(xTopic, file.path)
-                    },
+                    if (xTopic == null) recording else recording.withX(xTopic, file.path),
                     definitions,
                     signals,
                 ) { beside(file, it) }

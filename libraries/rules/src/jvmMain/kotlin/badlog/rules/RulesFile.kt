@@ -34,15 +34,6 @@ class RulesFile internal constructor(val rules: RuleSet, val hooks: List<HookCom
     }
 }
 
-/** The built-in rules, with the built-in vocabulary. */
-val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
-
-// Reading TOML takes longer than exporting a small page, so these are also available as JSON.
-private val BUILT_IN_RULES by lazy {
-    val rules = checkNotNull(RuleSet.fromJson(resource("badlog-rules.json")))
-    rules.run { RuleSet(aliases, this.rules, signals, causes, comparisonsOf(resource("badlog-comparisons.json"))) }
-}
-
 internal fun resource(name: String): String =
     checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$name")).use { it.readBytes().decodeToString() }
 

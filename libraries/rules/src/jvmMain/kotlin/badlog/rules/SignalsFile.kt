@@ -93,9 +93,7 @@ private class SignalsReader(private val toml: TomlText) {
         toml.requireKnown(table, setOf("motors"), "linked motors")
         toml.requireKeys(table, place, listOf("motors"), "list of linked motors")
         val motors = toml.strings(table, "motors")
-        if (motors.size <
-            2
-        ) {
+        if (motors.size < 2) {
             toml.fail(toml.placeOf(table, "motors"), "“motors” needs at least two motors that turn together, as in [\"A\", \"B\"].")
         }
         return motors.map(::NamePattern)

@@ -73,7 +73,7 @@ class IncidentSpec : FunSpec({
     test("an effect of an earlier cause begins no incident of its own") {
         val arm = found("Motor stalled", 20.5, topic = "Arm/Output")
         names(found("Encoder stopped", 19.0, 26.0, "Arm/Position"), arm) shouldBe
-            listOf("An encoder no longer said how far its motor turned")
+            listOf("An encoder stopped reporting")
     }
 
     test("a finding about the whole log explains what happens at any time, and needs no time itself") {

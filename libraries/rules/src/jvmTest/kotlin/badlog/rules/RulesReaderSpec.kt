@@ -9,15 +9,9 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
-import java.io.File
 import kotlin.time.Duration.Companion.milliseconds
 
 private const val RULE = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"x > 1\"\ntext = \"t\"\n"
-
-private fun builtInFromToml(): RuleSet {
-    val signals = SignalsFile.parse(SignalsFile.builtInSource)
-    return RulesReader(resource(RulesFile.NAME), signals, isBuiltIn = true).read().rules
-}
 
 private fun messageOf(rules: String): String = shouldThrow<RulesException> { RulesFile.parse(rules) }.message
 
@@ -26,13 +20,8 @@ class RulesReaderSpec : FunSpec({
         RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
     }
 
-    test("the built-in rules as JSON are those of their file; BADLOG_WRITE_GUIDE rewrites them") {
-        val folder = File("src/jvmMain/resources/badlog/rules")
-        val made = builtInFromToml()
-        if (System.getenv("BADLOG_WRITE_GUIDE") != null) {
-            File(folder, "badlog-rules.json").writeText("${made.toJson()}\n")
-            File(folder, "badlog-comparisons.json").writeText("${comparisonsJson(made.comparisons)}\n")
-        }
+    test("the built-in rules as the build made JSON of them are those of their file") {
+        val made = builtInRulesFromToml()
         RuleSet.BUILT_IN.toJson() shouldBe made.toJson()
         comparisonsJson(RuleSet.BUILT_IN.comparisons) shouldBe comparisonsJson(made.comparisons)
     }

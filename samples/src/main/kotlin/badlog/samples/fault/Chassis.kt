@@ -81,13 +81,7 @@ private class SwerveModule(
     fun createTopics(log: BagLog) {
         val channel = (if (side == Side.LEFT) 0 else 14) + motor
         log.number("Swerve/$name/Drive Output", "ul", 3) {
-            if (side ==
-                Side.LEFT
-            ) {
-                robot.drivetrain.leftOutput
-            } else {
-                robot.drivetrain.rightOutput
-            }
+            if (side == Side.LEFT) robot.drivetrain.leftOutput else robot.drivetrain.rightOutput
         }
         log.number("Swerve/$name/Drive Position", "m", 4) { position }
         log.number("Swerve/$name/Drive Velocity", "m/s", 3) { velocity }
@@ -107,13 +101,7 @@ private class SwerveModule(
         // The front wheels lead into a turn, the rear ones follow.
         val lead = drivetrain.turnRate * if (motor == 0) LEAD else -LEAD
         val rolling = (
-            if (side ==
-                Side.LEFT
-            ) {
-                drivetrain.leftVelocity
-            } else {
-                drivetrain.rightVelocity
-            }
+            if (side == Side.LEFT) drivetrain.leftVelocity else drivetrain.rightVelocity
             ).let { if (abs(it) < RESTING) 0.0 else it + lead }
         val actual = if (isStuck) 0.0 else rolling
         position += actual * seconds

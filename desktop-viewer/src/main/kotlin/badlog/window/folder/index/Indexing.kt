@@ -103,7 +103,7 @@ internal class Indexing(
             val scan = FolderScan.of(folder) { ensureActive() }
             trouble = scan.unreadable.firstOrNull()?.let { first ->
                 val others = if (scan.unreadable.size > 1) " and ${scan.unreadable.size - 1} more folders" else ""
-                "$first$others cannot be read: permission denied; ask the owner."
+                "$first$others cannot be read: permission denied; change the permissions, or open another folder."
             }
             queue.found(scan.files, started.elapsedNow())
         } catch (e: IOException) {
@@ -223,7 +223,7 @@ private inline fun <T> unhurried(work: () -> T): T {
 
 /** Returns why [folder] cannot be read, which failed with [e]. */
 internal fun troubleWith(folder: Path, e: IOException): String = when (e) {
-    is AccessDeniedException -> "$folder cannot be read: permission denied; ask the owner."
-    is NoSuchFileException -> "$folder does not exist any more; connect its drive, or open another folder."
+    is AccessDeniedException -> "$folder cannot be read: permission denied; change its permissions, or open another folder."
+    is NoSuchFileException -> "There is no folder $folder; connect its drive, or open another folder."
     else -> "$folder does not answer; is its drive connected?"
 }

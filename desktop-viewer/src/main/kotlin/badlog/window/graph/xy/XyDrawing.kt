@@ -48,9 +48,7 @@ internal fun DrawScope.drawXyAxes(plane: Plane, box: Rect, plot: XyPlot, letters
     up.texts.forEachIndexed { i, number ->
         val text = letters.measure(number, style)
         val at = plane.yScale(box.height.toDouble()).placeOf(up.values[i]).toFloat() - text.size.height / 2
-        if (at >
-            yTitle.size.height
-        ) {
+        if (at > yTitle.size.height) {
             drawText(text, topLeft = Offset(box.left - gap - text.size.width, minOf(at, box.height - text.size.height)))
         }
     }

@@ -101,9 +101,7 @@ private const val COVERED = 0.16f
 private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
     LaunchedEffect(scene, spec.id, spec.plane) {
         spec.plane.let {
-            if (it ==
-                null
-            ) {
+            if (it == null) {
                 scene.planes.remove(spec.id)
             } else {
                 scene.planes[spec.id] = it

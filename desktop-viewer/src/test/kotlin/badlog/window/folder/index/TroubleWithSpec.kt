@@ -12,7 +12,7 @@ class TroubleWithSpec : FunSpec({
 
     test("a folder that may not be read is not taken for a drive that is gone") {
         troubleWith(folder, AccessDeniedException("/logs")) shouldContain "permission denied"
-        troubleWith(folder, NoSuchFileException("/logs")) shouldContain "does not exist any more"
+        troubleWith(folder, NoSuchFileException("/logs")) shouldContain "There is no folder /logs"
         troubleWith(folder, IOException("x")) shouldContain "is its drive connected?"
     }
 })

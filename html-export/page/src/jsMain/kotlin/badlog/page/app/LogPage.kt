@@ -321,10 +321,8 @@ internal class LogPage(
 
     /** Scrolls to the first graph if none is on the screen, so that the cursor is visible. */
     private fun showAnyGraph() {
-        val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }.filter {
-            it.second.height >
-                0
-        }
+        val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }
+            .filter { (_, box) -> box.height > 0 }
         if (boxes.any { (_, box) -> box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE }) return
         boxes.firstOrNull()?.first?.bringIntoSight()
     }

@@ -77,9 +77,7 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
 
     /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
-        val known = if (replaced ==
-            null
-        ) {
+        val known = if (replaced == null) {
             vocabulary
         } else {
             viewOf(persons - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary

@@ -41,9 +41,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
                 put("log", log.name)
                 log.putX(this, range)
                 putJsonArray("topics") {
-                    if (range !=
-                        null
-                    ) {
+                    if (range != null) {
                         lines.forEach { add(if (it.states == null) numbers(log.view, it, range) else states(log.view, it, range)) }
                     }
                 }

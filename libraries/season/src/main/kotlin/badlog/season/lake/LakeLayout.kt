@@ -44,9 +44,7 @@ object LakeLayout {
     /** Returns the path, with slashes, of the file of [kind] for the log [log] in a lake. */
     internal fun logFile(kind: String, partition: Partition, log: String): String {
         val name = encoded(log)
-        val short = if (name.length <=
-            MAX_NAME
-        ) {
+        val short = if (name.length <= MAX_NAME) {
             name
         } else {
             name.take(MAX_NAME) + "-" + CRC32().apply { update(log.encodeToByteArray()) }.value

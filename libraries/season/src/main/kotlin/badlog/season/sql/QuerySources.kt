@@ -37,9 +37,7 @@ internal class QuerySources private constructor(private val ownNames: Set<String
 
     private fun checkTableFunction(function: JsonObject) {
         val name = (function["function"] as? JsonObject)?.text("function_name").orEmpty().lowercase()
-        if (name !in
-            FUNCTIONS
-        ) {
+        if (name !in FUNCTIONS) {
             throw SqlException("The table function $name is not available here; query the tables: ${TABLES.joinToString()}.")
         }
     }

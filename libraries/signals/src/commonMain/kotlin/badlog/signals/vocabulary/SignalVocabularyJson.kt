@@ -58,9 +58,7 @@ private fun signalOf(value: JsonValue): SignalName {
         unit = json.optional("unit"),
         topics = json.list("topics") { topic ->
             val pair = topic.items
-            if (pair ==
-                null
-            ) {
+            if (pair == null) {
                 TopicPattern(NamePattern(stringOf(topic)), null)
             } else {
                 TopicPattern(NamePattern(stringOf(pair[0])), stringOf(pair[1]))

@@ -22,7 +22,11 @@ fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
 /** Returns a length on [axis] with its unit, and also in minutes if it is one or more. */
 fun lengthText(length: Double, axis: XAxis): String {
     val number = withUnit(exactText(fixedText(length, decimalsFor(length)).toDouble()), axis.unit)
-    val name = if (axis.isIndex) "$number rows" else number
+    val name = when {
+        !axis.isIndex -> number
+        number == "1" -> "1 row"
+        else -> "$number rows"
+    }
     val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
 }

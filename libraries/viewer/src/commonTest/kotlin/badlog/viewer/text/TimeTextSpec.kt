@@ -36,7 +36,7 @@ class TimeTextSpec : FunSpec({
     test("between two rows of an index there are no decimals, and a length of it counts rows") {
         placeText(1.4, rows, 1.0) shouldBe "1"
         placeText(Double.NaN, rows, 1.0) shouldBe "–"
-        lengthText(1.0, rows) shouldBe "1 rows"
+        lengthText(1.0, rows) shouldBe "1 row"
     }
 
     test("a length has its unit, and from one minute on also the minutes") {

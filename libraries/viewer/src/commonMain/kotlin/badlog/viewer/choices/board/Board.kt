@@ -112,13 +112,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
                 if (graph.id != id || graph.lines.size < 2) return@flatMap listOf(graph)
                 graph.lines.mapIndexed { i, line ->
                     graph.copy(
-                        id = if (i ==
-                            0
-                        ) {
-                            id
-                        } else {
-                            first + i
-                        },
+                        id = if (i == 0) id else first + i,
                         title = line,
                         lines = listOf(line),
                         yRange = null,

@@ -60,9 +60,9 @@ private fun byMeaning(graphs: List<Graph>): List<TopicGroup> {
 internal fun <T> inParts(items: List<T>): List<List<T>> =
     (items.indices step MAX_LINES).map { items.subList(it, minOf(it + MAX_LINES, items.size)) }
 
-/** Returns [groups] with target and actual of one thing joined, see [Thing]. */
+/** Returns [groups] with target and actual of one thing joined, see [TargetName]. */
 internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
-    val things = groups.map { group -> if (group.own == null) Thing.of(group.name) else null }
+    val things = groups.map { group -> if (group.own == null) TargetName.of(group.name) else null }
     val actuals = HashMap<List<String>, MutableList<Int>>()
     things.forEachIndexed { i, thing -> if (thing != null && !thing.isTarget) actuals.getOrPut(thing.words) { ArrayList() } += i }
     val joined = HashMap<Int, MutableList<TopicGroup>>()
@@ -88,7 +88,7 @@ internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
 }
 
 /** Returns the measured value in the folder of the bare target [target], such as `Arm/Angle` for `Arm/Goal`; null if there are several. */
-private fun measuredIn(groups: List<TopicGroup>, things: List<Thing?>, target: Int): Int? = groups.indices.singleOrNull { i ->
+private fun measuredIn(groups: List<TopicGroup>, things: List<TargetName?>, target: Int): Int? = groups.indices.singleOrNull { i ->
     val name = groups[i].name
     things[i]?.isTarget == false && groups[i].lines.size == 1 && fit(groups[i], groups[target]) &&
         groups[i].folder == groups[target].folder && PathName.baseNameOf(name).lowercase() in MEASURED

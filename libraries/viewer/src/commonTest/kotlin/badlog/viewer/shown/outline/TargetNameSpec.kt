@@ -3,10 +3,10 @@ package badlog.viewer.shown.outline
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class ThingSpec : FunSpec({
+class TargetNameSpec : FunSpec({
     fun arePair(target: String, actual: String): Boolean {
-        val one = Thing.of(target)
-        val other = Thing.of(actual)
+        val one = TargetName.of(target)
+        val other = TargetName.of(actual)
         return one != null && other != null && one.isTarget && !other.isTarget && one.words == other.words
     }
 

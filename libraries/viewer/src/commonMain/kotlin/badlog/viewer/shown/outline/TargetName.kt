@@ -16,19 +16,19 @@ import badlog.signals.vocabulary.wordsOf
  * @property isTarget whether the name says that this is a target.
  * @property isBare whether the last part of the name says only that, as in `Arm/Goal`.
  */
-internal class Thing private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
+internal class TargetName private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
     companion object {
         /** Returns what [name] is about; null if that is not clear. */
-        fun of(name: String): Thing? {
+        fun of(name: String): TargetName? {
             val words = wordsOf(name)
             val targets = words.indices.filter { words[it] in TARGET_WORDS }
             if (targets.size > 1) return null
             val target = targets.firstOrNull()
             if (target != null) {
-                return Thing(words.without(target), isTarget = true, isBare = wordsOf(name.substringAfterLast('/')).size == 1)
+                return TargetName(words.without(target), isTarget = true, isBare = wordsOf(name.substringAfterLast('/')).size == 1)
             }
             val actual = words.indices.singleOrNull { words[it] in ACTUALS && (words[it] != CURRENT || it < words.lastIndex) }
-            return Thing(if (actual == null) words else words.without(actual), isTarget = false, isBare = false)
+            return TargetName(if (actual == null) words else words.without(actual), isTarget = false, isBare = false)
         }
 
         private fun List<String>.without(index: Int) = filterIndexed { i, _ -> i != index }
