@@ -14,6 +14,7 @@
 #if defined(_WIN32)
 #include <direct.h>
 #include <io.h>
+#include <share.h>
 #else
 #include <unistd.h>
 
@@ -43,7 +44,10 @@ std::error_code LastError() {
 
 #if defined(_WIN32)
 int OpenNew(const std::filesystem::path& path) {
-    return _wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+    int descriptor = -1;
+    // Others may read it meanwhile. Microsoft's compiler warns of the shorter _wopen.
+    _wsopen_s(&descriptor, path.c_str(), _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, _S_IREAD | _S_IWRITE);
+    return descriptor;
 }
 int64_t WriteSome(int descriptor, const char* bytes, size_t size) {
     return _write(descriptor, bytes, static_cast<unsigned>(size));
