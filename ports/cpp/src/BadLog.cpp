@@ -1,13 +1,13 @@
 #include "badlog/BadLog.h"
 
-#include <filesystem>
 #include <mutex>
-#include <system_error>
 #include <utility>
 
 #include "Guarded.h"
 #include "LogSession.h"
 #include "StandardError.h"
+#include "SystemFile.h"
+#include "SystemPath.h"
 #include "Topics.h"
 #include "Utf8.h"
 
@@ -116,14 +116,16 @@ BadLog BadLog::Init(std::string_view path, LogOptions options) noexcept {
 }
 
 std::string BadLog::FreePath(std::string_view path) {
-    const std::filesystem::path wanted{path};
+    const auto wanted = SystemPath(path);
     auto free = wanted;
-    std::error_code failure;
-    for (int number = 2; std::filesystem::exists(free, failure); number++) {
+    for (int number = 2; Exists(free); number++) {
+        auto name = wanted.stem();
+        name += "_" + std::to_string(number);
+        name += wanted.extension();
         free = wanted;
-        free.replace_filename(wanted.stem().string() + "_" + std::to_string(number) + wanted.extension().string());
+        free.replace_filename(name);
     }
-    return free.string();
+    return TextOf(free);
 }
 
 bool BadLog::CreateTopic(std::string_view name, std::string_view unit, NumberSupplier supplier, Attributes attributes) noexcept {

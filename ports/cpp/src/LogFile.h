@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -11,7 +12,7 @@ namespace badlog {
 /** A file that only grows, by one write for each Append. A failed Append leaves nothing behind. */
 class LogFile {
 public:
-    /** Creates or empties the file, and its folders; see IsOpen and Failure. */
+    /** Creates or empties the file at a path in UTF-8, and its folders; see IsOpen and Failure. */
     explicit LogFile(std::string path);
     ~LogFile();
     LogFile(const LogFile&) = delete;
@@ -45,7 +46,8 @@ private:
     std::error_code CutTornEnd();
 
     std::string m_path;
-    std::string m_folder;
+    std::filesystem::path m_place;
+    std::filesystem::path m_folder;
     std::error_code m_failure;
     int m_descriptor = -1;
     int64_t m_length = 0;

@@ -5,6 +5,7 @@
 
 #include "Guarded.h"
 #include "NumberFormat.h"
+#include "OpenFailure.h"
 #include "StandardError.h"
 
 namespace badlog {
@@ -19,10 +20,7 @@ void LogSession::Open(std::string_view path) {
     auto file = std::make_unique<LogFile>(std::string{path});
     const std::lock_guard lock{m_mutex};
     if (!file->IsOpen()) {
-        faults.SayOnce(
-            "open", "The log " + file->Path() + " cannot be created: " + file->Failure().message() +
-                        ". Nothing is logged; use a folder that exists and can be written to, such as /home/lvuser/logs.");
-        return;
+        return faults.SayOnce("open", OpenFailureText(file->Path(), file->Failure()));
     }
     m_file = std::move(file);
     m_sink = std::make_unique<RowSink>(*m_file, m_flushesEachRow, faults);

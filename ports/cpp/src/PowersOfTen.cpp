@@ -36,10 +36,10 @@ void PowersOfTen96::Keep(const Number& number, int power) {
     while (number[top] == 0) top--;
     int shift = 0;
     while ((number[top] << shift & 0x8000'0000u) == 0) shift++;
-    for (int i = 0; i < WORDS; i++) {
-        const auto index = top - WORDS + 1 + static_cast<size_t>(i);
+    for (size_t i = 0; i < WORDS; i++) {
+        const auto index = top - WORDS + 1 + i;
         const uint32_t lower = shift == 0 ? 0 : number[index - 1] >> (32 - shift);
-        m_words[static_cast<size_t>(At(power) + i)] = number[index] << shift | lower;
+        m_words[At(power) + i] = number[index] << shift | lower;
     }
 }
 

@@ -33,7 +33,7 @@ private:
     static constexpr int NUMBER_WORDS = WORDS + 1 + MAX * 233 / 100 / 32 + 1;
     using Number = std::array<uint32_t, NUMBER_WORDS>;
 
-    static constexpr int At(int power) { return (power - MIN) * WORDS; }
+    static constexpr size_t At(int power) { return static_cast<size_t>((power - MIN) * WORDS); }
     void Keep(const Number& number, int power);
 
     std::array<uint32_t, (MAX - MIN + 1) * WORDS> m_words{};

@@ -9,6 +9,7 @@
 
 #include "Json.h"
 #include "LogFiles.h"
+#include "SystemPath.h"
 #include "badlog/Recording.h"
 
 using badlog::reader::JsonValue;
@@ -106,13 +107,13 @@ void CheckTopic(const badlog::RecordedTopic& topic, const JsonValue& expected, i
 
 TEST_CASE("each file of the conformance corpus is read as its expectation says") {
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator{BADLOG_ROOT "/core/conformance"}) {
+    for (const auto& entry : std::filesystem::directory_iterator{badlog::SystemPath(BADLOG_ROOT "/core/conformance")}) {
         auto path = entry.path();
         if (path.extension() != ".bag") continue;
         files++;
-        INFO(path.stem().string());
-        const auto recording = badlog::ReadBag(Read(path.string()));
-        const auto expected = badlog::reader::ReadJsonObject(Read(path.replace_extension(".json").string()));
+        INFO(badlog::TextOf(path.stem()));
+        const auto recording = badlog::ReadBag(Read(badlog::TextOf(path)));
+        const auto expected = badlog::reader::ReadJsonObject(Read(badlog::TextOf(path.replace_extension(".json"))));
         REQUIRE(expected);
         CHECK((recording.isBag ? "bag" : "csv") == Text(*expected, "format"));
         CHECK(recording.rowCount == Number(*expected, "rowCount"));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "LogFiles.h"
+#include "SystemPath.h"
 
 // The programs of docs/robot-cpp.md, whose main functions CMakeLists.txt renames; it replaces the robot's folder by "guide".
 int RunGuideRobot();
@@ -14,12 +15,12 @@ int RunGuideReader(int, char** arguments);
 TEST_CASE("the guide's robot logs, at each start into a new file") {
     const auto before = std::filesystem::current_path();
     const Folder folder;
-    std::filesystem::current_path(folder / ".");
+    std::filesystem::current_path(badlog::SystemPath(folder / "."));
     CHECK(RunGuideRobot() == 0);
     CHECK(RunGuideRobot() == 0);
     std::filesystem::current_path(before);
     // The robot never closes its log, as real ones do not.
-    StandardErrorOf([] { badlog::BadLog::Init("/dev/null").Close(); });
+    StandardErrorOf([&] { badlog::BadLog::Init(folder / "last.bag").Close(); });
     const auto rows = RowsIn(folder / "guide/robot.bag");
     REQUIRE(rows.size() == 3);
     CHECK(rows[0] == "1.500000,1.5000,false,45.000,arm leaves home");

@@ -1,5 +1,6 @@
 #include "LogFiles.h"
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <iterator>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #if defined(_WIN32)
 #include <io.h>
@@ -19,26 +21,44 @@
 #endif
 
 #include "StandardError.h"
+#include "SystemPath.h"
+
+using badlog::SystemPath;
+using badlog::TextOf;
 
 namespace {
 
 constexpr int SAID_MILLISECONDS = 60'000;
 
+bool SendStandardErrorTo(const std::filesystem::path& path) {
+#if defined(_WIN32)
+    return _wfreopen(path.c_str(), L"wb", stderr) != nullptr;
+#else
+    return std::freopen(path.c_str(), "w", stderr) != nullptr;
+#endif
+}
+
 }  // namespace
 
 Folder::Folder() {
     std::random_device random;
-    m_path = (std::filesystem::temp_directory_path() / ("badlog" + std::to_string(random()) + std::to_string(random()))).string();
-    std::filesystem::create_directories(m_path);
+    m_path = TextOf(std::filesystem::temp_directory_path() / ("badlog" + std::to_string(random()) + std::to_string(random())));
+    std::filesystem::create_directories(SystemPath(m_path));
 }
 
 Folder::~Folder() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
     std::error_code failure;
-    std::filesystem::remove_all(m_path, failure);
+    std::filesystem::remove_all(SystemPath(m_path), failure);
+    // Windows deletes no file that is open, and a log's own thread closes it a little after Close() returned.
+    while (failure && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        std::filesystem::remove_all(SystemPath(m_path), failure);
+    }
 }
 
 std::string Read(const std::string& path) {
-    std::ifstream file{path, std::ios::binary};
+    std::ifstream file{SystemPath(path), std::ios::binary};
     return {std::istreambuf_iterator<char>{file}, {}};
 }
 
@@ -69,7 +89,7 @@ std::string StandardErrorOf(const std::function<void()>& action) {
     badlog::AwaitSaid(SAID_MILLISECONDS);
     std::fflush(stderr);
     const int before = dup(fileno(stderr));
-    if (std::freopen((folder / "said").c_str(), "w", stderr) == nullptr) std::abort();
+    if (!SendStandardErrorTo(SystemPath(folder / "said"))) std::abort();
     action();
     badlog::AwaitSaid(SAID_MILLISECONDS);
     std::fflush(stderr);

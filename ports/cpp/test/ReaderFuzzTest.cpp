@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "LogFiles.h"
+#include "SystemPath.h"
 #include "badlog/Recording.h"
 
 namespace {
@@ -17,8 +18,8 @@ constexpr int MUTANTS = 20'000;
 /** The files of the corpus, in the same order on every machine. */
 std::vector<std::string> Corpus() {
     std::set<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator{BADLOG_ROOT "/core/conformance"}) {
-        if (entry.path().extension() == ".bag") paths.insert(entry.path().string());
+    for (const auto& entry : std::filesystem::directory_iterator{badlog::SystemPath(BADLOG_ROOT "/core/conformance")}) {
+        if (entry.path().extension() == ".bag") paths.insert(badlog::TextOf(entry.path()));
     }
     std::vector<std::string> files;
     for (const auto& path : paths) files.push_back(Read(path));

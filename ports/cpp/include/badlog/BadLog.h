@@ -133,7 +133,7 @@ public:
      * Starts a log. Missing folders are created; an existing file of that name is replaced. If there already is a log, it is
      * closed first. If the file cannot be created, this is reported on standard error, and nothing is logged.
      *
-     * @param path where to write, such as `/home/lvuser/logs/match.bag`
+     * @param path where to write, such as `/home/lvuser/logs/match.bag`; in UTF-8, on Windows, too
      */
     static BadLog Init(std::string_view path, LogOptions options = {}) noexcept;
 
