@@ -98,6 +98,9 @@ def _recording_of(file: bytes, path: Path | None, max_rows: int) -> Recording:
         recording = _without_beginning(path)
     else:
         recording = _bag_parser.parse(data, max_rows, _has_arrow())
+        if not recording.is_readable:
+            # What else is odd about such bytes would only distract.
+            recording.problems = [problem for problem in recording.problems if problem.kind is ProblemKind.NOT_A_RECORDING]
     recording.path = None if path is None else os.fspath(path)
     if all(problem.kind is not ProblemKind.TOO_MANY_ROWS for problem in recording.problems):
         recording.problems[:0] = missing
