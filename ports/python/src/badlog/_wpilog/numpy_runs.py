@@ -15,7 +15,7 @@ from badlog._wpilog.time_histogram import NEVER, WIDTH, TimeHistogram
 
 # The number of records that are looked at together grows while they fit.
 _FEWEST = 64
-_MOST = 1 << 15
+_MOST = 1 << 16
 # Entries with larger ids are looked at one by one.
 _MAX_ID = 1 << 16
 
@@ -23,8 +23,9 @@ _BITS = numpy.arange(256)
 _ID_SIZES = 1 + (_BITS & 3)
 _SIZE_SIZES = 1 + (_BITS >> 2 & 3)
 _TIME_SIZES = 1 + (_BITS >> 4 & 7)
-_HEAD_SIZES = 1 + _ID_SIZES + _SIZE_SIZES + _TIME_SIZES
-_MASKS = numpy.array([(1 << 8 * size) - 1 for size in range(9)], dtype=numpy.uint64)
+_HEAD_SIZES = numpy.array(HEADS)
+_MASKS = numpy.array([(1 << 8 * size) - 1 for size in range(5)], dtype=numpy.uint32)
+_LONG_MASKS = numpy.array([(1 << 8 * size) - 1 for size in range(9)], dtype=numpy.uint64)
 
 
 class NumpyRuns:
@@ -35,10 +36,10 @@ class NumpyRuns:
         self._table = table
         self._histogram = histogram
         self._most = _FEWEST
-        # For each id, the number of its entry, or -1; the width of its values; and whether it has any number of them.
-        self._numbers = numpy.full(_MAX_ID, -1, numpy.int32)
-        self._widths = numpy.ones(_MAX_ID, numpy.uint64)
-        self._are_arrays = numpy.zeros(_MAX_ID, bool)
+        # For each id, and for all larger ones, the number of its entry, or -1; the width of its values; and whether it has any number of them.
+        self._numbers = numpy.full(_MAX_ID + 1, -1, numpy.int32)
+        self._widths = numpy.ones(_MAX_ID + 1, numpy.uint32)
+        self._are_arrays = numpy.zeros(_MAX_ID + 1, bool)
         self._bytes = numpy.frombuffer(data, numpy.uint8)
         self._words = self._view("<u4")
         self._long_words = self._view("<u8")
@@ -68,7 +69,7 @@ class NumpyRuns:
             if run.count < wanted - 1:
                 self._most = max(_FEWEST, min(self._most, run.count * 2))
                 break
-            self._most = min(_MOST, self._most * 2)
+            self._most = min(_MOST, self._most * 8)
         return Run(at, micros, count)
 
     def _read_some(self, at: int, most: int, most_bytes: int) -> Run:
@@ -77,23 +78,18 @@ class NumpyRuns:
             return Run(at, 0.0, 0)
         begin = numpy.array(places)
         bits = self._bytes[begin]
-        id_sizes = _ID_SIZES[bits]
-        size_sizes = _SIZE_SIZES[bits]
-        ids = self._words[begin + 1] & _MASKS[id_sizes]
-        sizes = self._words[begin + 1 + id_sizes] & _MASKS[size_sizes]
-        times = self._long_words[begin + 1 + id_sizes + size_sizes] & _MASKS[_TIME_SIZES[bits]]
+        size_at = begin + 1 + _ID_SIZES[bits]
+        ids = self._words[begin + 1] & _MASKS[_ID_SIZES[bits]]
+        sizes = self._words[size_at] & _MASKS[_SIZE_SIZES[bits]]
+        times = self._long_words[size_at + _SIZE_SIZES[bits]] & _LONG_MASKS[_TIME_SIZES[bits]]
         micros = times.astype(numpy.float64)
-        is_small = ids < _MAX_ID
-        known = numpy.where(is_small, ids, 0).astype(numpy.int64)
-        numbers = self._numbers[known]
-        widths = self._widths[known]
-        fits = is_small & (numbers >= 0) & numpy.where(self._are_arrays[known], sizes % widths == 0, sizes == widths)
+        numbers, fits = self._known(ids, sizes)
         # Times below 0 have the highest bit of 8 bytes.
         bucket = float(micros[0]) // WIDTH * WIDTH
         is_in_bucket = (micros >= bucket) & (micros < bucket + WIDTH) & (micros < NEVER)
         fits[1:] &= numpy.abs(micros[1:] - micros[:-1]) <= NEAR_MICROS
         # Each is read if the one after it fits.
-        is_read = is_in_bucket[:-1] & (sizes[:-1] <= most_bytes) & fits[1:] & (numbers[:-1] >= 0) & is_small[:-1]
+        is_read = is_in_bucket[:-1] & (sizes[:-1] <= most_bytes) & fits[1:] & (numbers[:-1] >= 0)
         count = len(is_read) if bool(is_read.all()) else int(numpy.argmin(is_read))
         if count == 0 or not self._histogram.add_many(bucket, float(micros[:count].min()), count):
             return Run(at, 0.0, 0)
@@ -101,9 +97,19 @@ class NumpyRuns:
         self._table.add_all(numbers[:count], micros[:count], starts[:count], sizes[:count].astype(numpy.int64))
         return Run(places[count], float(micros[count - 1]), count)
 
+    def _known(self, ids: Any, sizes: Any) -> tuple[Any, Any]:
+        """The numbers of the entries with these ids, -1 for others, and whether their payloads may have these sizes."""
+        known = numpy.minimum(ids, _MAX_ID)
+        numbers = self._numbers[known]
+        widths = self._widths[known]
+        fits = sizes == widths
+        others = numpy.flatnonzero(self._are_arrays[known])
+        fits[others] = sizes[others] % widths[others] == 0
+        return numbers, fits & (numbers >= 0)
+
 
 def _chain(data: bytes, at: int, most: int) -> list[int]:
-    """Where up to `most` records begin, the first of them at `at`, up to one that is not a record, that is a control record, or that is last."""
+    """Where up to `most` records begin, the first of them at `at`, up to a control record, one that is not a record, or the last one."""
     limit = len(data) - MAX_HEAD
     places: list[int] = []
     add = places.append

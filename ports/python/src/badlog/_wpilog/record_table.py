@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from array import array
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -48,6 +49,11 @@ class RecordTable:
         self._micros.append(micros)
         self._starts.append(start)
         self._sizes.append(size)
+
+    @property
+    def adders(self) -> tuple[Callable[[int], None], Callable[[float], None], Callable[[int], None], Callable[[int], None]]:
+        """What adds the parts of a record, one by one; all four must be called."""
+        return self._entries.append, self._micros.append, self._starts.append, self._sizes.append
 
     def add_all(self, entries: Any, micros: Any, starts: Any, sizes: Any) -> None:
         """Adds many, from arrays of NumPy with the types of these."""
