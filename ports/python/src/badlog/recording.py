@@ -125,13 +125,19 @@ class Topic:
     _text_ids: Sequence[int] = field(repr=False, compare=False)
     _dictionary: Sequence[str] = field(repr=False, compare=False)
     _written_nans: list[int] = field(repr=False, compare=False)
-    times: Numbers | None = field(default=None, repr=False, compare=False)
-    """When each sample was taken, in s, ascending, perhaps repeating; None if sample `i` belongs to row `i` of the recording. See
-    `Recording.x_of`. Like `samples`, an array of NumPy or an `array('d')`; topics that were logged together share it."""
+    _times: Samples | None = field(default=None, repr=False, compare=False)
     type: str = ""
     """The type of the samples as the file names it, such as `double` or `struct:Pose2d`; empty if it names none."""
     metadata: str = field(default="", repr=False)
     """What else the file says about the topic, often JSON; may be empty."""
+
+    @property
+    def times(self) -> Numbers | None:
+        """When each sample was taken, in s, ascending, perhaps repeating; None if sample `i` belongs to row `i` of the recording.
+
+        Like `samples`, an array of NumPy or an `array('d')`; topics that were logged together share it. See `Recording.x_of`.
+        """
+        return None if self._times is None else self._times.whole()
 
     @property
     def samples(self) -> Numbers:
@@ -147,7 +153,7 @@ class Topic:
     def kind(self) -> TopicKind:
         """What the cells turned out to be."""
         kind = self.counts.kind
-        if kind is TopicKind.STATE and self.times is not None and _tells_events(len(self._dictionary), len(self._text_rows)):
+        if kind is TopicKind.STATE and self._times is not None and _tells_events(len(self._dictionary), len(self._text_rows)):
             return TopicKind.EVENT
         return kind
 
@@ -157,7 +163,7 @@ class Topic:
 
         Such a topic is sampled at its own times: its empty cells are not gaps; there is just no sample.
         """
-        if self.times is not None:
+        if self._times is not None:
             return False
         without_number = self.counts.empty + self.counts.texts
         with_number = self.counts.total - without_number
@@ -287,6 +293,25 @@ class Recording:
         found.sort(key=lambda ranked: ranked[0])
         return [event for _, event in found]
 
+    def resampled(self, period: float | None = None, rows_at: str | None = None) -> Recording:
+        """This log with rows: every `period` s, or at each time of the topic `rows_at`.
+
+        In each row, a topic has its last value at or before that time, and nothing before its first sample. An event is in the first row that is not
+        before it; several in one row are joined by `; `. The first topic, `Time`, has the times of the rows.
+
+        Raises:
+            ValueError: The log has rows already, both or neither are given, or the period gives no rows or more than 100 million.
+            KeyError: There is no such topic.
+        """
+        from badlog._timed import resampling
+
+        if self.format.has_rows:
+            raise ValueError("The log has rows already.")
+        if (period is None) == (rows_at is None):
+            raise ValueError("Pass either a period in s or the name of a topic that gives the times of the rows.")
+        rows = resampling.times_of(self[rows_at]) if rows_at is not None else resampling.periodic_times(self, period or 0.0)
+        return resampling.resampled(self, rows)
+
     @property
     def attribute_problems(self) -> list[Problem]:
         """What is odd about the topics' attributes; it is found when they are applied, not when the file is read."""
@@ -305,13 +330,21 @@ class Recording:
         return _tables.table_of(self)
 
     def to_pandas(self, index: str | None = None) -> pandas.DataFrame:
-        """A data frame, a column for each topic; units and values are in its `attrs`. `index` names the topic that is the index."""
+        """A data frame, a column for each topic; units and values are in its `attrs`. `index` names the topic that is the index.
+
+        Raises:
+            ValueError: The log has no rows; see `resampled`.
+        """
         from badlog import _tables
 
         return _tables.pandas_of(self, index)
 
     def to_polars(self) -> polars.DataFrame:
-        """A data frame of Polars, a column for each topic. Polars keeps no metadata: see `units`."""
+        """A data frame of Polars, a column for each topic. Polars keeps no metadata: see `units`.
+
+        Raises:
+            ValueError: The log has no rows; see `resampled`.
+        """
         from badlog import _tables
 
         return _tables.polars_of(self)

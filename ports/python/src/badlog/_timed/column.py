@@ -22,7 +22,7 @@ class Timestamps:
         self._seconds = seconds
         self._vectors = vectors
         self._is_finished = False
-        self.times: Numbers = seconds
+        self.times = Samples.of(seconds)
         """The times, ascending; valid after `finish`."""
         self.order: Places | None = None
         """For each of `times`, the index of its sample, or None if they were in order; valid after `finish`."""
@@ -36,9 +36,8 @@ class Timestamps:
         """Drops times outside these two, and sorts the others; times before 0 are moved to `first`. May be called again."""
         if not self._is_finished:
             self._is_finished = True
-            self.times, self.order, self.disorder = self._vectors.order(self._seconds, first, last)
-            if hasattr(self.times, "flags"):
-                self.times.flags.writeable = False
+            times, self.order, self.disorder = self._vectors.order(self._seconds, first, last)
+            self.times = Samples.of(times)
 
     def taken(self, indices: Places) -> Timestamps:
         """The times at `indices`, as timestamps of their own."""

@@ -106,6 +106,17 @@ class NumpyVectors:
     def nans(self, size: int) -> Numbers:
         return numpy.full(size, numpy.nan)
 
+    def last_before(self, times: Numbers, rows: Sequence[float]) -> Any:
+        return numpy.searchsorted(times, numpy.array(rows, dtype=numpy.float64), side="right") - 1
+
+    def held(self, numbers: Numbers, indices: Any) -> Numbers:
+        if len(numbers) == 0:
+            return numpy.full(len(indices), numpy.nan)
+        return numpy.where(indices < 0, numpy.nan, numbers[numpy.maximum(indices, 0)])
+
+    def infinite(self, numbers: Numbers) -> Any:
+        return numpy.isinf(numbers)
+
     def not_finite(self, numbers: Numbers) -> int:
         return len(numbers) - int(numpy.count_nonzero(numpy.isfinite(numbers)))
 

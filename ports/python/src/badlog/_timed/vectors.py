@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
+from bisect import bisect_right
 from collections.abc import Sequence
 from importlib.util import find_spec
 from itertools import compress
@@ -79,6 +80,15 @@ class Vectors(Protocol):
 
     def nans(self, size: int) -> Numbers:
         """`size` times NaN."""
+
+    def last_before(self, times: Numbers, rows: Sequence[float]) -> Any:
+        """For each of `rows`, the index of the last of `times` that is not after it; -1 if all are."""
+
+    def held(self, numbers: Numbers, indices: Any) -> Numbers:
+        """The number at each of `indices`, NaN for -1."""
+
+    def infinite(self, numbers: Numbers) -> Any:
+        """For each, whether it is infinite."""
 
     def not_finite(self, numbers: Numbers) -> int:
         """How many are NaN or infinite."""
@@ -198,6 +208,15 @@ class PlainVectors:
 
     def nans(self, size: int) -> Numbers:
         return array("d", [math.nan]) * size
+
+    def last_before(self, times: Numbers, rows: Sequence[float]) -> Any:
+        return [bisect_right(times, row) - 1 for row in rows]
+
+    def held(self, numbers: Numbers, indices: Any) -> Numbers:
+        return array("d", [math.nan if index < 0 else numbers[index] for index in indices])
+
+    def infinite(self, numbers: Numbers) -> Any:
+        return [math.isinf(number) for number in numbers]
 
     def not_finite(self, numbers: Numbers) -> int:
         # A sum is finite only if all are, but may overflow although all are.

@@ -38,11 +38,16 @@ class Decoded:
     """Whether only the sizes of the payloads are shown."""
 
 
-class ColumnRoom:
-    """Counts the columns of a file, up to the maximum."""
+# A message of a few bytes may have a thousand values by default, so their number needs a bound of its own.
+_LEAST_MESSAGE_VALUES = 1 << 25
 
-    def __init__(self) -> None:
+
+class ColumnRoom:
+    """Counts the columns of a file of `size` bytes, and the values of its messages, up to the maximum."""
+
+    def __init__(self, size: int) -> None:
         self._made = 0
+        self._values_left = max(_LEAST_MESSAGE_VALUES, size)
 
     def has(self, count: int) -> bool:
         """Whether `count` more columns are allowed."""
@@ -51,6 +56,13 @@ class ColumnRoom:
     def take(self, count: int) -> None:
         """Counts `count` columns."""
         self._made += count
+
+    def spend(self, values: int) -> bool:
+        """Counts so many values of messages; False, and counts nothing, if they are too many."""
+        if values > self._values_left:
+            return False
+        self._values_left -= values
+        return True
 
 
 def decode_elements(

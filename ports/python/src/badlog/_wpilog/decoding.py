@@ -28,7 +28,7 @@ class Decoding:
         self._vectors = vectors
         self._structs = structs
         self._messages = messages
-        self._room = ColumnRoom()
+        self._room = ColumnRoom(len(data))
 
     def decode(self, entry: Entry, records: EntryRecords) -> Decoded:
         """What the payloads of `entry` become."""
@@ -49,7 +49,9 @@ class Decoding:
             return self._of_texts(records)
         elif type.startswith(_PROTO) and type != MESSAGE_SCHEMA:
             message = self._messages.layout_of(type.removeprefix(_PROTO))
-            if message is not None and self._room.has(len(message[0].values)) and not _waits_too_long(records, message[1]):
+            if message is None or not self._room.has(len(message[0].values)) or _waits_too_long(records, message[1]):
+                return self._of_sizes(records)
+            if self._room.spend(len(message[0].values) * len(records)):
                 return decode_messages(message[0], self._data, records, self._room, self._vectors)
         return self._of_sizes(records)
 

@@ -134,7 +134,7 @@ class _ListTopics:
         element = self._list.element
         dropped = 0
         for index, place in enumerate(found):
-            if index == len(self._blocks) and not self._grow(index):
+            if (index == len(self._blocks) and not self._grow(index)) or not self._room.spend(len(element.values)):
                 dropped += len(found) - index
                 break
             if self._list.type is None:
