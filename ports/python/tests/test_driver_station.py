@@ -55,11 +55,13 @@ def test_a_dslog_is_an_object_like_a_bags() -> None:
 
 @both_ways
 def test_what_the_robot_has_not_measured_is_a_gap(with_numpy: bool) -> None:
-    log = DslogWriter().record(volts=math.nan, trip=255).record(volts=math.nan, trip=9).record(volts=12.5, trip=255).record(volts=12.5, trip=10)
+    log = DslogWriter().record(volts=math.nan, trip=255).record(volts=37.375, trip=9).record(volts=12.5, trip=255).record(volts=12.5, trip=10)
     recording = parsed(log.data, with_numpy)
     assert list(map(str, samples(recording, "Battery Voltage"))) == ["nan", "nan", "12.5", "12.5"]
     assert list(map(str, samples(recording, "Trip Time"))) == ["nan", "4.5", "nan", "5.0"]
     assert samples(recording, "Comms Connected") == [0, 0, 0, 1]
+    for name, measured in (("CPU Utilization", "40.0"), ("CAN Utilization", "30.0")):
+        assert list(map(str, samples(recording, name))) == ["nan", "nan", measured, measured]
     battery = recording["Driver Station/Battery Voltage"]
     assert (battery.counts.empty, battery.counts.not_finite) == (2, 0)
 
@@ -116,10 +118,10 @@ def test_with_numpy_and_without_it_a_damaged_log_is_read_alike() -> None:
 @both_ways
 def test_a_log_that_is_cut_anywhere_keeps_the_whole_records_before(with_numpy: bool) -> None:
     data = short_match(2, 120).data
-    whole = samples(parsed(data, with_numpy), "CPU Utilization")
+    whole = samples(parsed(data, with_numpy), "Packet Loss")
     for size in range(20, len(data), 7):
         recording = parsed(data[:size], with_numpy)
-        kept = samples(recording, "CPU Utilization")
+        kept = samples(recording, "Packet Loss")
         assert kept == whole[: len(kept)]
 
 

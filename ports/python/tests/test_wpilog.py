@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 from damage import damaged
-from wpilog_writer import WpilogWriter, field, moving_robot, proto
+from wpilog_writer import DESCRIPTOR, WpilogWriter, field, moving_robot, proto
 
 import badlog
 from badlog import ProblemKind, RecordingFormat, TopicKind
@@ -195,6 +195,20 @@ def test_messages_that_never_end_or_have_too_many_values_are_shown_by_sizes(with
     recording = parsed(log.record(2, 2, b"").record(3, 3, b"").record(4, 4, nested).data, with_numpy)
     assert recording["chain"].unit == recording["wide"].unit == "B"
     assert list(recording["self/x"].samples) == [0.0]
+
+
+@both_ways
+def test_large_schemas_and_messages_of_many_fields_take_no_memory(with_numpy: bool) -> None:
+    log = WpilogWriter().start(1, "/.schema/struct:S", "structschema").start(2, "/.schema/proto:a", "proto:FileDescriptorProto")
+    log.start(3, "target", "proto:test.Target").record(2, 1, DESCRIPTOR).string(1, 2, "double x;" * 150_000).record(2, 3, proto(9, 1) * 600_000)
+    data = log.record(3, 4, proto(9, 1) * 50_000).record(3, 5, proto(4, bytes(800_000))).data
+    tracemalloc.start()
+    recording = parsed(data, with_numpy)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 4 * len(data)
+    assert float(recording["target/errors[255]"].samples[-1]) == 0.0
+    assert [problem.count for problem in recording.problems if problem.kind is ProblemKind.TOO_MANY_TOPICS] == [100_000 - 256]
 
 
 @both_ways

@@ -96,7 +96,7 @@ def _bit_fields() -> bytes:
 def _never_connected() -> bytes:
     log = DslogWriter()
     for i in range(30):
-        log.record(NO_ROBOT, volts=float("nan"), trip=255 if i % 3 else 4, loss=25, cpu=0, can=0)
+        log.record(NO_ROBOT, volts=37.375 if i < 5 else float("nan"), trip=255 if i % 3 else 4, loss=25, cpu=0, can=0)
     return log.data
 
 

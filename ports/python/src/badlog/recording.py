@@ -147,7 +147,7 @@ class Topic:
     @property
     def texts(self) -> list[tuple[int, str]]:
         """The cells that hold a text: the row, or the index of the time, from 0, and the text."""
-        return [(row, self._dictionary[id]) for row, id in zip(self._text_rows, self._text_ids)]
+        return [(int(row), self._dictionary[id]) for row, id in zip(self._text_rows, self._text_ids)]
 
     @property
     def kind(self) -> TopicKind:

@@ -54,3 +54,10 @@ class ByteColumns:
             found: list[int] = self._numpy.flatnonzero(self._numpy.frombuffer(column, self._numpy.uint8) == byte).tolist()
             return found
         return [place for place, other in enumerate(column) if other == byte]
+
+    def above(self, numbers: Any, most: float) -> list[int]:
+        """Where a number is above `most`."""
+        if self._numpy is not None:
+            found: list[int] = self._numpy.flatnonzero(numbers > most).tolist()
+            return found
+        return [place for place, number in enumerate(numbers) if number > most]

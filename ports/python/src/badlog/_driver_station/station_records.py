@@ -19,7 +19,9 @@ FOLDER = "Driver Station/"
 _HEAD_3, _HEAD, _SIZE_3 = 10, 14, 35
 _TRIP, _LOSS, _VOLTS, _CPU, _STATUS, _CAN, _POWER_SIZE = 0, 1, 2, 4, 5, 6, 10
 _MAX_POWER = 4096
-_NO_TRIP, _NO_VOLTS = 255, 0xFFFF
+_NO_TRIP = 255
+# 20 V: no robot has a battery of more. Without the robot's answer, the Driver Station writes 255.996 V or another large number.
+_MAX_VOLTS = 20 * 256
 _MOST_IN_RUN = 1 << 14
 
 # The bits of the status, which are inverted.
@@ -157,7 +159,8 @@ class StationRecords:
         high, low = column_of(data, runs, _VOLTS), column_of(data, runs, _VOLTS + 1)
         gap_set = set(gaps)
         there = [place for place in range(size) if place not in gap_set] if gaps else range(size)
-        without_volts = [place for place in columns.places(high, 0xFF) if low[place] == 0xFF]
+        volts = columns.scaled(high, low, 0, 0xFFFF, 256.0)
+        without_volts = columns.above(volts, _MAX_VOLTS / 256)
         without_trip = columns.places(trips, _NO_TRIP)
         without_link = {*without_volts, *without_trip}
 
@@ -185,9 +188,9 @@ class StationRecords:
             _ROBOT_MODES[status[place]] or (b"No Robot Communication" if place in without_link else b"No Robot Code") for place in there
         ]
         topics = [
-            numbers("Battery Voltage", "V", columns.scaled(high, low, 0, 0xFFFF, 256.0), without_volts),
-            numbers("CPU Utilization", "%", columns.looked_up(column_of(data, runs, _CPU), _HALVES), []),
-            numbers("CAN Utilization", "%", columns.looked_up(column_of(data, runs, _CAN), _HALVES), []),
+            numbers("Battery Voltage", "V", volts, without_volts),
+            numbers("CPU Utilization", "%", columns.looked_up(column_of(data, runs, _CPU), _HALVES), without_volts),
+            numbers("CAN Utilization", "%", columns.looked_up(column_of(data, runs, _CAN), _HALVES), without_volts),
             numbers("Trip Time", "ms", columns.looked_up(trips, _HALVES), without_trip),
             numbers("Packet Loss", "%", columns.looked_up(column_of(data, runs, _LOSS), _LOSSES), []),
             truths("Comms Connected", links),

@@ -131,11 +131,13 @@ class _ListTopics:
     def add(self, time: float, outer: ReadMessage) -> int:
         """Adds this list of the message `outer`; returns the number of values for which there was no topic left."""
         found = outer.lists[self._list.index]
+        count = outer.counts[self._list.index]
         element = self._list.element
-        dropped = 0
+        dropped = count - len(found)
+        inner_dropped = 0
         for index, place in enumerate(found):
             if (index == len(self._blocks) and not self._grow(index)) or not self._room.spend(len(element.values)):
-                dropped += len(found) - index
+                dropped = count - index
                 break
             if self._list.type is None:
                 message = ReadMessage.of(element, self._data, place.start, place.end)
@@ -143,12 +145,12 @@ class _ListTopics:
                 message = ReadMessage.of_single(element, place)
             self._blocks[index].add_at(time, message, self._data)
             for one in self._inner[index]:
-                dropped += one.add(time, message)
+                inner_dropped += one.add(time, message)
         for index in range(len(found), len(self._inner)):
             for one in self._inner[index]:
                 one.end(time)
         self._end(len(found), time)
-        return dropped
+        return dropped + inner_dropped
 
     def end(self, time: float) -> None:
         """Records that there is no such list at `time`."""

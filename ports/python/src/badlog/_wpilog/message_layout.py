@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Union
 
@@ -48,13 +48,23 @@ class MessageList:
     type: ScalarType | None
     """The type of its elements; None if they are messages."""
 
-    def elements(self, field: WireField, data: bytes) -> list[WireField] | None:
-        """The elements in one field; several if it is packed, and None if it cannot belong to this list."""
-        wire = SIZED if self.type is None else self.type.wire
-        if field.wire == wire:
-            return [field] if self.type is not None or self.element.fits(data, field.start, field.end) else None
+    def fits(self, field: WireField, data: bytes) -> bool:
+        """Whether the field may belong to this list."""
+        if self.type is None:
+            return field.wire == SIZED and self.element.fits(data, field.start, field.end)
+        if field.wire == self.type.wire:
+            return True
+        return field.wire == SIZED and all(number is not None for number in packed_in(data, self.type.wire, field.start, field.end))
+
+    def elements(self, field: WireField, data: bytes) -> Iterator[WireField]:
+        """The elements in one field, which fits: one, or several if it is packed."""
+        if self.type is None or field.wire == self.type.wire:
+            yield field
+            return
         # Packed numbers follow each other without the field's number before each.
-        return packed_in(data, wire, field.start, field.end) if field.wire == SIZED else None
+        for number in packed_in(data, self.type.wire, field.start, field.end):
+            if number is not None:
+                yield number
 
 
 MessageMember = Union[MessageValue, MessagePart, MessageList]
@@ -83,15 +93,16 @@ class MessageLayout:
 
 
 def _fits(part: MessagePart, data: bytes, start: int, until: int) -> bool:
-    fields, is_whole = fields_in(data, start, until)
-    for field in fields:
+    for field in fields_in(data, start, until):
+        if field is None:
+            return False
         member = part.members.get(field.number)
         if isinstance(member, MessageValue):
             is_fitting = field.wire == member.type.wire
         elif isinstance(member, MessagePart):
             is_fitting = field.wire == SIZED and _fits(member, data, field.start, field.end)
         else:
-            is_fitting = member is None or member.elements(field, data) is not None
+            is_fitting = member is None or member.fits(field, data)
         if not is_fitting:
             return False
-    return is_whole
+    return True

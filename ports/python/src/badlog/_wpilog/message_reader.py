@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from badlog._wpilog.blocks import MAX_ELEMENTS
 from badlog._wpilog.message_layout import MessageLayout, MessagePart, MessageValue
 from badlog._wpilog.wire_format import WireField, fields_in
 
@@ -16,7 +17,9 @@ class ReadMessage:
         self._values: dict[int, WireField] = {}
         self._parts: set[int] = set()
         self.lists: list[list[WireField]] = [[] for _ in layout.lists]
-        """The elements of each of the layout's lists."""
+        """The first elements of each of the layout's lists, as many as are shown."""
+        self.counts = [0] * len(layout.lists)
+        """The number of all elements of each list."""
 
     @staticmethod
     def of(layout: MessageLayout, data: bytes, start: int, until: int) -> ReadMessage:
@@ -42,14 +45,20 @@ class ReadMessage:
 
     def _read(self, part: MessagePart, data: bytes, start: int, until: int) -> None:
         self._parts.add(part.index)
-        for field in fields_in(data, start, until)[0]:
-            member = part.members.get(field.number)
+        for field in fields_in(data, start, until):
+            member = None if field is None else part.members.get(field.number)
+            if field is None or member is None:
+                continue
             if isinstance(member, MessageValue):
                 self._values[member.index] = field
             elif isinstance(member, MessagePart):
                 self._read(member, data, field.start, field.end)
-            elif member is not None:
-                self.lists[member.index] += member.elements(field, data) or []
+            else:
+                known = self.lists[member.index]
+                for element in member.elements(field, data):
+                    self.counts[member.index] += 1
+                    if len(known) < MAX_ELEMENTS:
+                        known.append(element)
 
 
 _DEFAULT = WireField(0, 0, 0, 0, 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from badlog._wpilog.message_layout import MessageLayout, MessageList, MessageMember, MessagePart, MessageValue
@@ -10,6 +10,8 @@ from badlog._wpilog.scalar_type import ScalarType, scalar_type
 from badlog._wpilog.wire_format import SIZED, WireField, fields_in
 
 _MAX_TYPES = 10_000
+# No descriptor is larger.
+_MAX_BYTES = 1 << 20
 _MAX_DEPTH = 32
 # Each value is a topic, and a graph.
 _MAX_SIZE = 1024
@@ -49,14 +51,13 @@ class MessageTypes:
 
         Of two types with the same name, the first counts, since records may already have been read with it.
         """
-        if len(self._messages) >= _MAX_TYPES:
+        if len(self._messages) >= _MAX_TYPES or len(descriptor) > _MAX_BYTES:
             return
-        file = _sized(descriptor, 0, len(descriptor))
         folder = ""
-        for field in file:
+        for field in _sized(descriptor, 0, len(descriptor)):
             if field.number == _FILE_PACKAGE:
                 folder = _text(descriptor, field) + "."
-        for field in file:
+        for field in _sized(descriptor, 0, len(descriptor)):
             if field.number == _FILE_MESSAGE:
                 self._add_message(descriptor, field, folder, 0, since)
             elif field.number == _FILE_ENUM:
@@ -88,15 +89,19 @@ class MessageTypes:
         for field in _sized(data, enumeration.start, enumeration.end):
             if field.number == _ENUM_VALUE:
                 number = 0
-                for part in fields_in(data, field.start, field.end)[0]:
+                for part in _fields(data, field.start, field.end):
                     if part.number == _VALUE_NUMBER:
                         number = ((part.bits + (1 << 31)) & 0xFFFFFFFF) - (1 << 31)
                 names.setdefault(number, _name_in(data, field).encode("utf-8", "replace"))
         self._enumerations.setdefault(folder + _name_in(data, enumeration), names)
 
 
-def _sized(data: bytes, start: int, until: int) -> list[WireField]:
-    return [field for field in fields_in(data, start, until)[0] if field.wire == SIZED]
+def _fields(data: bytes, start: int, until: int) -> Iterator[WireField]:
+    return (field for field in fields_in(data, start, until) if field is not None)
+
+
+def _sized(data: bytes, start: int, until: int) -> Iterator[WireField]:
+    return (field for field in _fields(data, start, until) if field.wire == SIZED)
 
 
 def _text(data: bytes, field: WireField) -> str:
@@ -116,7 +121,7 @@ def _field_in(data: bytes, described: WireField) -> _MessageField:
     number = type = 0
     name = type_name = ""
     is_list = has_presence = False
-    for field in fields_in(data, described.start, described.end)[0]:
+    for field in _fields(data, described.start, described.end):
         if field.number == _NAME:
             name = _text(data, field)
         elif field.number == _FIELD_NUMBER:

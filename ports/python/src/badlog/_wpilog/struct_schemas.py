@@ -8,6 +8,8 @@ from badlog._wpilog.struct_schema import read_schema
 
 _MAX_DEPTH = 32
 _MAX_SCHEMAS = 10_000
+# No struct of as many values as are shown needs more text.
+_MAX_CHARACTERS = 1 << 20
 
 
 class StructSchemas:
@@ -20,7 +22,7 @@ class StructSchemas:
     def add(self, name: str, schema: str, since: int) -> None:
         """Adds the schema of struct `name`, which is known from record number `since` on. Of two with the same name, the first counts, since records
         may already have been read with it."""
-        if name in self._fields or len(self._fields) == _MAX_SCHEMAS:
+        if name in self._fields or len(self._fields) == _MAX_SCHEMAS or len(schema) > _MAX_CHARACTERS:
             return
         fields = read_schema(schema)
         if fields is not None:

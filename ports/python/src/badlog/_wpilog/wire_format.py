@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 VARINT, FIXED_64, SIZED, FIXED_32 = 0, 1, 2, 5
@@ -24,37 +25,29 @@ class WireField(NamedTuple):
     """Where they end."""
 
 
-def fields_in(data: bytes, start: int, until: int) -> tuple[list[WireField], bool]:
-    """The fields of one message, and whether it is one to its end; otherwise the fields before the fault."""
-    fields: list[WireField] = []
+def fields_in(data: bytes, start: int, until: int) -> Iterator[WireField | None]:
+    """The fields of one message; None last if it is not one to its end."""
     at = start
     while at < until:
         tag, at = _varint(data, at, until)
-        if at < 0:
-            return fields, False
         # 32 bits with a sign, of which numbers use 29.
         number = tag >> 3 & 0xFFFFFFFF
-        if number == 0 or number >= 1 << 31:
-            return fields, False
-        field = _value(data, number, tag & 7, at, until)
+        field = _value(data, number, tag & 7, at, until) if at >= 0 and 0 < number < 1 << 31 else None
+        yield field
         if field is None:
-            return fields, False
-        fields.append(field)
+            return
         at = field.end
-    return fields, True
 
 
-def packed_in(data: bytes, wire: int, start: int, until: int) -> list[WireField] | None:
-    """The numbers of a packed list with the encoding `wire`; None if the bytes are not one."""
-    fields = []
+def packed_in(data: bytes, wire: int, start: int, until: int) -> Iterator[WireField | None]:
+    """The numbers of a packed list with the encoding `wire`; None last if the bytes are not one."""
     at = start
     while at < until:
         field = _value(data, 0, wire, at, until)
+        yield field
         if field is None:
-            return None
-        fields.append(field)
+            return
         at = field.end
-    return fields
 
 
 def _value(data: bytes, number: int, wire: int, at: int, until: int) -> WireField | None:
