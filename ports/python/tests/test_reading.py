@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import badlog
-from badlog import ProblemKind, reading
+from badlog import ProblemKind, _bag_parser, reading
 
 ROOT = Path(__file__).parents[3]
 SAMPLES = ROOT / "samples"
@@ -97,11 +97,28 @@ def test_no_more_rows_are_read_than_wanted() -> None:
     assert kinds_of(recording) == ["TOO_MANY_ROWS"]
 
 
-def test_what_is_not_a_log_says_so() -> None:
-    recording = badlog.read(b"WPILOG\x00\x01")
+@pytest.mark.parametrize("data", [b"\x7fELF\x02\x01\x01" + bytes(range(14, 31)) * 9, b"\x89PNG\r\n\x1a\n" + bytes(range(256))])
+def test_what_is_not_a_log_says_so_and_names_what_can_be_read(data: bytes) -> None:
+    recording = badlog.read(data)
     assert not recording.is_readable
     assert recording.topics == []
-    assert "badlog convert" in recording.problems[0].message
+    (problem,) = recording.problems
+    assert all(name in problem.message for name in ("bag", "CSV", "WPILOG", ".dslog", ".dsevents"))
+
+
+@pytest.mark.parametrize("name", ["a.wpilog", "a.dslog", "a.DSEVENTS", "a.wpilog.gz"])
+def test_a_log_of_bytes_without_its_beginning_says_so(name: str, tmp_path: Path) -> None:
+    path = tmp_path / name
+    path.write_bytes(bytes(100) + bytes(range(256)))
+    recording = badlog.read(path)
+    assert not recording.is_readable
+    assert "its beginning is lost" in recording.problems[0].message and "CSV" in recording.problems[0].message
+
+
+def test_the_content_decides_never_the_name(tmp_path: Path) -> None:
+    path = tmp_path / "really a bag.wpilog"
+    path.write_bytes(BAG)
+    assert badlog.read(path).format is badlog.RecordingFormat.BAG
 
 
 def test_a_folder_is_read_in_order_and_only_its_logs(tmp_path: Path) -> None:
@@ -138,8 +155,8 @@ def test_arrow_and_python_read_the_same(monkeypatch: pytest.MonkeyPatch) -> None
                 row = row[: random_source.randrange(6)]
             rows.append(b",".join(row) + random_source.choice([b"\n", b"\r\n"]))
         data = b"A,B,C,D\n" + b"".join(rows)
-        by_arrow = reading.parse(data, 10**6, True)
-        by_python = reading.parse(data, 10**6, False)
+        by_arrow = _bag_parser.parse(data, 10**6, True)
+        by_python = _bag_parser.parse(data, 10**6, False)
         assert sorted(map(str, by_arrow.problems)) == sorted(map(str, by_python.problems))
         for one, other in zip(by_arrow.topics, by_python.topics):
             assert one == other
@@ -166,8 +183,8 @@ def test_no_damage_raises() -> None:
 
 
 def test_the_kinds_of_problems_and_their_severities_are_those_of_the_guide() -> None:
-    guide = (ROOT / "docs" / "bag-format.md").read_text(encoding="utf-8")
-    told = set(re.findall(r"`([A-Z0-9_]+)` (error|warning|note)", guide))
+    guides = [(ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("bag-format", "wpilog", "driver-station")]
+    told = {kind for guide in guides for kind in re.findall(r"`([A-Z0-9_]+)` (error|warning|note)", guide)}
     assert told == {(kind.value, kind.severity.name.lower()) for kind in ProblemKind}
 
 

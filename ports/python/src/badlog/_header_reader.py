@@ -13,11 +13,10 @@ from badlog._text import BLANKS, decode
 from badlog._titles import ColumnTitles, HeaderColumns
 from badlog.problem import ProblemKind, ProblemList
 
-NO_LOG = "This file is neither a bag nor a CSV file"
+NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG, nor a .dslog or .dsevents of the Driver Station"
 
 _BINARY = f"{NO_LOG}: it has bytes that never occur in text."
 _UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
-_WPILOG = "This is a WPILOG file, not a bag. Convert it first: badlog convert FILE --to bag."
 _GZIP = "The file is compressed with gzip twice; inflate it once."
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
@@ -72,8 +71,6 @@ class HeaderReader:
         seen = self._cursor.data[start : start + 6]
         if seen.startswith(b"\x1f\x8b"):
             return self._refuse(_GZIP)
-        if seen == b"WPILOG":
-            return self._refuse(_WPILOG)
         self._may_be_utf16 = seen.startswith((b"\xff\xfe", b"\xfe\xff"))
         if self._may_be_utf16 and b"\0" in seen:
             return self._refuse(_UTF_16)

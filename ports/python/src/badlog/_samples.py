@@ -25,6 +25,18 @@ class Samples:
         self._parts: list[Any] = []
         self._whole: Any = None
 
+    @staticmethod
+    def of(numbers: Any) -> Samples:
+        """Those in a double array of NumPy or a plain one, which must not change any more."""
+        samples = Samples()
+        samples._parts.append(numbers)
+        return samples
+
+    @staticmethod
+    def of_indices(count: int) -> Samples:
+        """The numbers from 0 on."""
+        return Samples.of(array("d", range(count)))
+
     def add(self, number: float) -> None:
         self._last_plain().append(number)
 

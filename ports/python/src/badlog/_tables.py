@@ -46,6 +46,8 @@ def table_of(recording: Recording) -> pyarrow.Table:
     """A column for each topic; units, attributes and kinds are metadata of the fields, values and problems those of the table."""
     import pyarrow
 
+    _require_rows(recording)
+
     fields = []
     columns: list[Any] = []
     for topic in recording.topics:
@@ -62,6 +64,7 @@ def pandas_of(recording: Recording, index: str | None) -> pandas.DataFrame:
     """A data frame whose `attrs` have `units`, `attributes`, `values` and `problems`."""
     import pandas
 
+    _require_rows(recording)
     columns: dict[str, Any] = {}
     for topic in recording.topics:
         columns[_encodable(topic.name)] = _series_of(topic)
@@ -76,6 +79,16 @@ def pandas_of(recording: Recording, index: str | None) -> pandas.DataFrame:
         "problems": [str(problem) for problem in recording.problems],
     }
     return frame
+
+
+def _require_rows(recording: Recording) -> None:
+    if recording.format.has_rows:
+        return
+    message = (
+        "A table has rows, but in a WPILOG or a Driver Station log each topic has times of its own; "
+        "make rows first, such as every 20 ms: recording.resampled(0.02)."
+    )
+    raise ValueError(message)
 
 
 def _series_of(topic: Topic) -> Any:

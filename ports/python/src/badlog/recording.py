@@ -20,6 +20,9 @@ __all__ = ["CellCounts", "Event", "Recording", "RecordingFormat", "Topic", "Topi
 
 UNITLESS = "ul"
 
+# Up to this many different texts are states, however often each occurs.
+_FEW_STATES = 8
+
 
 class RecordingFormat(str, Enum):
     """The format that a recording was read from."""
@@ -28,6 +31,15 @@ class RecordingFormat(str, Enum):
     """A line of JSON, then CSV."""
     CSV = "csv"
     """CSV alone: a bag without units, attributes and values."""
+    WPILOG = "wpilog"
+    """The log of WPILib's DataLog."""
+    DRIVER_STATION = "driver_station"
+    """A log of the FRC Driver Station: its records, its events, or both."""
+
+    @property
+    def has_rows(self) -> bool:
+        """Whether all topics share rows; otherwise each has times of its own."""
+        return self in (RecordingFormat.BAG, RecordingFormat.CSV)
 
 
 class TopicKind(str, Enum):
@@ -40,9 +52,9 @@ class TopicKind(str, Enum):
     BOOLEAN = "boolean"
     """Only `true` and `false`, kept as 1 and 0."""
     STATE = "state"
-    """Mostly texts, in at least half of the rows: what state something is in."""
+    """Mostly texts, in at least half of the rows, or with times of its own and few different texts: what state something is in."""
     EVENT = "event"
-    """Mostly texts, in fewer than half of the rows: what happened."""
+    """Mostly texts, in fewer than half of the rows, or with times of its own and many different texts: what happened."""
 
 
 @dataclass(frozen=True)
@@ -58,14 +70,14 @@ class Event:
     """A text with a time."""
 
     x: float
-    """The x of its row: that of the topic with the attribute `xaxis`, otherwise the row's index."""
+    """The x of its row: that of the topic with the attribute `xaxis`, otherwise the row's index; its time in s in a log without rows."""
     topic: str
     text: str
 
 
 @dataclass(frozen=True)
 class CellCounts:
-    """The number of cells of each sort in a topic. All but `gaps` add up to the number of rows."""
+    """The number of cells of each sort in a topic. All but `gaps` add up to the number of its rows, or of its times."""
 
     numbers: int
     """Finite numbers."""
@@ -98,7 +110,7 @@ class CellCounts:
 
 @dataclass(frozen=True)
 class Topic:
-    """A named, united, attributed stream of samples, one for each row."""
+    """A named, united, attributed stream of samples: one for each row of its recording, or at times of its own."""
 
     name: str
     """The full name, unique in its recording; `/` makes folders."""
@@ -113,21 +125,37 @@ class Topic:
     _text_ids: Sequence[int] = field(repr=False, compare=False)
     _dictionary: Sequence[str] = field(repr=False, compare=False)
     _written_nans: list[int] = field(repr=False, compare=False)
+    _times: Samples | None = field(default=None, repr=False, compare=False)
+    type: str = ""
+    """The type of the samples as the file names it, such as `double` or `struct:Pose2d`; empty if it names none."""
+    metadata: str = field(default="", repr=False)
+    """What else the file says about the topic, often JSON; may be empty."""
+
+    @property
+    def times(self) -> Numbers | None:
+        """When each sample was taken, in s, ascending, perhaps repeating; None if sample `i` belongs to row `i` of the recording.
+
+        Like `samples`, an array of NumPy or an `array('d')`; topics that were logged together share it. See `Recording.x_of`.
+        """
+        return None if self._times is None else self._times.whole()
 
     @property
     def samples(self) -> Numbers:
-        """One number for each row, NaN where there is none; a read-only array of NumPy, or an `array('d')` without NumPy."""
+        """One number for each row or time, NaN where there is none; a read-only array of NumPy, or an `array('d')` without NumPy."""
         return self._samples.whole()
 
     @property
     def texts(self) -> list[tuple[int, str]]:
-        """The cells that hold a text: the row, from 0, and the text."""
-        return [(row, self._dictionary[id]) for row, id in zip(self._text_rows, self._text_ids)]
+        """The cells that hold a text: the row, or the index of the time, from 0, and the text."""
+        return [(int(row), self._dictionary[id]) for row, id in zip(self._text_rows, self._text_ids)]
 
     @property
     def kind(self) -> TopicKind:
         """What the cells turned out to be."""
-        return self.counts.kind
+        kind = self.counts.kind
+        if kind is TopicKind.STATE and self._times is not None and _tells_events(len(self._dictionary), len(self._text_rows)):
+            return TopicKind.EVENT
+        return kind
 
     @property
     def is_sparse(self) -> bool:
@@ -135,6 +163,8 @@ class Topic:
 
         Such a topic is sampled at its own times: its empty cells are not gaps; there is just no sample.
         """
+        if self._times is not None:
+            return False
         without_number = self.counts.empty + self.counts.texts
         with_number = self.counts.total - without_number
         return without_number > with_number and with_number < 2 * self.counts.gaps
@@ -147,6 +177,10 @@ class Topic:
         from badlog import _tables
 
         return _tables.column_of(self)
+
+
+def _tells_events(different: int, texts: int) -> bool:
+    return different > _FEW_STATES and different * 2 > texts
 
 
 class Recording:
@@ -173,7 +207,7 @@ class Recording:
         self.topics = topics
         """The topics, in the order in which they are shown."""
         self.row_count = row_count
-        """The number of samples of each topic."""
+        """The number of samples of each topic; 0 in a log without rows, in which each topic has `times` of its own."""
         self.problems = problems
         """What was wrong in the file."""
         self.path = path
@@ -197,7 +231,8 @@ class Recording:
 
     def __repr__(self) -> str:
         name = "" if self.path is None else f"{os.path.basename(self.path)}: "
-        return f"<badlog.Recording {name}{len(self.topics)} topics, {self.row_count} rows, {len(self.problems)} problems>"
+        size = f"{self.row_count} rows" if self.format.has_rows else f"{self.sample_count} samples"
+        return f"<badlog.Recording {name}{len(self.topics)} topics, {size}, {len(self.problems)} problems>"
 
     def value(self, name: str, default: str = "") -> str:
         """The text of the first value of that name, or `default` if there is none."""
@@ -207,6 +242,11 @@ class Recording:
     def units(self) -> dict[str, str]:
         """The unit of each topic that has one, by name."""
         return {topic.name: topic.unit for topic in self.topics if topic.unit not in ("", UNITLESS)}
+
+    @property
+    def sample_count(self) -> int:
+        """The number of samples of all topics together, gaps included."""
+        return sum(len(topic) for topic in self.topics)
 
     @property
     def is_readable(self) -> bool:
@@ -225,19 +265,52 @@ class Recording:
         has_numbers = axis is not None and axis.kind in (TopicKind.NUMERIC, TopicKind.BOOLEAN, TopicKind.STATE)
         return axis if has_numbers and axis is not None and axis.counts.total > axis.counts.texts + axis.counts.empty else None
 
+    def x_of(self, name: str) -> Numbers:
+        """The x of each sample of the topic `name`: its own times in s, or those of the rows, otherwise the rows' indices.
+
+        Raises:
+            KeyError: There is no such topic.
+        """
+        topic = self[name]
+        if topic.times is not None:
+            return topic.times
+        axis = self.x_axis
+        return Samples.of_indices(len(topic)).whole() if axis is None else axis.samples
+
     @property
     def events(self) -> list[Event]:
-        """The texts of all topics that are events or have the attribute `log`, in the order of the rows."""
+        """The texts of all topics that are events or have the attribute `log`, in the order of the rows, or of their times."""
         axis = self.x_axis
-        found = [
-            (row, topic.name, text)
-            for topic in self.topics
-            if topic.kind is TopicKind.EVENT or "log" in topic.attributes
-            for row, text in topic.texts
-        ]
-        found.sort(key=lambda event: event[0])
         x = None if axis is None else axis.samples
-        return [Event(float(row if x is None else x[row]), name, text) for row, name, text in found]
+        found: list[tuple[float, Event]] = []
+        for topic in self.topics:
+            if topic.kind is not TopicKind.EVENT and "log" not in topic.attributes:
+                continue
+            times = topic.times
+            for row, text in topic.texts:
+                place = float(row if x is None else x[row]) if times is None else float(times[row])
+                found.append((float(row) if times is None else place, Event(place, topic.name, text)))
+        found.sort(key=lambda ranked: ranked[0])
+        return [event for _, event in found]
+
+    def resampled(self, period: float | None = None, rows_at: str | None = None) -> Recording:
+        """This log with rows: every `period` s, or at each time of the topic `rows_at`.
+
+        In each row, a topic has its last value at or before that time, and nothing before its first sample. An event is in the first row that is not
+        before it; several in one row are joined by `; `. The first topic, `Time`, has the times of the rows.
+
+        Raises:
+            ValueError: The log has rows already, both or neither are given, or the period gives no rows or more than 100 million.
+            KeyError: There is no such topic.
+        """
+        from badlog._timed import resampling
+
+        if self.format.has_rows:
+            raise ValueError("The log has rows already.")
+        if (period is None) == (rows_at is None):
+            raise ValueError("Pass either a period in s or the name of a topic that gives the times of the rows.")
+        rows = resampling.times_of(self[rows_at]) if rows_at is not None else resampling.periodic_times(self, period or 0.0)
+        return resampling.resampled(self, rows)
 
     @property
     def attribute_problems(self) -> list[Problem]:
@@ -247,19 +320,31 @@ class Recording:
         return attribute_problems(self)
 
     def to_arrow(self) -> pyarrow.Table:
-        """A table of Arrow, a column for each topic; units, attributes and values are in its metadata. See `docs/python.md`."""
+        """A table of Arrow, a column for each topic; units, attributes and values are in its metadata. See `docs/python.md`.
+
+        Raises:
+            ValueError: The log has no rows; see `resampled`.
+        """
         from badlog import _tables
 
         return _tables.table_of(self)
 
     def to_pandas(self, index: str | None = None) -> pandas.DataFrame:
-        """A data frame, a column for each topic; units and values are in its `attrs`. `index` names the topic that is the index."""
+        """A data frame, a column for each topic; units and values are in its `attrs`. `index` names the topic that is the index.
+
+        Raises:
+            ValueError: The log has no rows; see `resampled`.
+        """
         from badlog import _tables
 
         return _tables.pandas_of(self, index)
 
     def to_polars(self) -> polars.DataFrame:
-        """A data frame of Polars, a column for each topic. Polars keeps no metadata: see `units`."""
+        """A data frame of Polars, a column for each topic. Polars keeps no metadata: see `units`.
+
+        Raises:
+            ValueError: The log has no rows; see `resampled`.
+        """
         from badlog import _tables
 
         return _tables.polars_of(self)

@@ -65,13 +65,14 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         }
         val trip = byteAt(bytes, at)
         val volts = shortAt(bytes, at + 2)
-        number(if (volts == NO_VOLTS) Double.NaN else volts / 256.0)
-        number(byteAt(bytes, at + 4) / 2.0)
-        number(byteAt(bytes, at + 6) / 2.0)
+        val isMeasured = volts <= MAX_VOLTS
+        number(if (isMeasured) volts / 256.0 else Double.NaN)
+        number(if (isMeasured) byteAt(bytes, at + 4) / 2.0 else Double.NaN)
+        number(if (isMeasured) byteAt(bytes, at + 6) / 2.0 else Double.NaN)
         number(if (trip == NO_TRIP) Double.NaN else trip / 2.0)
         // A few percent below 0 mean 0.
         number((bytes[at + 1] * 4.0).coerceIn(0.0, 100.0))
-        val hasLink = volts != NO_VOLTS && trip != NO_TRIP
+        val hasLink = isMeasured && trip != NO_TRIP
         truth(hasLink)
         truth(status and DS_DISABLED == 0 && status and DS_ENABLED != 0)
         text(modeOf(status shr DS_MODE) ?: OTHER)
@@ -131,7 +132,9 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         const val PDH_SIZE = 33
         const val MAX_POWER = 4096
         const val NO_TRIP = 255
-        const val NO_VOLTS = 0xFFFF
+
+        /** 20 V: no robot has a battery of more. Without the robot's answer, the Driver Station writes 255.996 V or another large number. */
+        const val MAX_VOLTS = 20 * 256
 
         // The bits of the status, which are inverted.
         const val MODES = 7

@@ -56,6 +56,17 @@ class DriverStationParserSpec : FunSpec({
         read.problems.shouldBeEmpty()
     }
 
+    test("what the robot has not measured is a gap: more than 20 V is not a reading") {
+        val read = parseStation(TestDslog().record(volts = Double.NaN, trip = 255).record(volts = 37.375, trip = 9).record(volts = 12.5).bytes)
+        for ((name, measured) in listOf("Battery Voltage" to 12.5, "CPU Utilization" to 40.0, "CAN Utilization" to 30.0)) {
+            read.topic("Driver Station/$name").run {
+                samples.map { if (it.isNaN()) null else it } shouldBe listOf(null, null, measured)
+                counts.empty shouldBe 2
+            }
+        }
+        read.topic("Driver Station/Comms Connected").samples.toList() shouldBe listOf(0.0, 0.0, 1.0)
+    }
+
     test("every channel of a PDP, with the highest bit first") {
         val read = parseStation(TestDslog().record(power = pdp { 1023 - 37 * it }).bytes)
         for (channel in 0 until 16) read.topic("PDP/Channel $channel").samples.single() shouldBe (1023 - 37 * channel) / 8.0

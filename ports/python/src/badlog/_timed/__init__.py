@@ -1,0 +1,1 @@
+"""Topics that have times of their own, as in logs without rows."""

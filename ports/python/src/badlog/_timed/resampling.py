@@ -1,0 +1,104 @@
+"""Makes rows of a log without rows, by the rules of `docs/wpilog.md`, “Converting to rows”."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from typing import Any
+
+from badlog._samples import Samples
+from badlog._timed.vectors import Vectors, uses_numpy, vectors_of
+from badlog.recording import CellCounts, Recording, RecordingFormat, Topic, TopicKind
+
+# The tolerance, in periods, for the last step of a period that divides the range.
+_ROUNDING = 1e-9
+_MICROSECOND = 1e-6
+_MAX_ROWS = 1e8
+# Times are rounded to this fraction of a second.
+_PLACES = 1e9
+
+
+def periodic_times(recording: Recording, period: float) -> list[float]:
+    """Times that are `period` s apart, from the first sample on; the last one is not before the last sample."""
+    if not period > 0:
+        raise ValueError(f"A period must be above 0 s, but is {period}.")
+    ranges = [(float(times[0]), float(times[-1])) for times in (topic.times for topic in recording.topics) if times is not None and len(times) > 0]
+    if not ranges:
+        return []
+    first = min(start for start, _ in ranges)
+    steps = math.ceil((max(end for _, end in ranges) - first) / period - _ROUNDING)
+    if steps >= _MAX_ROWS:
+        raise ValueError(f"A period of {period} s gives {steps} rows, which are too many.")
+    times = (first + row * period for row in range(steps + 1))
+    return [math.floor(time * _PLACES + 0.5) / _PLACES for time in times] if period >= _MICROSECOND else list(times)
+
+
+def times_of(topic: Topic) -> list[float]:
+    """The times at which `topic` has samples: each once."""
+    return sorted({float(time) for time in topic.times}) if topic.times is not None else []
+
+
+def resampled(recording: Recording, rows: list[float]) -> Recording:
+    """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample."""
+    vectors = vectors_of(b"", uses_numpy())
+    name = "Time"
+    copy = 2
+    while name in recording:
+        name = f"Time ({copy})"
+        copy += 1
+    counts = CellCounts(len(rows), 0, 0, 0, 0, 0)
+    axis = Topic(name, "s", ("xaxis", "hide"), counts, Samples.of(array("d", rows)), (), (), (), [])
+    topics = [axis, *(_held(topic, rows, vectors) for topic in recording.topics)]
+    return Recording(RecordingFormat.BAG, None, recording.values, topics, len(rows), recording.problems, recording.path)
+
+
+def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
+    last = vectors.last_before(topic.times, rows)
+    samples = vectors.held(topic.samples, last)
+    text_of = dict(zip(map(int, topic._text_rows), map(int, topic._text_ids)))
+    is_event = topic.kind is TopicKind.EVENT or "log" in topic.attributes
+    dictionary = list(topic._dictionary)
+    found = _events(last, text_of, dictionary) if is_event else _states(last, text_of)
+    numbers = len(rows) - vectors.not_finite(samples)
+    infinite = vectors.count(vectors.infinite(samples))
+    is_truth = topic.counts.truth_values > 0 and topic.counts.numbers == 0
+    counts = CellCounts(
+        numbers=0 if is_truth else numbers,
+        not_finite=infinite,
+        truth_values=numbers if is_truth else 0,
+        texts=len(found),
+        empty=len(rows) - numbers - infinite - len(found),
+        gaps=_runs(vectors.written_nans(samples, None)),
+    )
+    attributes = (*topic.attributes, "log") if is_event and "log" not in topic.attributes else topic.attributes
+    text_rows = array("q", [row for row, _ in found])
+    text_ids = array("q", [id for _, id in found])
+    return Topic(topic.name, topic.unit, attributes, counts, Samples.of(samples), text_rows, text_ids, dictionary, [])
+
+
+def _states(last: Any, text_of: dict[int, int]) -> list[tuple[int, int]]:
+    """The rows with a text, and its id."""
+    return [(row, text_of[index]) for row, index in enumerate(map(int, last)) if index in text_of] if text_of else []
+
+
+def _events(last: Any, text_of: dict[int, int], dictionary: list[str]) -> list[tuple[int, int]]:
+    """The first row that is not before each event; several in one row are joined."""
+    found: list[tuple[int, int]] = []
+    ids: dict[str, int] = {}
+    before = -1
+    for row, index in enumerate(map(int, last)):
+        texts = [text_of[sample] for sample in range(before + 1, index + 1) if sample in text_of]
+        before = max(before, index)
+        if len(texts) == 1:
+            found.append((row, texts[0]))
+        elif texts:
+            joined = "; ".join(dictionary[id] for id in texts)
+            if joined not in ids:
+                ids[joined] = len(dictionary)
+                dictionary.append(joined)
+            found.append((row, ids[joined]))
+    return found
+
+
+def _runs(rows: list[int]) -> int:
+    return sum(i == 0 or row != rows[i - 1] + 1 for i, row in enumerate(rows))

@@ -1,0 +1,72 @@
+"""What a file says about one name and type, under however many ids it was started."""
+
+from __future__ import annotations
+
+from badlog._json import JsonValue, read_object
+from badlog._wpilog.layout import ValueLayout
+from badlog.recording import UNITLESS
+
+SYSTEM_TIME = "systemTime"
+"""The entry in which WPILib's loggers write the time of day."""
+
+MESSAGE_SCHEMA = "proto:FileDescriptorProto"
+"""The type of the entries that describe messages of Protocol Buffers."""
+
+VALUE_METADATA = '{"badlog":"value"}'
+"""The metadata that marks an entry as a value, written by badlog itself."""
+
+_SCHEMA_FOLDER = "/.schema/"
+# Where WPILib's logger puts the program's messages, and the Driver Station of 2027 its own.
+_MESSAGES = "messages"
+_CONSOLE = "DS:/Dscomm/Console/"
+
+
+class Entry:
+    """One entry, and its last metadata."""
+
+    def __init__(self, name: str, type: str, is_value: bool, number: int) -> None:
+        self.name = name
+        """The name exactly as in the file."""
+        self.type = type
+        """The type exactly as in the file."""
+        self.is_value = is_value
+        """Whether it is not a topic, but a value written by badlog."""
+        self.number = number
+        """Its index among the entries of the file."""
+        self.metadata = ""
+        self.is_array = type.endswith("[]")
+        layout = ValueLayout.of(type.removesuffix("[]"))
+        self.width = 0 if layout is None else layout.width
+        """The size of a value in bytes; 0 if it varies."""
+        self.has_one_size = self.width > 0 and not self.is_array
+        """Whether all its records have the same size."""
+
+    def fits(self, size: int) -> bool:
+        """Whether a record of it may have a payload of `size` bytes."""
+        width = self.width
+        return width == 0 or (size % width == 0 if self.is_array else size == width)
+
+    @property
+    def unit(self) -> str:
+        """The unit in its metadata, where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic."""
+        members = read_object(self.metadata) or []
+        own = _last(members, "unit")
+        properties = _last(members, "properties")
+        unit = own or (_last(properties.members or [], "unit") if properties is not None else None)
+        return UNITLESS if unit is None or unit.text is None else unit.text
+
+    @property
+    def attributes(self) -> tuple[str, ...]:
+        """The attributes in its metadata, or those of the entries that WPILib itself writes."""
+        member = _last(read_object(self.metadata) or [], "attrs")
+        items = (member.items if member is not None else None) or []
+        own = tuple(item.text for item in items if item.text is not None)
+        if own:
+            return own
+        if self.name == _MESSAGES or _CONSOLE in self.name:
+            return ("log",)
+        return ("hide",) if self.name == SYSTEM_TIME or _SCHEMA_FOLDER in self.name else ()
+
+
+def _last(members: list[tuple[str, JsonValue]], key: str) -> JsonValue | None:
+    return next((value for name, value in reversed(members) if name == key), None)
