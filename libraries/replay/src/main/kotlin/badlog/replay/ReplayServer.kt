@@ -1,6 +1,7 @@
 package badlog.replay
 
 import badlog.analysis.LogView
+import badlog.networktables.SubProtocol
 import java.io.Closeable
 import java.net.InetSocketAddress
 import java.util.concurrent.Executors
