@@ -15,10 +15,16 @@ public class ServerAddress(public val host: String, public val port: Int) {
  *
  * @property name its name for people, such as `robot`.
  * @property prefix what its topics' names begin with in the log, such as `NT:`.
+ * @property isMirror whether it repeats the topics of the robot's server, which are then only recorded from there.
  * @property find returns where it answers now, or null if it does not. Called on a thread of its own before each connection; may take its
  *   time.
  */
-public class RecordedServer(public val name: String, public val prefix: String, public val find: () -> ServerAddress?) {
+public class RecordedServer(
+    public val name: String,
+    public val prefix: String,
+    public val isMirror: Boolean = false,
+    public val find: () -> ServerAddress?,
+) {
     public companion object {
         /** The port of a robot's server. */
         public const val ROBOT_PORT: Int = 5810

@@ -167,6 +167,8 @@ internal class Session(
         val isAlways = message.name.startsWith(SCHEMAS) || message.name.startsWith(MatchFacts.FOLDER)
         val wanted = options.isWanted
         if (wanted != null && !isAlways && !wanted(logName)) return
+        if (source.server.isMirror && message.name in robot.byName) return
+        if (source.isRobot) sources.filter { it.server.isMirror }.forEach { unmirror(it, message.name) }
         val known = source.byName[message.name]
         val topic = if (known != null && known.typeName == message.type) {
             known.also { redescribe(it, message) }
@@ -179,6 +181,13 @@ internal class Session(
         source.byId[message.id] = topic
         output.announced(topic, robotMicros())
         if (wanted != null && !isAlways) source.link?.let { subscribe(it, message.name, isAll = true, isPrefix = false) }
+    }
+
+    /** The mirror [source] was faster than the robot to announce the topic [name]. */
+    private fun unmirror(source: Source, name: String) {
+        val topic = source.byName.remove(name) ?: return
+        source.byId.values.remove(topic)
+        output.unannounced(topic, robotMicros())
     }
 
     private fun redescribe(topic: RecordedTopic, message: ServerMessage.Announce) {

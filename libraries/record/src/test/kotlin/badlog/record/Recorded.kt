@@ -54,7 +54,7 @@ internal fun recording(
     action: (Running) -> Unit,
 ) = recording(
     servers.mapIndexed { index, server ->
-        RecordedServer(listOf("robot", "Driver Station")[index], listOf("NT:", "DS:")[index]) { ServerAddress("127.0.0.1", server.port) }
+        RecordedServer(listOf("robot", "Driver Station")[index], listOf("NT:", "DS:")[index], isMirror = index == 1) { ServerAddress("127.0.0.1", server.port) }
     },
     isPerEnable,
     isWanted,

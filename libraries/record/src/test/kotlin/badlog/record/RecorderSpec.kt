@@ -251,6 +251,38 @@ class RecorderSpec : FunSpec({
         }
     }
 
+    test("what a mirror repeats is recorded once, whichever server announces it first") {
+        FakeServer().use { robot ->
+            FakeServer().use { mirror ->
+                robot.greeting = {
+                    announce("/A", 1, "double")
+                    number(1, 1.0)
+                }
+                mirror.greeting = {
+                    announce("/A", 1, "double")
+                    announce("/B", 2, "double")
+                    announce("/Own", 3, "double")
+                    for (id in 1..3) number(id, 2.0)
+                }
+                recording(robot, mirror) { running ->
+                    waitUntil { robot.greeted.get() == 1 && mirror.greeted.get() == 1 }
+                    waitUntil { running.recorder.progress.values >= 3 }
+                    robot.announce("/B", 2, "double")
+                    robot.number(2, 1.0)
+                    waitUntil { running.folder.onlyLog().entries.any { it.name == "NT:/B" && it.size == 1 } }
+                    mirror.number(1, 3.0)
+                    mirror.number(2, 3.0)
+                    mirror.number(3, 3.0)
+                    waitUntil { running.folder.onlyLog().entry("DS:/Own").size == 2 }
+                    val log = running.logs().single()
+                    log.entry("NT:/A").numbers() shouldBe listOf(1.0)
+                    log.entry("NT:/B").numbers() shouldBe listOf(1.0)
+                    log.entries.filter { it.name == "DS:/A" || it.name == "DS:/B" }.flatMap { it.numbers() }.contains(3.0) shouldBe false
+                }
+            }
+        }
+    }
+
     test("a server that is not there is looked for, and nothing is written before") {
         val tries = AtomicInteger()
         FakeServer().use { server ->
