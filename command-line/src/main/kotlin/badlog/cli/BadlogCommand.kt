@@ -19,6 +19,7 @@ import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
 import badlog.cli.open.OpenCommand
 import badlog.cli.part.PartLoader
+import badlog.cli.record.RecordCommand
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
@@ -73,6 +74,7 @@ internal class BadlogCommand(
         TableCommand(),
         ReportCommand(),
         ReplayCommand(),
+        RecordCommand(robots),
         FetchCommand(robots),
         LakeCommand(parts),
         SqlCommand(parts, input),

@@ -56,6 +56,9 @@ internal class Console(
     /** Shows the progress of the work on [label], if that takes long. Must be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
 
+    /** Returns a line that shows the state of work without an end; null if no terminal would show it. Must be closed. */
+    fun status(): StatusLine? = if (isTerminal) StatusLine(err) else null
+
     /** Shows how many files were searched for logs, if that takes long. Must be closed. */
     fun searching(): SearchCount = SearchCount(err, isTerminal)
 

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import badlog.networktables.SubProtocol
 import org.java_websocket.WebSocketImpl
 import org.java_websocket.drafts.Draft
 import org.java_websocket.drafts.Draft_6455

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import badlog.networktables.SubProtocol
 import org.java_websocket.WebSocket
 import org.java_websocket.exceptions.WebsocketNotConnectedException
 import java.net.URLDecoder
@@ -59,13 +60,4 @@ internal interface Wire {
     fun send(text: String)
 
     fun send(binary: ByteBuffer)
-}
-
-/** The subprotocols of NT4 that a client may request, the best one first. */
-internal enum class SubProtocol(val id: String) {
-    V4_1("v4.1.networktables.first.wpi.edu"),
-    V4_0("networktables.first.wpi.edu"),
-
-    /** Only for requests for the time. */
-    TIME_ONLY("rtt.networktables.first.wpi.edu"),
 }

@@ -5,6 +5,7 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
+import badlog.networktables.TopicType
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.text.UniqueNames
@@ -25,15 +26,15 @@ internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> 
             // Before every position, so that it holds from the start.
             val sample = Series(doubleArrayOf(Double.NEGATIVE_INFINITY), doubleArrayOf(0.0))
             val name = names.nameOf("Values/" + value.name.trimStart('/'))
-            Signal(name, SignalType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
+            Signal(name, TopicType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
         }
     val isKnown = signals.any { it.name.endsWith(CONTROL_WORD, ignoreCase = true) }
     return if (isKnown) signals else signals + listOfNotNull(controlWordOf(view))
 }
 
 private fun signalOf(topic: LoggedTopic, name: String): Signal {
-    val type = SignalType.of(topic.type)
-    val typeName = if (type == SignalType.RAW || topic.type == "json") topic.type else type.typeName
+    val type = TopicType.of(topic.type)
+    val typeName = if (type == TopicType.RAW || topic.type == "json") topic.type else type.typeName
     return Signal(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
 }
 
@@ -48,7 +49,7 @@ private fun controlWordOf(view: LogView): Signal? {
         if (spans.none { it.span.from == enabled.span.to }) words[enabled.span.to] = ATTACHED
     }
     val samples = Series(words.keys.toDoubleArray(), DoubleArray(words.size) { words.values.elementAt(it).toDouble() })
-    return Signal("/FMSInfo$CONTROL_WORD", SignalType.INT, Topic.UNITLESS, samples)
+    return Signal("/FMSInfo$CONTROL_WORD", TopicType.INT, Topic.UNITLESS, samples)
 }
 
 private const val CONTROL_WORD = "/FMSControlData"
@@ -62,12 +63,12 @@ private fun signalOf(topic: Topic, view: LogView, name: String): Signal {
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) return eventsOf(topic, view, name)
     val line = view.seriesOf(topic)
     val type = when {
-        topic.kind == TopicKind.BOOLEAN -> SignalType.BOOLEAN
-        line.states != null -> SignalType.STRING
-        else -> SignalType.DOUBLE
+        topic.kind == TopicKind.BOOLEAN -> TopicType.BOOLEAN
+        line.states != null -> TopicType.STRING
+        else -> TopicType.DOUBLE
     }
-    val samples = line.data.ordered().withoutGaps(keepsFirst = type == SignalType.DOUBLE)
-    val texts = if (type == SignalType.STRING) line.states.orEmpty().map { it.encodeToByteArray() } else emptyList()
+    val samples = line.data.ordered().withoutGaps(keepsFirst = type == TopicType.DOUBLE)
+    val texts = if (type == TopicType.STRING) line.states.orEmpty().map { it.encodeToByteArray() } else emptyList()
     return Signal(name, type, topic.unit, samples, texts)
 }
 
@@ -79,7 +80,7 @@ private fun eventsOf(topic: Topic, view: LogView, name: String): Signal {
         DoubleArray(placed.size) { topic.texts.ids[placed[it]].toDouble() },
     )
     val texts = topic.texts.dictionary.map { it.encodeToByteArray() }
-    return Signal(name, SignalType.STRING, topic.unit, samples.ordered(), texts)
+    return Signal(name, TopicType.STRING, topic.unit, samples.ordered(), texts)
 }
 
 /** Returns the range from the first of all samples to the last; 0 to 0 if there are none. */

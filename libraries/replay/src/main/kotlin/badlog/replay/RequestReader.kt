@@ -1,7 +1,7 @@
 package badlog.replay
 
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
+import badlog.networktables.UnreadableFrameException
+import badlog.networktables.messagesIn
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
@@ -13,13 +13,11 @@ import kotlinx.serialization.json.longOrNull
 /** Reads a client's text frames. Anything not understood is passed to [ignore], as part of a sentence, and skipped. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
-        if (isDeep(text)) return nothing("JSON that is nested too deeply")
         val messages = try {
-            Json.parseToJsonElement(text)
-        } catch (_: SerializationException) {
-            return nothing("not JSON")
+            messagesIn(text)
+        } catch (e: UnreadableFrameException) {
+            return nothing(e.what)
         }
-        if (messages !is JsonArray) return nothing("not a list of messages")
         return messages.mapNotNull(::request)
     }
 
@@ -81,23 +79,6 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
         /** The default period of a client's values, in s. */
         const val DEFAULT_SECONDS = 0.1
     }
-}
-
-/** No client nests deeply, except to overflow the stack. */
-private fun isDeep(json: String): Boolean {
-    var depth = 0
-    var inString = false
-    var i = 0
-    while (i < json.length) {
-        when (json[i]) {
-            '\\' -> i++
-            '"' -> inString = !inString
-            '[', '{' -> if (!inString && ++depth > 100) return true
-            ']', '}' -> if (!inString) depth--
-        }
-        i++
-    }
-    return false
 }
 
 /** A request of a client. */

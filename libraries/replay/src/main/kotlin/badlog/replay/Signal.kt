@@ -2,21 +2,22 @@ package badlog.replay
 
 import badlog.core.analysis.Series
 import badlog.core.analysis.Units
+import badlog.networktables.TopicType
 
 /**
  * One topic of NetworkTables.
  *
  * @property name its full name there; begins with `/`.
  * @property unit its unit, or null for none.
- * @property samples its values; ordered, and without gaps, except for a [SignalType.DOUBLE], for which NaN means that there is no
+ * @property samples its values; ordered, and without gaps, except for a [TopicType.DOUBLE], for which NaN means that there is no
  *   number from then on.
- * @property texts what the samples of a [SignalType.STRING] stand for, in UTF-8; otherwise empty.
+ * @property texts what the samples of a [TopicType.STRING] stand for, in UTF-8; otherwise empty.
  * @property typeName the name of the type in its announcement.
  * @property payload returns the bytes of a sample, as in a WPILOG, if these are sent rather than numbers; otherwise null.
  */
 internal class Signal(
     val name: String,
-    val type: SignalType,
+    val type: TopicType,
     unit: String,
     val samples: Series,
     val texts: List<ByteArray> = emptyList(),
@@ -27,39 +28,6 @@ internal class Signal(
 
     /** Returns the number of samples at or before [position]. */
     fun countUntil(position: Double): Int = samples.firstAtOrAfter(Math.nextUp(position))
-}
-
-/**
- * The kind of value of a topic of NetworkTables.
- *
- * @property typeName its name in an announcement.
- * @property code its code in a value's message.
- */
-internal enum class SignalType(val typeName: String, val code: Int) {
-    BOOLEAN("boolean", 0),
-    DOUBLE("double", 1),
-    INT("int", 2),
-    FLOAT("float", 3),
-    STRING("string", 4),
-
-    /** Bytes, whatever the topic says they are. */
-    RAW("raw", 5),
-    BOOLEANS("boolean[]", 16),
-    DOUBLES("double[]", 17),
-    INTS("int[]", 18),
-    FLOATS("float[]", 19),
-    STRINGS("string[]", 20),
-    ;
-
-    companion object {
-        /** Returns the type for values of the WPILOG type [name]. */
-        fun of(name: String): SignalType = when (name) {
-            "int64" -> INT
-            "int64[]" -> INTS
-            "json" -> STRING
-            else -> entries.find { it.typeName == name } ?: RAW
-        }
-    }
 }
 
 /** Returns these samples in the order of x; samples with equal x keep their order. */

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import badlog.networktables.SubProtocol
 import org.java_websocket.WebSocket
 import org.java_websocket.WebSocketImpl
 import org.java_websocket.framing.CloseFrame

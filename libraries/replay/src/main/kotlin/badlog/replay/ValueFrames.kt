@@ -1,5 +1,7 @@
 package badlog.replay
 
+import badlog.networktables.TIME_ID
+import badlog.networktables.TopicType
 import org.msgpack.core.MessageBufferPacker
 import org.msgpack.core.MessagePack
 import org.msgpack.core.MessagePackException
@@ -32,42 +34,42 @@ internal class ValueFrames(private val signals: List<Signal>) {
         if (payload != null) return packPayload(packer, signal.type, payload(update.index))
         val value = signal.samples.y[update.index]
         when (signal.type) {
-            SignalType.BOOLEAN -> packer.packBoolean(value != 0.0)
-            SignalType.INT -> packer.packLong(value.toLong())
-            SignalType.STRING -> packText(packer, signal.texts[value.toInt()])
+            TopicType.BOOLEAN -> packer.packBoolean(value != 0.0)
+            TopicType.INT -> packer.packLong(value.toLong())
+            TopicType.STRING -> packText(packer, signal.texts[value.toInt()])
             else -> packer.packDouble(value)
         }
     }
 
     /** Packs the [bytes] of a value of [type] from a record of a WPILOG. */
-    private fun packPayload(packer: MessageBufferPacker, type: SignalType, bytes: ByteArray) {
+    private fun packPayload(packer: MessageBufferPacker, type: TopicType, bytes: ByteArray) {
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
         fun array(width: Int, pack: () -> Unit) {
             packer.packArrayHeader(bytes.size / width)
             repeat(bytes.size / width) { pack() }
         }
         when (type) {
-            SignalType.BOOLEAN -> packer.packBoolean(bytes[0].toInt() != 0)
+            TopicType.BOOLEAN -> packer.packBoolean(bytes[0].toInt() != 0)
 
-            SignalType.INT -> packer.packLong(buffer.getLong())
+            TopicType.INT -> packer.packLong(buffer.getLong())
 
-            SignalType.FLOAT -> packer.packFloat(buffer.getFloat())
+            TopicType.FLOAT -> packer.packFloat(buffer.getFloat())
 
-            SignalType.DOUBLE -> packer.packDouble(buffer.getDouble())
+            TopicType.DOUBLE -> packer.packDouble(buffer.getDouble())
 
-            SignalType.STRING -> packText(packer, bytes)
+            TopicType.STRING -> packText(packer, bytes)
 
-            SignalType.RAW -> packer.packBinaryHeader(bytes.size).writePayload(bytes)
+            TopicType.RAW -> packer.packBinaryHeader(bytes.size).writePayload(bytes)
 
-            SignalType.BOOLEANS -> array(1) { packer.packBoolean(buffer.get().toInt() != 0) }
+            TopicType.BOOLEANS -> array(1) { packer.packBoolean(buffer.get().toInt() != 0) }
 
-            SignalType.INTS -> array(Long.SIZE_BYTES) { packer.packLong(buffer.getLong()) }
+            TopicType.INTS -> array(Long.SIZE_BYTES) { packer.packLong(buffer.getLong()) }
 
-            SignalType.FLOATS -> array(Float.SIZE_BYTES) { packer.packFloat(buffer.getFloat()) }
+            TopicType.FLOATS -> array(Float.SIZE_BYTES) { packer.packFloat(buffer.getFloat()) }
 
-            SignalType.DOUBLES -> array(Double.SIZE_BYTES) { packer.packDouble(buffer.getDouble()) }
+            TopicType.DOUBLES -> array(Double.SIZE_BYTES) { packer.packDouble(buffer.getDouble()) }
 
-            SignalType.STRINGS -> {
+            TopicType.STRINGS -> {
                 val count = buffer.getInt()
                 packer.packArrayHeader(count)
                 repeat(count) { packText(packer, ByteArray(buffer.getInt()).also(buffer::get)) }
@@ -114,5 +116,3 @@ internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
     }
     return if (answers.totalWrittenBytes == 0L) null else ByteBuffer.wrap(answers.toByteArray())
 }
-
-private const val TIME_ID = -1L

@@ -1,6 +1,7 @@
 package badlog.replay
 
 import badlog.core.analysis.Series
+import badlog.networktables.TopicType
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -9,7 +10,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
-private fun signal(vararg x: Double) = Signal("/A", SignalType.DOUBLE, "V", Series(x, DoubleArray(x.size) { it.toDouble() }))
+private fun signal(vararg x: Double) = Signal("/A", TopicType.DOUBLE, "V", Series(x, DoubleArray(x.size) { it.toDouble() }))
 
 private fun player(vararg signals: Signal, isLooping: Boolean = false, range: ClosedFloatingPointRange<Double> = 0.0..10.0) = Player(signals.toList(), Playhead(range, 1.0, 1.0, isLooping, nowNanos = 0))
 

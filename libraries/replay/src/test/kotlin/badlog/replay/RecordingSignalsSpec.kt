@@ -3,6 +3,7 @@ package badlog.replay
 import badlog.core.analysis.FlagReading
 import badlog.core.analysis.FlagTopic
 import badlog.core.analysis.ModeTopics
+import badlog.networktables.TopicType
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -14,14 +15,14 @@ private val SIGNALS = signalsOf(VARIED_VIEW, "").associateBy { it.name }
 class RecordingSignalsSpec : FunSpec({
     test("Each topic has its name, type and unit; each value is a text below Values") {
         SIGNALS.values.map { Triple(it.name, it.type, it.unit) } shouldContainExactly listOf(
-            Triple("/Time", SignalType.DOUBLE, "s"),
-            Triple("/Arm/Angle", SignalType.DOUBLE, "deg"),
-            Triple("/Arm/At Top", SignalType.BOOLEAN, null),
-            Triple("/Arm/State", SignalType.STRING, null),
-            Triple("/Log", SignalType.STRING, null),
-            Triple("/Nothing", SignalType.DOUBLE, "A"),
-            Triple("/Values/Match Number", SignalType.STRING, null),
-            Triple("/Values/Arm/Größe", SignalType.STRING, null),
+            Triple("/Time", TopicType.DOUBLE, "s"),
+            Triple("/Arm/Angle", TopicType.DOUBLE, "deg"),
+            Triple("/Arm/At Top", TopicType.BOOLEAN, null),
+            Triple("/Arm/State", TopicType.STRING, null),
+            Triple("/Log", TopicType.STRING, null),
+            Triple("/Nothing", TopicType.DOUBLE, "A"),
+            Triple("/Values/Match Number", TopicType.STRING, null),
+            Triple("/Values/Arm/Größe", TopicType.STRING, null),
         )
     }
 

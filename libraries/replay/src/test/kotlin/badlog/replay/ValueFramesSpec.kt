@@ -1,6 +1,7 @@
 package badlog.replay
 
 import badlog.core.analysis.Series
+import badlog.networktables.TopicType
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -20,17 +21,17 @@ private fun ByteBuffer.hex() = HEX.formatHex(array())
 
 private fun bytes(hex: String) = ByteBuffer.wrap(HEX.parseHex(hex.replace(" ", "")))
 
-private fun frame(type: SignalType, value: Double, vararg texts: String, micros: Long = 120_000_000): String {
+private fun frame(type: TopicType, value: Double, vararg texts: String, micros: Long = 120_000_000): String {
     val signal = Signal("/A", type, "", Series(doubleArrayOf(0.0), doubleArrayOf(value)), texts.map { it.encodeToByteArray() })
     return ValueFrames(listOf(signal)).of(listOf(Update(0, 0, micros))).single().hex()
 }
 
 class ValueFramesSpec : FunSpec({
     test("Values are arrays of number, time, type and value") {
-        frame(SignalType.DOUBLE, 0.1234) shouldBe "9400ce07270e0001cb3fbf972474538ef3"
-        frame(SignalType.BOOLEAN, 1.0, micros = 1) shouldBe "94000100c3"
-        frame(SignalType.BOOLEAN, 0.0, micros = 1) shouldBe "94000100c2"
-        frame(SignalType.STRING, 1.0, "no", "é", micros = 1) shouldBe "94000104a2c3a9"
+        frame(TopicType.DOUBLE, 0.1234) shouldBe "9400ce07270e0001cb3fbf972474538ef3"
+        frame(TopicType.BOOLEAN, 1.0, micros = 1) shouldBe "94000100c3"
+        frame(TopicType.BOOLEAN, 0.0, micros = 1) shouldBe "94000100c2"
+        frame(TopicType.STRING, 1.0, "no", "é", micros = 1) shouldBe "94000104a2c3a9"
     }
 
     test("What was logged is sent as it was, each type as NetworkTables has it") {
@@ -57,7 +58,7 @@ class ValueFramesSpec : FunSpec({
     }
 
     test("Many values go into frames about as long as a packet, in order") {
-        val signal = Signal("/A", SignalType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
+        val signal = Signal("/A", TopicType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
         val frames = ValueFrames(listOf(signal)).of(List(1000) { Update(0, it, it.toLong()) })
         frames.all { it.remaining() in 10..1300 } shouldBe true
         frames.sumOf { it.remaining() } shouldBe 1000 * 12 + (0 until 1000).sumOf {

@@ -1,8 +1,9 @@
 package badlog.replay
 
 import badlog.core.analysis.LogView
-import badlog.core.python.TestPython
 import badlog.files.readRecording
+import badlog.networktables.TopicType
+import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -62,15 +63,15 @@ private fun linesOf(server: ReplayServer, topics: Int, values: Int): List<JsonOb
 
 /** The value as text, for NaN would equal nothing. */
 private fun Signal.textAt(index: Int): String = when (type) {
-    SignalType.BOOLEAN -> "${samples.y[index] != 0.0}"
-    SignalType.DOUBLE -> "${samples.y[index]}"
-    SignalType.INT -> "${samples.y[index].toLong()}"
-    SignalType.STRING -> texts[samples.y[index].toInt()].decodeToString()
+    TopicType.BOOLEAN -> "${samples.y[index] != 0.0}"
+    TopicType.DOUBLE -> "${samples.y[index]}"
+    TopicType.INT -> "${samples.y[index].toLong()}"
+    TopicType.STRING -> texts[samples.y[index].toInt()].decodeToString()
     else -> error("not of a bag")
 }
 
-private fun JsonPrimitive.textAs(type: SignalType): String = when (type) {
-    SignalType.DOUBLE -> "${content.toDouble()}"
+private fun JsonPrimitive.textAs(type: TopicType): String = when (type) {
+    TopicType.DOUBLE -> "${content.toDouble()}"
     else -> content
 }
 

@@ -1,0 +1,165 @@
+package badlog.cli.record
+
+import badlog.cli.command.ExitCode
+import badlog.cli.command.Outcome
+import badlog.cli.command.Outcomes
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.text.counted
+import badlog.cli.text.grouped
+import badlog.cli.text.jsonOf
+import badlog.cli.text.sizeText
+import badlog.record.RecordListener
+import badlog.record.RecordOptions
+import badlog.record.RecordProgress
+import badlog.record.RecordedFile
+import badlog.record.RecordedServer
+import badlog.record.Recorder
+import badlog.record.ServerAddress
+import badlog.terminal.StatusLine
+import kotlinx.serialization.Serializable
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/**
+ * Records [servers] until somebody ends the program, or this thread is interrupted.
+ *
+ * @param places where the robot is looked for, for people.
+ */
+internal class RecordTask(
+    private val servers: List<RecordedServer>,
+    private val places: String,
+    private val options: RecordOptions,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val outcomes = Outcomes("record", console, isJson)
+        RecordTalk(console, outcomes, isJson).use { talk ->
+            talk.tell("Looking for the robot at $places; Ctrl+C ends it.")
+            val recorder = Recorder(servers, options, talk)
+            val isDone = CountDownLatch(1)
+            val end = endingOf(Thread.currentThread(), isDone)
+            Runtime.getRuntime().addShutdownHook(end)
+            try {
+                recorder.use { watch(it, talk) }
+                recorder.failure?.let { outcomes.failed(options.folder, it) }
+                if (!talk.hasFiles && recorder.failure == null) outcomes.failed(options.folder, talk.nothing(places))
+            } finally {
+                talk.close()
+                isDone.countDown()
+                unlessExiting { Runtime.getRuntime().removeShutdownHook(end) }
+            }
+        }
+        return outcomes.end()
+    }
+
+    private fun watch(recorder: Recorder, talk: RecordTalk) = try {
+        recorder.start()
+        do talk.show(recorder.progress) while (recorder.await(SHOW_MILLIS))
+    } catch (_: InterruptedException) {
+        // The person has recorded enough.
+    }
+
+    /** Returns a hook that lets [thread] close the log and say where it is, before the program ends. */
+    private fun endingOf(thread: Thread, isDone: CountDownLatch) = Thread {
+        thread.interrupt()
+        isDone.await(CLOSING_SECONDS, TimeUnit.SECONDS)
+    }
+
+    private fun unlessExiting(action: () -> Unit) = try {
+        action()
+    } catch (_: IllegalStateException) {
+        // The hook has ended this.
+    }
+
+    private companion object {
+        const val SHOW_MILLIS = 500L
+        const val CLOSING_SECONDS = 10L
+    }
+}
+
+/** Reports what happens, and shows how far it is. Called on two threads. */
+private class RecordTalk(private val console: Console, private val outcomes: Outcomes, private val isJson: Boolean) :
+    RecordListener,
+    AutoCloseable {
+    private var line: StatusLine? = console.status()
+    private var values = 0L
+    private var nanos = System.nanoTime()
+    private var isConnected = false
+
+    /** Whether there is a log. */
+    @get:Synchronized
+    var hasFiles = false
+        private set
+
+    /** Says why there is none. */
+    @Synchronized
+    fun nothing(places: String): String = if (isConnected) {
+        "Nothing was recorded, because the robot was not enabled; without --each-enable, the whole session is."
+    } else {
+        "No NetworkTables server answered at $places, so nothing was recorded; check the network, or name the robot's address."
+    }
+
+    @Synchronized
+    fun show(progress: RecordProgress) {
+        val now = System.nanoTime()
+        val rate = ((progress.values - values) * NANOS / maxOf(now - nanos, 1)).toLong()
+        values = progress.values
+        nanos = now
+        val state = if (progress.isConnected) "" else "not connected; "
+        val size = "${counted(progress.values, "value")} of ${counted(progress.topics.toLong(), "topic")}, ${sizeText(progress.bytes)}"
+        line?.show("$state$size, ${grouped(rate)}/s")
+    }
+
+    @Synchronized
+    override fun connected(name: String, address: ServerAddress) {
+        isConnected = true
+        tell("Connected to the $name at $address.")
+    }
+
+    @Synchronized
+    override fun disconnected(name: String, reason: String) = tell("The connection to the $name was lost ($reason); looking for it.")
+
+    @Synchronized
+    override fun noted(message: String) = tell(message)
+
+    @Synchronized
+    override fun finished(file: RecordedFile) {
+        line?.close()
+        hasFiles = true
+        val parts = listOfNotNull(
+            "${counted(file.values, "value")} of ${counted(file.topics.toLong(), "topic")}, ${sizeText(file.bytes)}",
+            "the connection was lost ${counted(file.gaps.toLong(), "time")}".takeIf { file.gaps > 0 },
+            "${counted(file.dropped, "value")} missing, because the disk was too slow".takeIf { file.dropped > 0 },
+            "${counted(file.late, "value")} with earlier times than before".takeIf { file.late > 0 },
+        )
+        val json = jsonOf(RecordJson(file.values, file.topics, file.bytes, file.dropped, file.late, file.gaps))
+        outcomes.done(file.path, Outcome(file.dropped > 0, "${file.path}: ${parts.joinToString("; ")}", json))
+    }
+
+    @Synchronized
+    fun tell(message: String) {
+        line?.close()
+        if (!isJson) console.warn(message)
+    }
+
+    @Synchronized
+    override fun close() {
+        line?.close()
+        line = null
+    }
+
+    private companion object {
+        const val NANOS = 1e9
+    }
+}
+
+@Serializable
+private class RecordJson(
+    private val values: Long,
+    private val topics: Int,
+    private val bytes: Long,
+    private val dropped: Long,
+    private val late: Long,
+    private val gaps: Int,
+)

@@ -1,0 +1,33 @@
+package badlog.networktables
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class TextFramesSpec : FunSpec({
+    test("a list of messages is read, however long it is") {
+        messagesIn("[]").size shouldBe 0
+        messagesIn(List(10_000) { """{"method":"a[{[{"}""" }.joinToString(",", "[", "]")).size shouldBe 10_000
+    }
+
+    test("what is not a list of messages is named") {
+        fun whatIs(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
+        whatIs("{") shouldBe "not JSON"
+        whatIs("{}") shouldBe "not a list of messages"
+        whatIs("[".repeat(1_000_000)) shouldBe "JSON that is nested too deeply"
+        whatIs("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
+    }
+
+    test("no text breaks the reader") {
+        checkAll(Arb.string(0..200)) { text ->
+            try {
+                messagesIn("[$text")
+            } catch (_: UnreadableFrameException) {
+                // As it should be.
+            }
+        }
+    }
+})

@@ -1,0 +1,372 @@
+package badlog.record
+
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.io.path.exists
+import kotlin.io.path.name
+import kotlin.io.path.writeText
+
+class RecorderSpec : FunSpec({
+    test("entries are named, typed and described as WPILib's own logger does, and end when their topics do") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announce("/Arm/Angle", 1, "double", """{"unit":"deg","retained":true}""")
+                announce("/Count", 2, "int")
+                announce("/Counts", 3, "int[]")
+                announce("/.schema/struct:P", 4, "structschema")
+                announce("/Pose", 5, "struct:P")
+                number(1, 2.5)
+                value(2, 2) { packLong(7) }
+                value(3, 18) { packArrayHeader(1).packLong(8) }
+                value(4, 5) { packBinaryHeader(8).writePayload("double x".encodeToByteArray()) }
+                value(5, 5) { packBinaryHeader(8).writePayload(ByteArray(8)) }
+            }
+            recording(server) { running ->
+                waitUntil { running.recorder.progress.values == 5L }
+                server.say("""[{"method":"properties","params":{"name":"/Arm/Angle","ack":true,"update":{"retained":null,"unit":"rad"}}}]""")
+                server.say("""[{"method":"unannounce","params":{"name":"/Count","id":2}}]""")
+                server.announce("/Count", 6, "double")
+                server.number(6, 9.0)
+                waitUntil { running.recorder.progress.values == 6L }
+                val log = running.logs().single()
+                log.entry("NT:/Arm/Angle").metadata shouldBe """{"properties":{"unit":"rad"},"source":"NT"}"""
+                log.entry("NT:/Arm/Angle").numbers() shouldBe listOf(2.5)
+                log.entries.filter { it.name == "NT:/Count" }.map { it.type } shouldBe listOf("int64", "double")
+                log.entry("NT:/Counts").type shouldBe "int64[]"
+                log.entry("NT:/.schema/struct:P").texts() shouldBe listOf("double x")
+                log.entry("Recorder/Connected").truths() shouldBe listOf(true)
+                running.files.single().run {
+                    path.name shouldMatch Regex("""FRC_\d{8}_\d{6}\.wpilog""")
+                    values shouldBe 6
+                    topics shouldBe 6
+                    gaps shouldBe 0
+                }
+                // Our own reader decodes it.
+                val recording = readRecording(running.files.single().path, LOG_FORMATS)
+                recording.problems.map { it.message } shouldBe listOf("Two topics are named “NT:/Count”; the second is shown as “NT:/Count (2)”.")
+                recording.topics.single { it.name == "NT:/Pose/x" }.size shouldBe 1
+                recording.topics.single { it.name == "NT:/Arm/Angle" }.unit shouldBe "rad"
+                recording.values.map { it.name } shouldContain "Start Time"
+            }
+        }
+    }
+
+    test("it only subscribes, and asks for the time") {
+        FakeServer().use { server ->
+            recording(server) { waitUntil { server.greeted.get() == 1 } }
+            server.requests.toList().joinToString("") shouldBe
+                """[{"method":"subscribe","params":{"topics":[""],"subuid":1,"options":{"periodic":0.05,"prefix":true,"all":true}}}]"""
+        }
+    }
+
+    test("times are the server's; what was set before the log began holds at its start") {
+        FakeServer().use { server ->
+            recording(server) { running ->
+                waitUntil { server.greeted.get() == 1 }
+                val now = server.micros
+                server.announce("/Old", 1, "double")
+                server.announce("/New", 2, "double")
+                server.number(1, 1.0, micros = 1000)
+                server.number(2, 1.0, now + 123_456)
+                server.number(2, 2.0, now + 123_999)
+                waitUntil { running.recorder.progress.values == 3L }
+                val log = running.logs().single()
+                log.entry("NT:/New").times() shouldBe listOf((now + 123_456) / 1e6, (now + 123_999) / 1e6)
+                val start = log.entry("Recorder/Connected").time(0)
+                log.entry("NT:/Old").times() shouldBe listOf(start)
+                (now / 1e6 - start in -1.0..10.0) shouldBe true
+            }
+        }
+    }
+
+    test("what was sent is on the disk while the recording goes on") {
+        FakeServer().use { server ->
+            server.greeting = { announce("/A", 1, "double") }
+            recording(server) { running ->
+                waitUntil { server.greeted.get() == 1 }
+                repeat(3) { round ->
+                    server.number(1, round.toDouble())
+                    waitUntil { running.folder.onlyLog().entries.any { it.name == "NT:/A" && it.size == round + 1 } }
+                }
+            }
+        }
+    }
+
+    test("a lost connection is a gap that the log shows; values that are sent again are not written again") {
+        FakeServer().use { server ->
+            val times = HashMap<Int, Long>()
+            server.greeting = {
+                announce("/A", 1, "double")
+                announce("/B", 2, "double")
+                number(1, 4.0, times.getOrPut(1) { micros })
+                number(2, 5.0, times.getOrPut(2) { micros })
+            }
+            recording(server) { running ->
+                waitUntil { running.recorder.progress.values == 2L }
+                times.remove(2)
+                server.drop()
+                waitUntil { running.count("connected") == 2 }
+                waitUntil { running.recorder.progress.values == 3L }
+                val log = running.logs().single()
+                log.entry("Recorder/Connected").truths() shouldBe listOf(true, false, true)
+                log.entry("NT:/A").size shouldBe 1
+                log.entry("NT:/B").size shouldBe 2
+                log.entry("messages").texts().any { "was lost" in it } shouldBe true
+                running.files.single().gaps shouldBe 1
+                running.files.single().late shouldBe 0
+            }
+        }
+    }
+
+    test("a robot whose clock begins anew gets a new log, whether it was away or not") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announce("/A", 1, "double")
+                number(1, micros / 1e6)
+            }
+            server.offset += 1_000_000_000
+            recording(server) { running ->
+                waitUntil { running.recorder.progress.values == 1L }
+                // Restarted.
+                server.offset -= 1_000_000_000
+                server.drop()
+                waitUntil { running.recorder.progress.values == 2L }
+                // Set while connected.
+                server.offset += 500_000_000
+                waitUntil { running.recorder.progress.values == 3L }
+                val logs = running.logs()
+                logs.size shouldBe 3
+                logs.map { it.entry("NT:/A").size } shouldBe listOf(1, 1, 1)
+                for (log in logs) {
+                    val times = log.entries.flatMap { it.times() }
+                    (times.max() - times.min() < 100) shouldBe true
+                }
+                (logs[0].entry("NT:/A").time(0) > logs[2].entry("NT:/A").time(0)) shouldBe true
+                (logs[2].entry("NT:/A").time(0) > logs[1].entry("NT:/A").time(0)) shouldBe true
+                running.files.map { it.path.name }.toSet().size shouldBe 3
+                running.count("The clock of the robot began anew") shouldBe 2
+            }
+        }
+    }
+
+    test("times that run backwards are written, counted and said") {
+        FakeServer().use { server ->
+            server.greeting = { announce("/A", 1, "double") }
+            recording(server) { running ->
+                waitUntil { server.greeted.get() == 1 }
+                val now = server.micros
+                for (micros in listOf(3000, 2000, 4000, 1000)) server.number(1, 0.0, now + micros)
+                waitUntil { running.recorder.progress.values == 4L }
+                val log = running.logs().single()
+                // Our reader sorts them.
+                log.entry("NT:/A").times() shouldBe listOf(1000, 2000, 3000, 4000).map { (now + it) / 1e6 }
+                running.files.single().late shouldBe 2
+                log.entry("messages").texts().filter { "earlier" in it }.size shouldBe 2
+            }
+        }
+    }
+
+    test("the topics that are wanted are subscribed to, and no others, but for what every log needs") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announce("/A", 1, "double")
+                announce("/B", 2, "double")
+                announceControl()
+                announce("/.schema/struct:P", 4, "structschema")
+                for (id in 1..2) number(id, 1.0)
+                enable(false)
+                value(4, 5) { packBinaryHeader(1).writePayload(byteArrayOf(120)) }
+            }
+            recording(server, isWanted = { it == "NT:/B" }) { running ->
+                waitUntil { running.recorder.progress.values == 3L }
+                running.logs().single().entries.map { it.name }.filter { it.startsWith("NT:") } shouldBe
+                    listOf("NT:/B", "NT:/FMSInfo/FMSControlData", "NT:/.schema/struct:P")
+            }
+            val requests = server.requests.toList().joinToString("")
+            requests shouldContain """"topics":[""],"subuid":1,"options":{"periodic":0.05,"prefix":true,"topicsonly":true}"""
+            requests shouldContain """"topics":["/B"]"""
+            server.requests.none { "\"/A\"" in it } shouldBe true
+        }
+    }
+
+    test("each time enabled gets a log, which begins with what holds, and has the name of its match") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announceControl()
+                announce("/A", 1, "double")
+                announce("/FMSInfo/EventName", 2, "string")
+                announce("/FMSInfo/MatchType", 3, "int")
+                announce("/FMSInfo/MatchNumber", 4, "int")
+                number(1, 1.0)
+                value(2, 4) { packString("Mill/Creek") }
+                value(3, 2) { packLong(2) }
+                value(4, 2) { packLong(42) }
+                enable(false)
+            }
+            recording(server, isPerEnable = true) { running ->
+                waitUntil { server.greeted.get() == 1 }
+                server.number(1, 2.0)
+                server.enable(true)
+                server.number(1, 3.0)
+                waitUntil { running.recorder.progress.values == 6L }
+                running.files.shouldBeEmpty()
+                val log = running.logs().single()
+                log.entry("NT:/A").numbers() shouldBe listOf(2.0, 3.0)
+                log.entry("NT:/FMSInfo/FMSControlData").longs() shouldBe listOf(33L)
+                running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}_Mill-Creek_Q42\.wpilog""")
+                running.files.single().path.exists() shouldBe true
+            }
+        }
+    }
+
+    test("several servers with clocks of their own are one log with the robot's clock") {
+        FakeServer(offset = -localMicros() + 10_000_000).use { robot ->
+            FakeServer(offset = -localMicros() + 900_000_000).use { station ->
+                robot.greeting = { announce("/A", 1, "double") }
+                station.greeting = { announce("/Dscomm/Battery", 1, "double") }
+                recording(robot, station) { running ->
+                    waitUntil { robot.greeted.get() == 1 && station.greeted.get() == 1 }
+                    repeat(5) {
+                        val now = localMicros()
+                        robot.number(1, 1.0, now + robot.offset)
+                        station.number(1, 12.5, now + station.offset)
+                    }
+                    waitUntil { running.recorder.progress.values == 10L }
+                    val log = running.logs().single()
+                    val ours = log.entry("NT:/A").times()
+                    val theirs = log.entry("DS:/Dscomm/Battery").times()
+                    for ((own, other) in ours zip theirs) other shouldBe (own plusOrMinus 0.05)
+                    log.entry("Recorder/Connected DS").truths() shouldBe listOf(true)
+                }
+            }
+        }
+    }
+
+    test("what a mirror repeats is recorded once, whichever server announces it first") {
+        FakeServer().use { robot ->
+            FakeServer().use { mirror ->
+                robot.greeting = {
+                    announce("/A", 1, "double")
+                    number(1, 1.0)
+                }
+                mirror.greeting = {
+                    announce("/A", 1, "double")
+                    announce("/B", 2, "double")
+                    announce("/Own", 3, "double")
+                    for (id in 1..3) number(id, 2.0)
+                }
+                recording(robot, mirror) { running ->
+                    waitUntil { robot.greeted.get() == 1 && mirror.greeted.get() == 1 }
+                    waitUntil { running.recorder.progress.values >= 3 }
+                    robot.announce("/B", 2, "double")
+                    robot.number(2, 1.0)
+                    waitUntil { running.folder.onlyLog().entries.any { it.name == "NT:/B" && it.size == 1 } }
+                    mirror.number(1, 3.0)
+                    mirror.number(2, 3.0)
+                    mirror.number(3, 3.0)
+                    waitUntil { running.folder.onlyLog().entry("DS:/Own").size == 2 }
+                    val log = running.logs().single()
+                    log.entry("NT:/A").numbers() shouldBe listOf(1.0)
+                    log.entry("NT:/B").numbers() shouldBe listOf(1.0)
+                    log.entries.filter { it.name == "DS:/A" || it.name == "DS:/B" }.flatMap { it.numbers() }.contains(3.0) shouldBe false
+                }
+            }
+        }
+    }
+
+    test("a server that is not there is looked for, and nothing is written before") {
+        val tries = AtomicInteger()
+        FakeServer().use { server ->
+            val found = RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port).takeIf { tries.incrementAndGet() > 2 } }
+            recording(listOf(found)) { running ->
+                waitUntil { running.count("connected") == 1 }
+                tries.get() shouldBe 3
+            }
+            val never = RecordedServer("robot", "NT:") { null }
+            recording(listOf(never)) { running -> running.logs().shouldBeEmpty() }
+        }
+    }
+
+    test("whatever a server sends, the recording goes on, and says what it left out") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announce("/A", 1, "double")
+                say("{")
+                say("[".repeat(100_000))
+                say("""[{"method":"announce","params":{"name":7}},{"method":"announce"},{"method":"later"},3,null]""")
+                announce("", 2, "")
+                announce("/\\u0000\\n", 3, "double[]")
+                value(1, 4) { packString("x") }
+                value(3, 17) { packArrayHeader(Int.MAX_VALUE) }
+                for (seed in 1..300) send(kotlin.random.Random(seed).nextBytes(seed))
+                send(ByteArray(0))
+                number(1, 1.5)
+            }
+            recording(server) { running ->
+                waitUntil { running.recorder.progress.values >= 1L }
+                running.count("disconnected") shouldBe 0
+                running.count("The robot sent not JSON") shouldBe 1
+                val log = running.logs().single()
+                log.entry("NT:/A").numbers().last() shouldBe 1.5
+                log.entry("messages").texts().single { "could not be read" in it } shouldMatch Regex("[1-9]\\d+ values.*")
+                readRecording(running.files.single().path, LOG_FORMATS).problems.filter { it.message.contains("cut") }.shouldBeEmpty()
+            }
+        }
+    }
+
+    test("a message without an end ends the connection, which is begun anew") {
+        FakeServer().use { server ->
+            server.greeting = { send(ByteArray(17 shl 20)) }
+            recording(server) { running ->
+                waitUntil { running.count("disconnected") == 1 }
+                running.said.first { it.startsWith("disconnected") } shouldContain "more than 16 MiB"
+                server.greeting = { announce("/A", 1, "double") }
+                waitUntil { running.count("connected") >= 2 }
+            }
+        }
+    }
+
+    test("a folder that cannot be written to ends it with a sentence") {
+        FakeServer().use { server ->
+            val folder = kotlin.io.path.createTempDirectory("badlog")
+            try {
+                val file = folder.resolve("file").apply { writeText("") }
+                val servers = listOf(RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port) })
+                Running(folder, servers, RecordOptions(file)).use { running ->
+                    running.recorder.start()
+                    waitUntil { !running.recorder.await(10) }
+                    running.recorder.failure!! shouldContain "The log cannot be written"
+                }
+            } finally {
+                folder.toFile().deleteRecursively()
+            }
+        }
+    }
+
+    test("names of logs that are there already are not taken again") {
+        FakeServer().use { server ->
+            recording(server) { running ->
+                val names = ArrayList<String>()
+                repeat(3) {
+                    Running(running.folder, listOf(RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port) }), RecordOptions(running.folder)).use {
+                        it.recorder.start()
+                        waitUntil { it.count("connected") == 1 }
+                        it.close()
+                        val name = it.files.single().path.name
+                        names shouldNotContain name
+                        names += name
+                    }
+                }
+            }
+        }
+    }
+})
