@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** Something that happened on the connection to server [server]. */
+/** Something that happened on the connection [link]. */
 internal sealed interface Incoming {
     val link: Link
 
