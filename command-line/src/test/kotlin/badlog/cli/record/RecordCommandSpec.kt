@@ -1,6 +1,5 @@
 package badlog.cli.record
 
-import badlog.core.analysis.LogView
 import badlog.cli.BAG
 import badlog.cli.Ended
 import badlog.cli.SAMPLES
@@ -11,6 +10,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.part.javaCommand
 import badlog.cli.with
+import badlog.core.analysis.LogView
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.replay.ReplayOptions

@@ -47,10 +47,4 @@ class RecordedFile internal constructor(
  * @property file the current file, or null.
  * @property isConnected whether the robot's server is connected.
  */
-class RecordProgress internal constructor(
-    val values: Long,
-    val topics: Int,
-    val bytes: Long,
-    val file: Path?,
-    val isConnected: Boolean,
-)
+class RecordProgress internal constructor(val values: Long, val topics: Int, val bytes: Long, val file: Path?, val isConnected: Boolean)

@@ -19,12 +19,7 @@ class ServerAddress(val host: String, val port: Int) {
  * @property find returns where it answers now, or null if it does not. Called on a thread of its own before each connection; may take its
  *   time.
  */
-class RecordedServer(
-    val name: String,
-    val prefix: String,
-    val isMirror: Boolean = false,
-    val find: () -> ServerAddress?,
-) {
+class RecordedServer(val name: String, val prefix: String, val isMirror: Boolean = false, val find: () -> ServerAddress?) {
     companion object {
         /** The port of a robot's server. */
         const val ROBOT_PORT: Int = 5810

@@ -1,8 +1,8 @@
 package badlog.record
 
+import badlog.core.python.TestPython
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.maps.shouldContainAll

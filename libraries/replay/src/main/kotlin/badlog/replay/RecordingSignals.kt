@@ -5,10 +5,10 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
-import badlog.networktables.TopicType
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.text.UniqueNames
+import badlog.networktables.TopicType
 
 /**
  * Returns the topics of [view]'s recording, then its values below `Values/`, in the form of NetworkTables, and when the robot was

@@ -18,8 +18,7 @@ import java.util.concurrent.TimeUnit
  * @param logged topics that are sent as logged, with their original types, instead of the recording's; of those, only calculated
  *   ones remain.
  */
-class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) :
-    Closeable {
+class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) : Closeable {
     private val signals = signalsOf(view, options.prefix, logged)
     private val startNanos = System.nanoTime()
     private val ignored = IgnoredMessages()

@@ -1,9 +1,9 @@
 package badlog.replay
 
 import badlog.core.analysis.LogView
+import badlog.core.python.TestPython
 import badlog.files.readRecording
 import badlog.networktables.TopicType
-import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan

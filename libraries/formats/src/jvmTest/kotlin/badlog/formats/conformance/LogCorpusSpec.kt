@@ -1,7 +1,7 @@
 package badlog.formats.conformance
 
-import badlog.formats.LOG_FORMATS
 import badlog.core.recording.Recording
+import badlog.formats.LOG_FORMATS
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
