@@ -30,12 +30,10 @@ private fun topicJson(topic: Topic): String {
     ).joinToString(",", "{", "}") { (key, json) -> "\"$key\":$json" }
 }
 
-private fun problemJson(problem: Problem): String =
-    "{\"kind\":\"${problem.kind}\",\"topic\":${problem.topic?.let(::quotedJson)},\"count\":${problem.count},\"message\":${quotedJson(problem.message)}}"
+private fun problemJson(problem: Problem): String = "{\"kind\":\"${problem.kind}\",\"topic\":${problem.topic?.let(::quotedJson)},\"count\":${problem.count},\"message\":${quotedJson(problem.message)}}"
 
 private fun DoubleArray?.orEmpty(): DoubleArray = this ?: DoubleArray(0)
 
 private fun numberJson(number: Double): String = if (number.isFinite()) number.toString() else "\"$number\""
 
-private fun <T> list(items: List<T>, separator: String = "", transform: (T) -> String): String =
-    items.joinToString(",$separator", "[$separator", "]", transform = transform)
+private fun <T> list(items: List<T>, separator: String = "", transform: (T) -> String): String = items.joinToString(",$separator", "[$separator", "]", transform = transform)
