@@ -10,7 +10,8 @@ from badlog._wpilog.wire_format import WireField, fields_in
 class ReadMessage:
     """What one message holds.
 
-    If a field occurs twice, the last value counts, and messages that occur in pieces are merged, as the encoding requires; unknown fields are skipped.
+    If a field occurs twice, the last value counts, and messages that occur in pieces are merged, as the encoding requires; unknown fields are
+    skipped.
     """
 
     def __init__(self, layout: MessageLayout) -> None:

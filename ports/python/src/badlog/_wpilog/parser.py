@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from badlog._text import BLANKS, decode
-from badlog._timed.column import Timestamps
 from badlog._timed.record_problems import add_cut, add_lost, add_too_many
 from badlog._timed.vectors import Vectors, vectors_of
 from badlog._wpilog.decoding import Decoding
@@ -18,7 +17,7 @@ from badlog._wpilog.struct_schemas import StructSchemas
 from badlog._wpilog.time_histogram import Cluster
 from badlog._wpilog.topics import TopicMaker, report_entry
 from badlog.problem import ProblemKind, ProblemList
-from badlog.recording import Recording, RecordingFormat, Topic, Value
+from badlog.recording import Recording, RecordingFormat, Value
 
 _STRUCT_SCHEMA = ".schema/struct:"
 # The text that badlog's own writer puts in the header, which is not worth showing.
