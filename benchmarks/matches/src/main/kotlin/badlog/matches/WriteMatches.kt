@@ -1,0 +1,3 @@
+package badlog.matches
+
+fun main() = Unit
