@@ -7,7 +7,7 @@ private const val NO_SETPOINT = "Setpoints are not logged: how high or fast it s
 internal val MECHANISM_FAULTS = listOf(
     fault("elevator-short", "The elevator cannot lift its load: it stops below its setpoint with its motors at the current limit.") {
         causes(
-            "elevator weak|load|heavy|overloaded|torque|power|limit|short|below|reach|reaches|reached|setpoint|target",
+            "elevator weak|load|heavy|overloaded|torque|power|limit|short|below|reach|reaches|reached",
             "current limit elevator|mechanism|motor|low",
             "load|weight heavy|too|much",
             "motor weak|saturated",
@@ -63,7 +63,7 @@ internal val MECHANISM_FAULTS = listOf(
     },
     fault("shooter-slow", "The shooter does not reach its speed: something rubs on its wheels, or one of its motors is weak.") {
         causes(
-            "shooter|flywheel slow|speed|reach|reaches|friction|weak|rub|rubs|drag|below|short|setpoint|target",
+            "shooter|flywheel slow|reach|reaches|friction|weak|rub|rubs|drag|below|short",
             "friction shooter|flywheel|wheel",
             "motor weak shooter|flywheel",
         )

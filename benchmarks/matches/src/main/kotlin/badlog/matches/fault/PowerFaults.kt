@@ -11,7 +11,6 @@ internal val POWER_FAULTS = listOf(
             "internal resistance",
             "battery old|weak|worn|aged|bad|dying",
             "battery resistance high|too|rises|risen",
-            "replace battery",
             "battery health",
         )
         symptoms("brownout|brown|browned", "voltage sag|sags|low|dip|dips|drop|drops", "battery low")
@@ -25,7 +24,6 @@ internal val POWER_FAULTS = listOf(
             "charge battery",
             "resting|rest|open|idle|unloaded voltage low",
             "started|starts|start voltage low",
-            "battery change|swap|fresh",
         )
         symptoms("brownout|brown|browned", "voltage low|sag|sags|dip|dips|drop|drops", "battery low")
         strength("Its voltage at rest is 12.7 V when charged: 1.2 V less at 1, 0.36 V less at 0.3.")
@@ -48,11 +46,11 @@ internal val POWER_FAULTS = listOf(
     fault("too-much-at-once", "Too many motors draw too much at once: their current limits are missing or too high for one battery.") {
         causes(
             "current limit|limits|limiting",
-            "current high|too|much|exceeds|total|peak",
+            "total current",
             "at once motors|mechanisms|everything|subsystems|many",
             "same time motors|mechanisms|subsystems",
             "simultaneously",
-            "demand|draw|draws high|too|much|heavy",
+            "draw|draws|demand too|much|heavy|exceeds|robot|everything",
         )
         symptoms("brownout|brown|browned", "voltage sag|sags|low|dip|dips|drop|drops", "battery low")
         strength("The drive's supply limits are 1.5 times (0.3) to 3 times (1) what they should be, and the driver drives harder.")
