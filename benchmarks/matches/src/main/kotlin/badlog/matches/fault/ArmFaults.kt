@@ -6,7 +6,7 @@ import badlog.matches.fault.Naming.REV
 internal val ARM_FAULTS = listOf(
     fault("broken-chain", "The arm's chain broke or jumps teeth: the motor turns, but the arm does not follow.") {
         causes(
-            "chain|belt|gear|gearbox|coupling|shaft|sprocket",
+            "chain|belt|gear|gearbox|coupling|sprocket",
             "motor turns|spins|runs|free|freely|rotates|moves arm|mechanism|encoder|position|not|without|still",
             "mechanical disconnected|disconnect|broken|link|linkage",
             "decoupled|detached|sheared|stripped|skips|skipping",
@@ -55,7 +55,7 @@ internal val ARM_FAULTS = listOf(
         notSeen(BADLOG, because = "The motor's own position is not logged, so nothing contradicts the encoder.")
     },
     fault("arm-overshoot", "The arm overshoots its setpoint and swings: its gains are wrong.") {
-        causes("overshoot", "gain|gains|kp|kd|pid|tuning|tuned|tune|damping", "oscillat", "swings|ringing|rings")
+        causes("overshoot", "arm|position|closed gain|kp|kd|pid|tuning|tuned|damping", "arm|position oscillat", "swings|ringing|rings")
         symptoms("error large|setpoint|position|closed", "settle|settles|settling slow|long|late", "unstable|instability")
         strength("It overshoots a step by 45 % at 1, by 13 % at 0.3, and swings back and forth.")
         needs(Need.ARM)

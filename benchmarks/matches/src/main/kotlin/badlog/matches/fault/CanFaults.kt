@@ -8,7 +8,7 @@ import badlog.matches.fault.Naming.WPILIB
 internal val CAN_FAULTS = listOf(
     fault("can-dropout", "A motor controller drops off the CAN bus: its wire is loose, and its values freeze.") {
         causes(
-            "can device|wire|wiring|connection|dropout|dropped|drops|lost|loose|disconnected|timeout|offline|missing",
+            "can device|wire|wiring|connection|dropout|dropped|drops|loose|disconnected|offline",
             "motor|controller|device|talon|talonfx|spark|module disconnected|dropout|unreachable|offline",
             "lost contact|communication motor|device|controller",
         )

@@ -64,8 +64,8 @@ internal val COMPUTER_FAULTS = listOf(
             "disabled match|teleop|unexpectedly|middle",
         )
         strength("The log lacks the last 90 s of the match at 1, the last 27 s at 0.3.")
-        starts(60.0, 123.0)
-        shownBy(Signal.CONSOLE, Signal.TIME)
+        starts(60.0, 126.0)
+        shownBy(Signal.CONSOLE, Signal.ENABLED)
         onlySymptom(PHOENIX, REV, BADLOG, because = "No console: the log ends while enabled, as it would if the power was cut.")
     },
 )

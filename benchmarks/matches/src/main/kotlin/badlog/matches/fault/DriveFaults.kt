@@ -25,9 +25,10 @@ internal val DRIVE_FAULTS = listOf(
         shownBy(Signal.MOTOR_CURRENT, Signal.MOTOR_VELOCITY, Signal.SUPPLY_CURRENT, Signal.CHANNEL_CURRENT)
         onlySymptom(REV, because = "Neither targets nor gyro: wheels disagree, which a wheel without grip or a weak motor explains, too.")
     },
-    fault("module-steer-lags", "One swerve module does not turn to its angle: its steering is blocked, weak or has lost its gear.") {
+    fault("module-steer-lags", "One swerve module does not turn to its angle: its steering is blocked or weak.") {
         causes(
-            "steer|steering|turn|turning|azimuth|angle motor|module|lags|behind|slow|stuck|blocked|error|follow|target|setpoint",
+            "steer|steering|azimuth motor|lags|behind|slow|stuck|blocked|weak|error|follow|target|setpoint",
+            "turn motor stuck|blocked|weak|slow|lags|behind|error",
             "module angle not|behind|lag|lags|error|follow|reach|stuck|slow",
             "module follow|stuck|lags",
         )
@@ -57,14 +58,14 @@ internal val DRIVE_FAULTS = listOf(
     },
     fault(
         "dragging-brake",
-        "One side of the drive drags: a brake, a bearing or a chain rubs, so it needs more current for the same speed.",
+        "One side of the drive drags: a brake or a bearing rubs, so it needs more current for the same speed.",
     ) {
         causes(
-            "drag|drags|dragging",
+            "side|left|right drag|drags|dragging",
             "friction side|wheel|gearbox|drive|left|right|bearing",
             "left right current|imbalance|unequal|uneven|differ|differs|more|asymmetric",
             "side current more|higher|imbalance",
-            "bearing|brake|rub|rubs|rubbing|binding drive|side|wheel|left|right|gearbox",
+            "bearing|brake|rub|rubs|rubbing|binding side|left|right|gearbox",
         )
         symptoms("robot drifts|veers|curves|pulls|turns", "imbalance|asymmetric|uneven", "current high|higher|more")
         strength("The friction of one side takes 45 % of what its motors can give at their limit at 1, 14 % at 0.3.")
@@ -73,14 +74,18 @@ internal val DRIVE_FAULTS = listOf(
         shownBy(Signal.MOTOR_CURRENT, Signal.SUPPLY_CURRENT, Signal.CHANNEL_CURRENT)
     },
     fault("wheel-slip", "The wheels slip: the tread is worn, so the robot has no grip when it accelerates or brakes.") {
-        causes("slip|slips|slipping|slippage", "tread|treads|tire|tires|traction|grip", "wheel spin|spins|spinning")
+        causes(
+            "wheel|wheels|drive|traction slip|slips|slipping|slippage",
+            "tread|treads|tire|tires|traction|grip",
+            "wheel spin|spins|spinning",
+        )
         symptoms(
             "odometry|pose wrong|error|drifts|differs|disagree|disagrees|jumps",
             "velocity|speed jump|jumps|spike|spikes|sudden|peaks",
             "vision pose|odometry differ|differs|disagree",
             "wheels|wheel faster robot|ground|expected",
         )
-        strength("The coefficient of friction is 1.1 on healthy tread: 0.35 at 1, 0.87 at 0.3.")
+        strength("The coefficient of friction is 1.1 on healthy tread: 0.35 at 1, 0.6 at 0.3.")
         shownBy(Signal.MOTOR_VELOCITY, Signal.ACCELERATION, Signal.MOTOR_CURRENT)
         onlySymptom(REV, BADLOG, because = "No acceleration or vision to compare the wheels with; their speed jumps, whatever lets it.")
     },
@@ -93,7 +98,7 @@ internal val DRIVE_FAULTS = listOf(
         symptoms("output|power|current|torque less|cut|reduced|zero|limited|low", "motor weak|stops|stopped|not")
         strength("It is at 100 °C or more, with no power at 1, with 70 % of its power at 0.3.")
         starts(40.0, 90.0)
-        shownBy(Signal.MOTOR_TEMPERATURE, Signal.MOTOR_CURRENT, Signal.SUPPLY_CURRENT)
+        shownBy(Signal.MOTOR_TEMPERATURE, Signal.MOTOR_CURRENT, Signal.SUPPLY_CURRENT, Signal.CHANNEL_CURRENT, Signal.MOTOR_OUTPUT)
         onlySymptom(BADLOG, because = "Temperatures are not logged: the motor gives less, whatever the reason.")
     },
 )

@@ -14,7 +14,7 @@ internal val LINK_FAULTS = listOf(
             "link down|dropped|drop",
         )
         symptoms("disabled match|teleop|while|during|unexpectedly|middle|briefly|mid", "enabled lost|drop|dropped|flicker|flickers")
-        strength("Away for 20 s at 1, for 2 s at 0.3.")
+        strength("Away for 20 s at 1, for 6 s at 0.3.")
         starts(25.0, 110.0)
         shownBy(Signal.LINK, Signal.ENABLED)
         onlySymptom(WPILIB, PHOENIX, REV, BADLOG, because = "No topic of the link: the robot is disabled for a while, whoever did it.")

@@ -36,7 +36,7 @@ internal val LOCATION_FAULTS = listOf(
     },
     fault("vision-jumps", "The camera reports wrong positions now and then, and the robot believes them.") {
         causes(
-            "vision|camera|apriltag|tag|limelight|photonvision|photon jump|jumps|outlier|outliers|wrong|ambiguous|ambiguity|reject|noise|noisy|bad|far|measurement|measurements|disagrees|disagree",
+            "vision|camera|apriltag|tag|limelight|photon jump|outlier|wrong|ambigu|reject|nois|bad|far|measurement|disagree",
         )
         symptoms("pose|position|odometry jump|jumps|jumped|teleport|teleports|wrong|discontinuous", "pose impossible|speed|speeds")
         strength("Every 3 s a position 3 m off at 1, 0.9 m off at 0.3.")

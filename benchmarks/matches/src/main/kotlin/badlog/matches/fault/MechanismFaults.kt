@@ -7,9 +7,8 @@ private const val NO_SETPOINT = "Setpoints are not logged: how high or fast it s
 internal val MECHANISM_FAULTS = listOf(
     fault("elevator-short", "The elevator cannot lift its load: it stops below its setpoint with its motors at the current limit.") {
         causes(
-            "elevator weak|load|heavy|overloaded|torque|power|limit|short|below|reach|reaches|reached",
-            "current limit elevator|mechanism|motor|low",
-            "load|weight heavy|too|much",
+            "elevator weak|load|heavy|overloaded|torque|lift|short|below|reach",
+            "load|weight heavy",
             "motor weak|saturated",
         )
         symptoms(
@@ -30,7 +29,7 @@ internal val MECHANISM_FAULTS = listOf(
             "jam|jams|jammed",
             "block|blocked|blocks|blockage",
             "stall|stalls|stalled|stalling",
-            "seized|stuck|binding|binds|bind",
+            "seized|seizes|binding|binds|bind",
             "obstruct|obstructed|obstruction",
         )
         symptoms(
@@ -65,7 +64,8 @@ internal val MECHANISM_FAULTS = listOf(
         causes(
             "shooter|flywheel slow|reach|reaches|friction|weak|rub|rubs|drag|below|short",
             "friction shooter|flywheel|wheel",
-            "motor weak shooter|flywheel",
+            "motor weak",
+            "speed|velocity below|reach|short",
         )
         symptoms(
             "velocity|speed below|low|error|short",
@@ -80,9 +80,14 @@ internal val MECHANISM_FAULTS = listOf(
         onlySymptom(REV, because = NO_SETPOINT)
     },
     fault("oscillating-controller", "The shooter's speed controller oscillates: its gain is too high.") {
-        causes("oscillat", "gain|gains|kp|pid|tuning|tuned|tune", "unstable|instability", "hunting|hunts|ringing")
+        causes(
+            "shooter|flywheel|speed|velocity oscillat",
+            "shooter|flywheel|speed|velocity gain|kp|pid|tuning|tuned",
+            "unstable|instability",
+            "hunting|hunts|ringing",
+        )
         symptoms("velocity|speed|output|current noisy|varies|uneven|fluctuates|unsteady|swings|noise", "error large|setpoint")
-        strength("The speed swings by ±15 % at 1, by ±4.5 % at 0.3, at 4 to 6 Hz, whenever it should hold.")
+        strength("The speed swings by about 9 % at 1, by 3 % at 0.3, at 1 to 2 Hz, whenever it should hold.")
         starts(0.0, 40.0)
         needs(Need.SHOOTER)
         shownBy(Signal.MOTOR_VELOCITY, Signal.MOTOR_OUTPUT, Signal.MEASURED)

@@ -31,7 +31,7 @@ internal val POWER_FAULTS = listOf(
     },
     fault("loose-battery-lead", "A battery lead is loose: at bumps the voltage collapses for moments, whatever the current is.") {
         causes(
-            "loose battery|lead|terminal|connector|connection|wire",
+            "loose battery|lead|terminal|connector|power",
             "battery connection|connector|terminal|lead|contact|cable",
             "main breaker loose|connection|lug",
             "contact resistance",
@@ -45,7 +45,8 @@ internal val POWER_FAULTS = listOf(
     },
     fault("too-much-at-once", "Too many motors draw too much at once: their current limits are missing or too high for one battery.") {
         causes(
-            "current limit|limits|limiting",
+            "current limits|limiting",
+            "supply|drive current limit",
             "total current",
             "at once motors|mechanisms|everything|subsystems|many",
             "same time motors|mechanisms|subsystems",
@@ -70,7 +71,12 @@ internal val POWER_FAULTS = listOf(
         onlySymptom(WPILIB, PHOENIX, REV, BADLOG, because = "No topic of the link: the robot is disabled after a dip, whoever did it.")
     },
     fault("tripped-breaker", "The breaker of one motor tripped: its channel has no current although the motor is commanded.") {
-        causes("breaker", "channel trip|trips|tripped|open|dead|power|unpowered", "motor|controller lost|without|no power", "fuse")
+        causes(
+            "breaker",
+            "channel trip|trips|tripped|open|dead|power|unpowered",
+            "motor|controller lost|without|no power",
+            "motor|channel fuse",
+        )
         symptoms(
             "current zero|no|without|stops|stopped|0",
             "motor not running|responding|moving|driving",
