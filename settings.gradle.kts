@@ -53,6 +53,7 @@ include(":vendordep")
 include(":site")
 include(":benchmarks:jvm")
 include(":benchmarks:node")
+include(":benchmarks:matches")
 include(":benchmarks:robot")
 
 project(":architecture").projectDir = file("gradle/architecture")

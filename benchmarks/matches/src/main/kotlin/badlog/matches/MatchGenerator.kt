@@ -1,0 +1,138 @@
+package badlog.matches
+
+import badlog.matches.fault.FAULTS
+import badlog.matches.fault.Fault
+import badlog.matches.fault.Naming
+import badlog.matches.fault.STRENGTHS
+import badlog.matches.fault.Visibility
+import badlog.matches.log.BagRecorder
+import badlog.matches.log.LoggedTopic
+import badlog.matches.log.Recorder
+import badlog.matches.log.WpilogRecorder
+import badlog.matches.log.advantageKitTopics
+import badlog.matches.log.badlogTopics
+import badlog.matches.log.phoenixTopics
+import badlog.matches.log.revTopics
+import badlog.matches.log.wpilibTopics
+import badlog.matches.robot.Hardship
+import badlog.matches.robot.MatchObserver
+import badlog.matches.robot.MatchRun
+import badlog.matches.robot.Planting
+import badlog.matches.robot.RobotPlan
+import badlog.core.recording.Value
+import java.util.Locale
+
+/**
+ * Generates logs of whole matches of simulated robots, with or without a planted fault. The same seed gives the same bytes.
+ *
+ * @param seed what everything random follows from.
+ */
+class MatchGenerator(private val seed: Long) {
+    /**
+     * Returns matches without end: in turn each fault at each strength in each naming, and after every second one a match without a
+     * fault. They are generated as the sequence is read.
+     */
+    fun matches(namings: List<Naming> = Naming.entries): Sequence<GeneratedMatch> = sequence {
+        var healthy = 0
+        for (round in 0..Int.MAX_VALUE) {
+            var faulty = 0
+            // Different namings and strengths follow each other, so that a short sequence is varied, too.
+            for (turn in 0 until namings.size * STRENGTHS.size) {
+                for ((index, fault) in FAULTS.withIndex()) {
+                    val naming = namings[(turn + index) % namings.size]
+                    val strength = STRENGTHS[(turn / namings.size + index) % STRENGTHS.size]
+                    yield(faulty(naming, fault, strength, round))
+                    if (++faulty % 2 == 0) yield(healthy(namings[healthy % namings.size], healthy++))
+                }
+            }
+        }
+    }
+
+    /** Returns match [number] of a robot with [fault]; other numbers give other robots, drivers and moments. */
+    fun faulty(naming: Naming, fault: Fault, strength: Double, number: Int = 0): GeneratedMatch {
+        require(strength in 0.1..1.0) { "The strength of “$fault” is $strength; use 0.3 to 1." }
+        val own = mixed(naming.ordinal + 16L * number + 1_000_003L * fault.id.hashCode())
+        val percent = (strength * 100).toInt()
+        return generated("${naming.id}-${fault.id}-$percent-$number", RobotPlan.of(own, naming, fault, strength, Hardship.NONE))
+    }
+
+    /** Returns match [number] without a fault. Each third one is hard: something in it looks like a fault. */
+    fun healthy(naming: Naming, number: Int): GeneratedMatch {
+        val own = mixed(naming.ordinal + 16L * number + 7)
+        val hard = Hardship.entries.drop(1)
+        val hardship = if (number % 3 == 2) hard[number / 3 % hard.size] else Hardship.NONE
+        return generated("${naming.id}-healthy-$number", RobotPlan.of(own, naming, null, 0.0, hardship))
+    }
+
+    private fun mixed(number: Long): Long = (seed * -0x61c8864680b583ebL + number) * -0x4b47d0c5a1a2f3b5L xor number.rotateLeft(32)
+
+    companion object {
+        /**
+         * Returns the match that [match] would have been without its fault: the same robot, driver, hits and noise. Topics at the same
+         * times differ only because of the fault.
+         */
+        fun withoutFault(match: GeneratedMatch): GeneratedMatch {
+            val fault = requireNotNull(match.fault) { "“${match.name}” has no fault; give a match that has one." }
+            val plan = RobotPlan.of(match.seed, match.naming, fault, match.strength, Hardship.NONE)
+            return generated("${match.name}-without", plan.copy(fault = null, strength = 0.0))
+        }
+    }
+}
+
+private fun generated(name: String, plan: RobotPlan): GeneratedMatch {
+    val run = MatchRun(plan)
+    val topics = topicsOf(run)
+    // A WPILOG's clock began when the robot was switched on.
+    val boot = if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
+    val recorder = recorderOf(run, topics, boot)
+    run.run(object : MatchObserver {
+        override fun looped(time: Double) = recorder.loop(time)
+
+        override fun framed(time: Double) = recorder.frame(time)
+    })
+    return GeneratedMatch(
+        name = name,
+        seed = plan.seed,
+        naming = plan.naming,
+        fault = plan.fault,
+        strength = plan.strength,
+        hardship = plan.hardship.title,
+        isHard = plan.hardship != Hardship.NONE,
+        start = run.planting?.let { boot + if (it.fault.start.endInclusive == 0.0) 0.0 else run.autoStart + it.start },
+        part = run.planting?.part.orEmpty(),
+        evidence = run.planting?.takeIf {
+            it.fault.sightIn(plan.naming).visibility != Visibility.NOTHING
+        }?.let { evidenceOf(it, topics) }.orEmpty(),
+        bytes = recorder.bytes(),
+    )
+}
+
+private fun topicsOf(run: MatchRun): List<LoggedTopic> = when (run.plan.naming) {
+    Naming.ADVANTAGEKIT -> advantageKitTopics(run)
+    Naming.WPILIB -> wpilibTopics(run)
+    Naming.PHOENIX -> phoenixTopics(run)
+    Naming.REV -> revTopics(run)
+    Naming.BADLOG -> badlogTopics(run)
+}
+
+private fun recorderOf(run: MatchRun, topics: List<LoggedTopic>, boot: Double): Recorder = when (run.plan.naming) {
+    Naming.BADLOG -> BagRecorder(
+        topics,
+        listOf(Value("Match", "Q" + Math.floorMod(run.plan.seed, 79L).plus(1)), Value("Robot", "practice")),
+    )
+
+    Naming.ADVANTAGEKIT -> WpilogRecorder(topics, boot, "AdvantageKit", keepsRepeats = false)
+
+    Naming.WPILIB -> WpilogRecorder(topics, boot, "", keepsRepeats = false)
+
+    // Devices send their values again and again, and loggers of devices keep each.
+    Naming.PHOENIX, Naming.REV -> WpilogRecorder(topics, boot, "", keepsRepeats = true)
+}
+
+private fun evidenceOf(planting: Planting, topics: List<LoggedTopic>): List<String> = topics.filter { topic ->
+    val isItsPart = topic.part.isEmpty() || planting.part.isEmpty() || topic.part == planting.part
+    topic.signal in planting.fault.shownBy && isItsPart
+}.map { it.name }
+
+/** Returns [seconds] with three decimals. */
+internal fun decimals(seconds: Double): String = "%.3f".format(Locale.ROOT, seconds)
