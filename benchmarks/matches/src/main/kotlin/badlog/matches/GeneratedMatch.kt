@@ -1,8 +1,8 @@
 package badlog.matches
 
+import badlog.core.recording.RecordingFormat
 import badlog.matches.fault.Fault
 import badlog.matches.fault.Naming
-import badlog.core.recording.RecordingFormat
 
 /**
  * The log of a simulated match, and what is wrong in it.

@@ -1,5 +1,6 @@
 package badlog.matches
 
+import badlog.core.recording.Value
 import badlog.matches.fault.FAULTS
 import badlog.matches.fault.Fault
 import badlog.matches.fault.Naming
@@ -19,7 +20,6 @@ import badlog.matches.robot.MatchObserver
 import badlog.matches.robot.MatchRun
 import badlog.matches.robot.Planting
 import badlog.matches.robot.RobotPlan
-import badlog.core.recording.Value
 import java.util.Locale
 
 /**

@@ -1,11 +1,11 @@
 package badlog.matches
 
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
 import badlog.matches.fault.FAULTS
 import badlog.matches.fault.Naming
 import badlog.matches.fault.STRENGTHS
 import badlog.matches.fault.Visibility
-import badlog.core.recording.RecordingFormat
-import badlog.core.recording.Topic
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,9 +1,9 @@
 package badlog.matches
 
 import badlog.core.bag.RecordingParser
-import badlog.formats.LOG_FORMATS
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
+import badlog.formats.LOG_FORMATS
 
 /** Reads [match] as badlog's programs do. */
 internal fun recordingOf(match: GeneratedMatch): Recording = RecordingParser(LOG_FORMATS, match.bytes.size.toLong()).run {

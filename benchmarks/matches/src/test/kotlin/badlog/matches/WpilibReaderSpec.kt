@@ -1,9 +1,9 @@
 package badlog.matches
 
-import badlog.matches.fault.FAULTS
-import badlog.matches.fault.Naming
 import badlog.core.python.TestPython
 import badlog.core.recording.TopicKind
+import badlog.matches.fault.FAULTS
+import badlog.matches.fault.Naming
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
