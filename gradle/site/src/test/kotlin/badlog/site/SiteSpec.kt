@@ -88,6 +88,6 @@ class SiteSpec : FunSpec({
     }
 
     test("the API's pages show their navigation from disk").config(enabledOrReasonIf = { BuiltSite.browser }) {
-        BuiltSite.inBrowser("api/index.html").select("#sideMenu a").map { it.text() } shouldContainAll listOf("badlog.bag")
+        BuiltSite.inBrowser("api/index.html").select("#sideMenu a").map { it.text() } shouldContainAll listOf("badlog.core.bag")
     }
 })
