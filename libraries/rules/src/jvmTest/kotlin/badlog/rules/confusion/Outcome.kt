@@ -1,0 +1,32 @@
+package badlog.rules.confusion
+
+import badlog.matches.fault.Fault
+import badlog.matches.fault.Verdict
+
+/** How the diagnosis of a match with a fault ended; each match has one of these. */
+internal enum class Outcome(val title: String) {
+    RIGHT("right cause"),
+    SYMPTOM("true symptom"),
+    WRONG("wrong cause"),
+    SILENT("silence"),
+}
+
+/**
+ * Returns how [claims], in the order of their list, do justice to a match with [fault], which the topics [evidence] show.
+ *
+ * A list that begins with an incident of another cause is wrong, whatever follows: that is what a team would act on. Otherwise the best of
+ * all claims counts. A claim that shows none of [evidence] is about something else, whatever it says.
+ */
+internal fun outcomeOf(fault: Fault, evidence: List<String>, claims: List<Claim>): Outcome {
+    if (claims.isEmpty()) return Outcome.SILENT
+    val verdicts = claims.map { claim ->
+        val isShown = evidence.isEmpty() || claim.topics.isEmpty() || claim.topics.any { topic -> evidence.any(topic::startsWith) }
+        if (isShown) fault.verdictOn(claim.text) else Verdict.OTHER
+    }
+    return when {
+        claims[0].isIncident && verdicts[0] == Verdict.OTHER -> Outcome.WRONG
+        Verdict.CAUSE in verdicts -> Outcome.RIGHT
+        Verdict.SYMPTOM in verdicts -> Outcome.SYMPTOM
+        else -> Outcome.WRONG
+    }
+}
