@@ -53,7 +53,7 @@ internal class EvidenceSpec : PageSpec({
                 outOfSight() shouldBe 0
                 element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
                 element("#evidence .incident-next").text shouldStartWith "Next: "
-                element(".finding[aria-current]").text shouldContain "Browned out"
+                element(".incident[aria-current]").text shouldContain "browned out"
             }
         }
     }

@@ -10,6 +10,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
+import badlog.rules.incident.incidentsIn
 import badlog.rules.over
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -41,15 +42,18 @@ internal class RulesSpec : PageSpec({
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 
     fun OpenPage.findings(): List<String> {
-        for (button in elements(".findings-more button")) if (button.isDisplayed && "Show all" in button.text) button.click()
+        for (button in elements(".findings-more button")) if (button.isDisplayed && "fewer" !in button.text) button.click()
         settle()
-        return texts(".finding .severity").zip(texts(".finding-text")) { severity, text -> "$severity $text" }
+        val listed = texts(".finding .severity").zip(texts(".finding-text")) { severity, text -> "$severity $text" }
+        return listed + texts(".incident p > span:not(.finding-whole)")
     }
 
     fun found(sample: Path, rules: RuleSet): List<String> {
         val view = LogView.of(readRecording(sample, LOG_FORMATS)).withVirtualTopics(formulas).view
-        return rules.over(view, sample.fileName.toString()).findings
-            .map { "${it.severity.name.lowercase()} ${it.rule}${it.text}" }
+        val findings = rules.over(view, sample.fileName.toString()).findings
+        val sentences = rules.incidentsIn(findings).flatMap { it.sentences }
+        val listed = findings - sentences.map { it.finding }.toSet()
+        return listed.map { "${it.severity.name.lowercase()} ${it.rule}${it.text}" } + sentences.map { it.text }
     }
 
     fun bare(texts: List<String>) = texts.map { it.filterNot(Char::isWhitespace) }
@@ -101,7 +105,16 @@ internal class RulesSpec : PageSpec({
             press("/")
             press("browned")
             texts(".search-count").single() shouldContain "1 finding"
-            texts(".finding-source") shouldBe listOf("Browned out")
+            texts(".incident p").count { "browned out" in it } shouldBe 1
+            texts(".finding-source") shouldBe emptyList()
+        }
+    }
+
+    browserTest("what an incident says is not listed below it again") {
+        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
+            awaitRules()
+            element("#findings").text.split("browned out").size shouldBe 2
+            texts("#findings .unit").first() shouldContain "4 errors"
         }
     }
 
@@ -112,7 +125,7 @@ internal class RulesSpec : PageSpec({
             element(".incident").text shouldContain "Next: "
             val browned = elements(".incident p").first { "browned out" in it.text }
             browned.findElement(By.cssSelector("button")).click()
-            element(".finding[aria-current]").text shouldContain "Browned out"
+            element(".incident[aria-current]").text shouldContain "browned out"
             press("/")
             press("browned")
             elements(".incident").size shouldBe 1

@@ -24,8 +24,8 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What was found in the recording: incidents, then all findings, the worst first; a few at first, all on request. Selecting a finding
- * moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; a few at first, all on request.
+ * Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
  * @param onVisit called when a person goes to a place, with the incident if it is part of one.
  * @param onPin called when a person wants to keep the graphs that show a finding.
@@ -43,6 +43,9 @@ internal class FindingList(
     private val rows = HashMap<Finding, HTMLElement>()
     private val incidentRows = LinkedHashMap<Incident, HTMLElement>()
     private var found = all
+
+    // Those of them that no incident above the list mentions.
+    private var unmentioned = all
     private var listed = 0
     private val current: Finding? get() = scene.visited?.finding
     private var isSearching = false
@@ -124,6 +127,8 @@ internal class FindingList(
     private fun show(query: Query) {
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
         showIncidents(query)
+        val mentioned = incidentRows.keys.flatMapTo(HashSet()) { incident -> incident.sentences.map { it.finding } }
+        unmentioned = found.filter { it !in mentioned }
         showFound()
     }
 
@@ -191,21 +196,21 @@ internal class FindingList(
 
     private fun list(wanted: Int) {
         // Nobody unfolds a list for two more lines.
-        val until = if (found.size <= wanted + 2) found.size else wanted
+        val until = if (unmentioned.size <= wanted + 2) unmentioned.size else wanted
         if (until < listed || wanted == FEW) {
             body.textContent = ""
             rows.clear()
             listed = 0
         }
-        for (finding in found.subList(listed, until)) {
+        for (finding in unmentioned.subList(listed, until)) {
             val row = findingRow(finding, decimals, { onPin(it, incidentOf(it)) }) { visit(firstPlaceOf(it)) }
             rows[finding] = row
             body.appendChild(row)
         }
         listed = until
-        more.isHidden = listed == found.size
-        val left = found.size - listed
-        more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show all ${countText(found.size)}")
+        more.isHidden = listed == unmentioned.size
+        val left = unmentioned.size - listed
+        more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show ${countText(left)} more")
         val isLong = listed > FEW + 2
         fewer.isHidden = !isLong
         // Anything that scrolls must react to keys.
@@ -221,7 +226,7 @@ internal class FindingList(
     private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding)) {
         scene.visited = place
         scene.zoomTo(place.span.from, place.span.to)
-        val index = found.indexOf(place.finding)
+        val index = unmentioned.indexOf(place.finding)
         if (index >= listed) list(index + 1)
         mark()
         onVisit(place, incident)
