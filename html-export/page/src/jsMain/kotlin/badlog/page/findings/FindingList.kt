@@ -24,8 +24,8 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; a few at first, all on request.
- * Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; at first a few of those that
+ * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
  * @param onVisit called when a person goes to a place, with the incident if it is part of one.
  * @param onPin called when a person wants to keep the graphs that show a finding.
@@ -44,8 +44,9 @@ internal class FindingList(
     private val incidentRows = LinkedHashMap<Incident, HTMLElement>()
     private var found = all
 
-    // Those of them that no incident above the list mentions.
+    // Those of them that no incident above the list mentions; first those that belong to none, `outside` in number.
     private var unmentioned = all
+    private var outside = 0
     private var listed = 0
     private val current: Finding? get() = scene.visited?.finding
     private var isSearching = false
@@ -128,7 +129,9 @@ internal class FindingList(
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
         showIncidents(query)
         val mentioned = incidentRows.keys.flatMapTo(HashSet()) { incident -> incident.sentences.map { it.finding } }
-        unmentioned = found.filter { it !in mentioned }
+        val (belonging, others) = found.filter { it !in mentioned }.partition { finding -> incidentRows.keys.any { finding in it } }
+        unmentioned = others + belonging
+        outside = others.size
         showFound()
     }
 
@@ -195,8 +198,9 @@ internal class FindingList(
     }
 
     private fun list(wanted: Int) {
+        val most = if (wanted == FEW) outside else unmentioned.size
         // Nobody unfolds a list for two more lines.
-        val until = if (unmentioned.size <= wanted + 2) unmentioned.size else wanted
+        val until = if (most <= wanted + 2) most else wanted
         if (until < listed || wanted == FEW) {
             body.textContent = ""
             rows.clear()
@@ -211,7 +215,7 @@ internal class FindingList(
         more.isHidden = listed == unmentioned.size
         val left = unmentioned.size - listed
         more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show ${countText(left)} more")
-        val isLong = listed > FEW + 2
+        val isLong = listed > minOf(FEW + 2, outside)
         fewer.isHidden = !isLong
         // Anything that scrolls must react to keys.
         if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
