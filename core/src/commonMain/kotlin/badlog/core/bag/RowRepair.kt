@@ -88,7 +88,7 @@ internal class RowRepair(
         }
     }
 
-    /** Returns where a quoted cell with newlines inside, as RFC 4180 allows, leaves off; [NOT_SO] if the row has none. */
+    /** Returns where the next row begins, if this one has a quoted cell with newlines inside, as RFC 4180 allows; otherwise [NOT_SO]. */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         var holdsRows = false

@@ -12,7 +12,7 @@ internal enum class Outcome(val title: String) {
 }
 
 /**
- * Returns how [claims], in the order of their list, do justice to a match with [fault], which the topics [evidence] show.
+ * Returns how the diagnosis of a match with [fault] ended, which the topics [evidence] show, with [claims] in the order of their list.
  *
  * A list that begins with an incident of another cause is wrong, whatever follows: that is what a team would act on. Otherwise the best of
  * all claims counts. A claim that shows none of [evidence] is about something else, whatever it says.
