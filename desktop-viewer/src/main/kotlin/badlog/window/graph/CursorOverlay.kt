@@ -8,13 +8,15 @@ import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import badlog.core.analysis.Span
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.pen.Pen
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.drawCursors
+import badlog.viewer.draw.plot.drawSample
 import badlog.viewer.input.DragKind
-import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.cursor.dotAt
 import badlog.viewer.shown.cursor.indexAt
 import badlog.window.graph.mark.drawBand
@@ -24,6 +26,7 @@ import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.log.PlotGesture
+import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
@@ -37,26 +40,13 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
             scene.findings.state.shown?.let { drawShownFinding(it, visible, palette) }
             scene.view.selection?.let { drawSelection(it, visible, palette) }
             scene.view.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
-            drawCursors(scene.view.cursors, visible, palette)
+            val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), visible)
+            val pen = pen()
+            pen.drawCursors(frame, scene.view.cursors, palette.pen)
             val cursor = scene.view.cursor ?: return@drawBehind
-            if (cursor in visible) scene.pictureOf(state)?.let { drawSamples(it, cursor, visible, palette) }
+            if (cursor in visible) scene.pictureOf(state)?.let { pen.drawSamples(frame, it, cursor, palette.pen) }
         },
     )
-}
-
-/** Draws [cursors] over the whole height: pinned ones in the accent color, the second one dashed, the pointer's thin. */
-internal fun DrawScope.drawCursors(cursors: Cursors, visible: Span, palette: Palette) {
-    val pointer = palette.cursor.copy(alpha = if (cursors.isPinned) POINTER_OPACITY else CURSOR_OPACITY)
-    cursors.hover?.let { drawCursorLine(it, visible, pointer, density) }
-    cursors.pinned?.let { drawCursorLine(it, visible, palette.accent, PINNED * density) }
-    val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * density, DASH * density))
-    cursors.second?.let { drawCursorLine(it, visible, palette.accent, PINNED * density, dashes) }
-}
-
-private fun DrawScope.drawCursorLine(cursor: Double, visible: Span, color: Color, width: Float, effect: PathEffect? = null) {
-    if (cursor !in visible) return
-    val x = pixelOf(cursor, visible, size.width)
-    drawLine(color, Offset(x, 0f), Offset(x, size.height), strokeWidth = width, pathEffect = effect)
 }
 
 /** Draws [selection] as a band with its edges. */
@@ -86,25 +76,17 @@ private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, 
     }
 }
 
-/** Draws a dot on each line where the legend reads it: at the sample, or where its value holds. */
-private fun DrawScope.drawSamples(picture: PlotPicture, cursor: Double, visible: Span, palette: Palette) {
+/** Draws a dot on each line of [picture] where the legend reads it: at the sample, or where its value holds. */
+internal fun Pen.drawSamples(frame: PlotFrame, picture: PlotPicture, cursor: Double, colors: PenColors) {
+    val lines = frame.part(0.0, 1 - picture.plot.laneShare)
     for (line in picture.lines) {
         val read = line.line.signal.line
         val index = read.indexAt(cursor - line.line.offset)
         if (index < 0) continue
-        val value = read.data.y[index]
-        val x = pixelOf(read.dotAt(cursor - line.line.offset) + line.line.offset, visible, size.width)
-        if (!value.isFinite() || x < 0 || x > size.width) continue
-        val y = picture.axes[line.axis].pixelOf(value, picture.plotHeight)
-        if (y < 0 || y > picture.plotHeight) continue
-        drawCircle(palette.surface, (DOT + 1) * density, Offset(x, y))
-        drawCircle(palette.line(line.line.color), DOT * density, Offset(x, y))
+        val x = frame.x.placeOf(read.dotAt(cursor - line.line.offset) + line.line.offset)
+        val y = lines.scaleOf(picture.axes[line.axis].shown).placeOf(read.data.y[index])
+        if (x in frame.left..frame.right && y in lines.top..lines.bottom) drawSample(x, y, line.line.color, colors)
     }
 }
 
-private const val CURSOR_OPACITY = 0.75f
-private const val POINTER_OPACITY = 0.4f
-private const val PINNED = 2f
-private const val DASH = 4f
 private const val BAND_OPACITY = 0.16f
-private const val DOT = 3f

@@ -7,12 +7,9 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.getValue
-import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
-import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
@@ -20,20 +17,19 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.rememberTextMeasurer
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.draw.mark.ModeBands
-import badlog.window.graph.mark.drawEventMarks
-import badlog.window.graph.mark.drawModes
-import badlog.window.graph.mark.drawNoteMarks
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotMarks
+import badlog.viewer.draw.plot.drawModes
+import badlog.viewer.draw.plot.drawPlot
 import badlog.window.graph.plot.PictureEffect
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.graph.plot.PlotRequest
 import badlog.window.graph.plot.PlotState
-import badlog.window.graph.plot.drawLanes
 import badlog.window.graph.plot.drawLines
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.plotPointer
+import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 
 /** The plot of [spec] with its axes. */
@@ -57,7 +53,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
         }
     }
     Box(modifier) {
-        YAxes(scene, state, Modifier.fillMaxSize())
+        GraphDrawing(scene, state)
         Box(
             Modifier
                 .fillMaxSize()
@@ -67,7 +63,6 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
                 .semantics { contentDescription = "Plot ${spec.title}" }
                 .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
         ) {
-            GraphDrawing(scene, state)
             CursorOverlay(scene, spec.id, state)
         }
     }
@@ -77,22 +72,19 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
 @Composable
 private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     val palette = LocalPalette.current
-    val letters = rememberTextMeasurer(cacheSize = TEXTS)
-    val bands = remember { ModeBands() }
     Spacer(
-        Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
+        Modifier.fillMaxSize().graphicsLayer().drawBehind {
             val visible = scene.view.viewport.visible
-            val modes = scene.current.recording?.modes
-            val picture = scene.pictureOf(state) ?: return@drawBehind drawModes(modes, bands, visible, palette)
-            val lanesTop = picture.plotHeight
-            clipRect(bottom = lanesTop) { drawModes(modes, bands, visible, palette) }
-            drawGrid(picture, visible, palette)
-            drawLines(picture, visible)
-            drawLanes(picture, visible, palette, letters)
-            // They would hide it.
-            clipRect(top = lanesTop) { drawModes(modes, bands, visible, palette) }
-            drawEventMarks(scene.events.matching, visible, palette)
-            drawNoteMarks(scene.notes.state.notes, visible, palette)
+            val left = GraphScene.LEFT_GUTTER.roundToPx().toDouble()
+            val width = size.width - left - scene.rightGutter.roundToPx()
+            if (width < 1) return@drawBehind
+            val frame = PlotFrame(left, 0.0, width, size.height.toDouble(), visible)
+            val modes = scene.current.recording?.modes ?: return@drawBehind
+            val picture = scene.pictureOf(state) ?: return@drawBehind pen().drawModes(frame, modes, palette.pen)
+            val marks = PlotMarks(modes, scene.events.matching, findings = null, scene.notes.state.notes.map { it.x })
+            pen().drawPlot(frame, picture.plot, marks, palette.pen, xHeight = 0.0, hasRoom = true, picture.frame()) {
+                drawLines(picture, frame)
+            }
         },
     )
 }
@@ -103,5 +95,3 @@ private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
     val plotHeight = picture.plotHeight / picture.request.height * height
     return picture.axes.firstOrNull()?.valueAt(y.coerceIn(0f, plotHeight), plotHeight) ?: Double.NaN
 }
-
-private const val TEXTS = 64

@@ -24,17 +24,15 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextMeasurer
-import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.draw.mark.FindingMarks
-import badlog.viewer.draw.mark.ModeBands
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.drawCursors
+import badlog.viewer.draw.plot.drawEventMarks
+import badlog.viewer.draw.plot.drawFindingMarks
+import badlog.viewer.draw.plot.drawModes
 import badlog.viewer.shown.outline.everChanges
-import badlog.window.graph.mark.drawEventMarks
-import badlog.window.graph.mark.drawFindings
-import badlog.window.graph.mark.drawModes
 import badlog.window.graph.mark.drawShownFinding
 import badlog.window.graph.plot.OVERVIEW
 import badlog.window.graph.plot.PictureEffect
@@ -45,6 +43,7 @@ import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.overviewPointer
 import badlog.window.log.OpenRecording
+import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
@@ -54,9 +53,6 @@ internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current
     val state = scene.plots.state(OVERVIEW)
     val density = LocalDensity.current.density
-    val marks = remember { FindingMarks() }
-    val bands = remember { ModeBands() }
-    val letters = rememberTextMeasurer()
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureEffect(state, scene.plots.curves) {
         val size = state.size
@@ -76,9 +72,7 @@ internal fun Overview(scene: GraphScene) {
                 .overviewPointer(scene),
         ) {
             Spacer(
-                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
-                    drawWhole(scene, state, marks, bands, letters, palette)
-                },
+                Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) },
             )
             Spacer(Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWindow(scene, palette) })
         }
@@ -96,20 +90,14 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     return BoardGraph(OVERVIEW, chosen.name, listOf(chosen.name))
 }
 
-private fun DrawScope.drawWhole(
-    scene: GraphScene,
-    state: PlotState,
-    marks: FindingMarks,
-    bands: ModeBands,
-    letters: TextMeasurer,
-    palette: Palette,
-) {
-    val full = scene.view.viewport.full
+private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
+    val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.full)
+    val pen = pen()
     drawRect(palette.page)
-    drawModes(scene.current.recording?.modes, bands, full, palette, letters)
-    scene.pictureOf(state)?.let { drawLines(it, full) }
-    drawEventMarks(scene.events.matching, full, palette, hasLines = false)
-    drawFindings(scene.findings.state.list?.timeline, marks, full, palette)
+    scene.current.recording?.let { pen.drawModes(frame, it.modes, palette.pen, hasNames = true) }
+    scene.pictureOf(state)?.let { drawLines(it, frame) }
+    pen.drawEventMarks(frame, scene.events.matching, palette.pen, hasLines = false)
+    scene.findings.state.list?.let { pen.drawFindingMarks(frame, it.timeline, palette.pen) }
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
@@ -117,7 +105,7 @@ private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
     scene.findings.state.shown?.let { drawShownFinding(it, full, palette) }
     scene.view.selection?.let { drawSelection(it, full, palette) }
     if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
-    drawCursors(scene.view.cursors, full, palette)
+    pen().drawCursors(PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), full), scene.view.cursors, palette.pen)
 }
 
 private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {

@@ -1,7 +1,5 @@
 package badlog.window.log
 
-import androidx.compose.ui.graphics.ImageBitmap
-import androidx.compose.ui.graphics.toComposeImageBitmap
 import badlog.core.analysis.EnabledSpan
 import badlog.core.analysis.EventLog
 import badlog.core.analysis.LogView
@@ -44,6 +42,7 @@ import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.path.swerveModulesOf
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
+import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
 import java.io.IOException
 import java.nio.file.Path
@@ -154,9 +153,10 @@ internal class OpenRecording(
     private val modules by lazy { swerveModulesOf(view.recording.topics) }
 
     /** The picture of its field; null for none, or where it cannot be drawn. */
-    val fieldPicture: ImageBitmap? by lazy {
+    val fieldPicture: SkiaImage? by lazy {
+        val source = field.field.image?.source.orEmpty()
         // Skia rejects data that only begins like a picture.
-        runCatching { field.picture?.let { Image.makeFromEncoded(it).toComposeImageBitmap() } }.getOrNull()
+        runCatching { field.picture?.let { SkiaImage(Image.makeFromEncoded(it), source) } }.getOrNull()
     }
 
     /**

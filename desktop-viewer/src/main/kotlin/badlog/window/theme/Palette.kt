@@ -5,6 +5,7 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.compositeOver
 import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.lineColor
 import badlog.viewer.draw.color.modeShade
@@ -30,6 +31,9 @@ internal class Palette private constructor(val isDark: Boolean) {
     val warningSoft: Color = of(Shade.WARNING_SOFT)
     val stateOff: Color = of(Shade.STATE_OFF)
     val stateText: Color = of(Shade.STATE_TEXT)
+
+    /** The same for a pen. */
+    val pen: PenColors = PenColors.of(isDark)
     private val lines = List(LINE_COLORS) { opaque(lineColor(it, isDark)) }
 
     /** Returns the color of line [index], from 0; further ones begin again. */

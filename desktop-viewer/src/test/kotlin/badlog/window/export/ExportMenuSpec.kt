@@ -109,7 +109,7 @@ class ExportMenuSpec : FunSpec({
             onNodeWithContentDescription("Save the figure").performClick()
             waitForNotice(viewer, "Saved $file")
             val svg = Files.readString(file)
-            svg shouldContain "width=\"600.0\""
+            svg shouldContain "width=\"600\""
             svg shouldContain "Arm/Angle"
             ("Arm/Current" in svg) shouldBe false
             files.questions shouldBe listOf("Save the figure")

@@ -15,6 +15,7 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.window.bagOf
 import badlog.window.compare.DrawnRecording
 import badlog.window.graph.plot.drawnLines
+import badlog.window.graph.plot.laneName
 import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

@@ -100,6 +100,37 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
+    browserTest("a link shows what its writer saw: the second cursor, the search, the values and the statistics; of an untouched page it is empty") {
+        fun OpenPage.copied(): String {
+            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")
+            click("#copy-link")
+            await("the notice") { notice() == "Link copied." }
+            return (script("return window.copied") as String).substringAfter('#', "")
+        }
+        var link = ""
+        onPage(page) {
+            copied() shouldBe ""
+            script("arguments[0].querySelector('.pin').click()", graph("Current").card)
+            script("location.hash = '#t=4&b=5.5'")
+            settle()
+            press("v")
+            script("document.querySelector('#board .statistics-toggle').click()")
+            script("const box = document.querySelector('#search'); box.value = 'curr'; box.dispatchEvent(new Event('input'))")
+            settle()
+            link = copied()
+        }
+        link shouldBe "t=4&b=5.5&board=Current&q=curr&open=values;1"
+        onPage(page) {
+            script("localStorage.clear()")
+            script("location.hash = arguments[0]", "#$link")
+            settle()
+            script("return document.querySelector('#search').value") shouldBe "curr"
+            script("return document.querySelector('#cursor-values').hidden") shouldBe false
+            script("return document.querySelector('#board .statistics-toggle').getAttribute('aria-expanded')") shouldBe "true"
+            copied() shouldBe link
+        }
+    }
+
     browserTest("a damaged link says so, and hurts nothing; one of another log says what is not here") {
         onPage(page) {
             script("location.hash = '#t=3&board=~12'")

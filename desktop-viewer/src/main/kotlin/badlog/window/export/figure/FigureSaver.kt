@@ -3,7 +3,7 @@ package badlog.window.export.figure
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
-import badlog.files.writeAtomically
+import androidx.compose.ui.graphics.toComposeImageBitmap
 import badlog.viewer.choices.board.BoardGraph
 import badlog.window.compare.ComparedRecordings
 import badlog.window.files.FileChoice
@@ -21,9 +21,6 @@ import badlog.window.task.Notices
 import badlog.window.task.openAction
 import kotlinx.coroutines.CoroutineScope
 import java.awt.datatransfer.Clipboard
-import java.io.IOException
-import java.nio.file.Path
-import javax.imageio.ImageIO
 
 /** Saves and copies figures of the current recording's graphs. */
 internal class FigureSaver(
@@ -44,8 +41,8 @@ internal class FigureSaver(
         val recording = current.recording ?: return
         val ending = ".${options.format.ending}"
         val file = askToWrite(files, notices, "Save the figure", recording.file.parent, fileNameOf(recording.label), ending) ?: return
-        val builder = builder(options)
-        tasks.run("Drawing ${file.fileName}", { writeFigure(drawable(builder.build(graphs)), options, file) }) {
+        val figure = figureOf(options)
+        tasks.run("Drawing ${file.fileName}", { writeFigure(figure, graphs, options.format, file) }) {
             notices.say("Saved $file.", openAction(file, scope, notices))
         }
     }
@@ -58,18 +55,19 @@ internal class FigureSaver(
         if (current.recording == null) return sayNoLog(notices)
         if (graphs.isEmpty()) return
         val options = FigureOptions(graphHeight = if (graphs.size == 1) LONE_HEIGHT else FigureOptions().graphHeight)
-        val builder = builder(options)
-        val draw = { imageOf(svgOf(drawable(builder.build(graphs)), options), options.width, PICTURE_SCALE) }
+        val figure = figureOf(options)
+        val draw = { imageOf(figure, graphs).toComposeImageBitmap() }
         tasks.run("Copying the picture", { copyImage(draw(), clipboard) }) {
             val what = graphs.singleOrNull()?.let { "“${it.title}”" } ?: "${graphs.size} graphs"
             notices.say("Copied a picture of $what; paste it where you like.")
         }
     }
 
-    private fun builder(options: FigureOptions) = FigureBuilder(
+    private fun figureOf(options: FigureOptions) = LogFigure(
         compared.drawn,
         view.viewport.visible,
         options.width,
+        options.graphHeight,
         events.matching,
         findings.state.list?.timeline,
         notes.state.notes.map { it.x },
@@ -83,23 +81,5 @@ internal class FigureSaver(
 
         /** More graphs than this make an unreadable picture. */
         const val MAX_COPIED = 8
-    }
-}
-
-/** Returns [figure], where there is anything in it to draw. */
-internal fun drawable(figure: Figure): Figure =
-    if (figure.frames.isEmpty()) throw IOException("None of the selected graphs has a line in this log; select others.") else figure
-
-/** Writes [figure] to [file]. */
-internal fun writeFigure(figure: Figure, options: FigureOptions, file: Path) {
-    val svg = svgOf(figure, options)
-    if (Thread.interrupted()) throw InterruptedException()
-    when (options.format) {
-        FigureFormat.SVG -> writeAtomically(file) { it.write(svg.encodeToByteArray()) }
-
-        FigureFormat.PNG -> {
-            val image = imageOf(svg, options.width, PICTURE_SCALE)
-            writeAtomically(file) { ImageIO.write(image, "png", it) }
-        }
     }
 }

@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.input.pointer.PointerEventType
@@ -15,8 +14,10 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.draw.mark.FindingMarks
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.drawFindingMarks
 import badlog.window.graph.scene.GraphScene
+import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 
 /**
@@ -26,7 +27,6 @@ import badlog.window.theme.LocalPalette
 @Composable
 internal fun FindingStrip(scene: GraphScene) {
     val palette = LocalPalette.current
-    val marks = remember { FindingMarks() }
     Box(Modifier.fillMaxWidth().height(HEIGHT.dp).background(palette.surface)) {
         Box(
             Modifier
@@ -34,7 +34,10 @@ internal fun FindingStrip(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .semantics { contentDescription = "Findings on the time axis" }
                 .findingPointer(scene)
-                .drawBehind { drawFindings(scene.findings.state.list?.timeline, marks, scene.view.viewport.visible, palette) },
+                .drawBehind {
+                    val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.visible)
+                    scene.findings.state.list?.let { pen().drawFindingMarks(frame, it.timeline, palette.pen) }
+                },
         )
     }
 }

@@ -1,26 +1,30 @@
 package badlog.window.graph.plot
 
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.graphics.drawscope.drawIntoCanvas
 import androidx.compose.ui.graphics.skiaCanvas
 import badlog.core.analysis.Span
+import badlog.viewer.draw.plot.PlotFrame
 import org.jetbrains.skia.Rect
 import org.jetbrains.skia.SamplingMode
 
 /**
- * Draws the lines of [picture] where [visible] is seen now. A picture made for another part of x is stretched to fit, until
+ * Draws the lines of [picture] within [frame], with what that shows now. A picture made for another part of x is stretched to fit, until
  * the requested one is ready.
  */
-internal fun DrawScope.drawLines(picture: PlotPicture, visible: Span) {
+internal fun DrawScope.drawLines(picture: PlotPicture, frame: PlotFrame) {
     val image = picture.image ?: return
     val made = picture.request.visible
-    val left = pixelOf(made.from, visible, size.width)
-    val right = pixelOf(made.to, visible, size.width)
+    val left = frame.left.toFloat() + pixelOf(made.from, frame.shown, frame.width.toFloat())
+    val right = frame.left.toFloat() + pixelOf(made.to, frame.shown, frame.width.toFloat())
     // A picture of a much larger or smaller range would show nothing.
-    if (right - left !in size.width / MAX_STRETCH..size.width * MAX_STRETCH) return
+    if (right - left !in frame.width / MAX_STRETCH..frame.width * MAX_STRETCH) return
     val whole = Rect.makeWH(image.width.toFloat(), image.height.toFloat())
-    drawIntoCanvas { canvas ->
-        canvas.skiaCanvas.drawImageRect(image, whole, Rect(left, 0f, right, image.height.toFloat()), SamplingMode.DEFAULT, null, true)
+    clipRect(left = frame.left.toFloat(), right = frame.right.toFloat()) {
+        drawIntoCanvas { canvas ->
+            canvas.skiaCanvas.drawImageRect(image, whole, Rect(left, 0f, right, image.height.toFloat()), SamplingMode.DEFAULT, null, true)
+        }
     }
 }
 

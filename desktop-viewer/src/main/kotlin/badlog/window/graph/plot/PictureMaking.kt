@@ -13,8 +13,11 @@ import kotlin.math.ceil
 /** The maximum number of lines and lanes in a graph; nobody can distinguish more. */
 internal const val MAX_LINES = 64
 
-/** Returns everything to be drawn for [request]. It takes a while, so do not use it on the window's thread. */
-internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture {
+/**
+ * Returns everything to be drawn for [request]; with an image of its lines for the screen if it [hasImage]. It takes a while, so do not use
+ * it on the window's thread.
+ */
+internal fun makePicture(request: PlotRequest, curves: CurveCache, hasImage: Boolean = true): PlotPicture {
     val (states, numbers) = shownLines(request.spec, request).partition { it.signal.states != null }
     val lanesHeight = lanesHeight(request, states.size, hasLines = numbers.isNotEmpty())
     val plotHeight = request.height - lanesHeight
@@ -28,14 +31,9 @@ internal fun makePicture(request: PlotRequest, curves: CurveCache): PlotPicture 
         strokes[i].place(Scale.ofY(axes[axis].shown, plotHeight.toDouble()))
         LinePicture(line, axis, strokes[i])
     }
-    return PlotPicture(
-        request = request,
-        axes = axes,
-        lines = lines,
-        lanes = states.map { lanePicture(it, request, curves) },
-        image = rasterOf(request, axes, lines, plotHeight),
-        plotHeight = plotHeight,
-    )
+    val lanes = states.map { lanePicture(it, request, curves) }
+    val picture = PlotPicture(request, axes, lines, lanes, image = null, plotHeight)
+    return if (hasImage) PlotPicture(request, axes, lines, lanes, rasterOf(picture), plotHeight) else picture
 }
 
 private fun shownLines(spec: BoardGraph, request: PlotRequest) = drawnLines(spec, request.recordings)

@@ -5,6 +5,11 @@ import badlog.viewer.draw.axis.GraphAxis
 import badlog.viewer.draw.axis.Ticks
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.lane.LaneBlocks
+import badlog.viewer.draw.plot.Plot
+import badlog.viewer.draw.plot.PlotAxis
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotLane
+import badlog.viewer.draw.plot.PlotLine
 import org.jetbrains.skia.Image
 
 /**
@@ -16,6 +21,7 @@ import org.jetbrains.skia.Image
  * @property lanes the lanes of states, below the lines.
  * @property image the drawn lines; null if there are none.
  * @property plotHeight the height of the lines, in pixels; the lanes have the rest.
+ * @property plot the same for a pen.
  */
 internal class PlotPicture(
     val request: PlotRequest,
@@ -24,7 +30,25 @@ internal class PlotPicture(
     val lanes: List<LanePicture>,
     val image: Image?,
     val plotHeight: Float,
-)
+) {
+    val plot: Plot = Plot(
+        PlotAxis.of(axes.map { it.axis }, axes.map { it.shown }) { lines[it].line.color },
+        lines.map { PlotLine(it.line.color, it.strokes, it.axis) },
+        lanes.map { lane -> PlotLane(laneName(lane.line, lanes.map { it.line }), lane.states, lane.blocks) },
+        1 - plotHeight.toDouble() / request.height,
+        request.spec.isFilled,
+    )
+
+    /** The frame for which it was made, at ([left], [top]). */
+    fun frame(left: Double = 0.0, top: Double = 0.0): PlotFrame =
+        PlotFrame(left, top, request.width.toDouble(), request.height.toDouble(), request.visible)
+}
+
+/** Returns the text beside the lane of [line], one of [all]: with several recordings, each has a lane with the same name. */
+internal fun laneName(line: DrawnLine, all: List<DrawnLine>): String {
+    val label = line.label?.take(MAX_LETTERS) ?: return line.title.take(MAX_LETTERS)
+    return if (all.all { it.signal.name == line.signal.name }) label else "${line.title.take(MAX_LETTERS)} · $label"
+}
 
 /**
  * A scale of y.
@@ -65,3 +89,5 @@ internal class LinePicture(val line: DrawnLine, val axis: Int, val strokes: Stro
  * @property blocks what is drawn, from left to right, the short ones last.
  */
 internal class LanePicture(val line: DrawnLine, val states: List<String>, val blocks: LaneBlocks)
+
+private const val MAX_LETTERS = 40

@@ -13,17 +13,18 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.draw.drawWithCache
-import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.path.XyDrawing
+import badlog.viewer.draw.plot.Plot
 import badlog.window.graph.scene.GraphScene
 import badlog.window.menu.ClosesByEscape
+import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
@@ -36,7 +37,6 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val palette = LocalPalette.current
     val recordings = scene.recordings
     val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
-    val letters = rememberTextMeasurer(cacheSize = TEXTS)
     val drag = remember(spec.id) { XyDrag() }
     val kept = remember(spec.id) { KeptPicture() }
     ClosesByEscape(drag.giveUp != null) { drag.giveUp?.invoke() }
@@ -51,11 +51,12 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
         Spacer(
             Modifier.fillMaxSize().drawBehind {
                 val left = GraphScene.LEFT_GUTTER.toPx()
-                val box = Rect(left, 0f, size.width - scene.rightGutter.toPx(), size.height - BELOW.toPx())
-                if (box.width > 0 &&
-                    box.height > 0
-                ) {
-                    planeOn(box.width, box.height)?.let { drawXyAxes(it, box, xys[0].plot, letters, palette) }
+                val width = size.width - left - scene.rightGutter.toPx()
+                val height = size.height - BELOW.toPx()
+                val plane = planeOn(width, height).takeIf { width > 0 && height > 0 } ?: return@drawBehind
+                val pen = pen()
+                pen.moved(left.toDouble(), 0.0) {
+                    XyDrawing(pen, xys[0].plot, plane, width.toDouble(), height.toDouble(), palette.pen).axes(left.toDouble())
                 }
             },
         )
@@ -70,9 +71,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
                     val plane = planeOn(size.width, size.height)
                     val picture = plane?.let {
                         kept.of(this) {
-                            drawXyGround(plane, xys[0].plot, xys[0].drawn.recording.fieldPicture, palette)
-                            for (xy in xys) drawXyTraces(xy, spec, plane, scene.view.viewport.visible, palette)
-                            for (xy in xys) drawXyNotes(xy, plane, scene.view.viewport.visible, letters, palette)
+                            drawXys(pen(), xys, spec, plane, scene.view.viewport.visible, size.width, size.height, palette.pen)
                         }
                     }
                     onDrawBehind { picture?.let { drawImage(it) } }
@@ -82,10 +81,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
                     val plane = planeOn(size.width, size.height) ?: return@drawBehind
                     drag.covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
-                    scene.view.secondCursor?.let { second ->
-                        for (xy in xys) drawXyCursor(xy, spec, plane, second, palette, isSecond = true)
-                    }
-                    scene.view.cursor?.let { cursor -> for (xy in xys) drawXyCursor(xy, spec, plane, cursor, palette) }
+                    drawXyCursors(pen(), xys, spec, plane, scene.view.cursors, size.width, size.height, palette.pen)
                 },
             )
         }
@@ -93,7 +89,6 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
 }
 
 private val BELOW = 20.dp
-private const val TEXTS = 64
 private const val COVERED = 0.16f
 
 /** Stores the visible part of the plane of [spec] on the board once gestures have ended, and shows what the board has. */

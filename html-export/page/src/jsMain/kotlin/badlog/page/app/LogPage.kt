@@ -57,6 +57,7 @@ import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
+import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.shown.search.Query
@@ -105,7 +106,7 @@ internal class LogPage(
     private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
-    private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith)
+    private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
@@ -267,6 +268,17 @@ internal class LogPage(
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
         scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()
+    }
+
+    private fun openedNow(): OpenedParts {
+        val statistics = boardSection.cards.withIndex().filter { it.value.hasStatistics }.map { it.index + 1 }
+        return OpenedParts(search.text, values.isOpen, statistics)
+    }
+
+    private fun openParts(opened: OpenedParts) {
+        if (opened.search.isNotEmpty()) search.show(opened.search)
+        if (opened.hasValues && !values.isOpen) values.toggle()
+        for (place in opened.statistics) boardSection.cards.getOrNull(place - 1)?.takeIf { !it.hasStatistics }?.toggleStatistics()
     }
 
     private fun goWith(address: PageAddress) {

@@ -8,6 +8,7 @@ import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.session.link.pageAddressOf
 import kotlinx.browser.document
@@ -22,6 +23,8 @@ import kotlin.js.Promise
  *
  * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
  * @param onJump called when the cursor and the board are as the address demands.
+ * @param opened returns what the reader has opened.
+ * @param open opens what an address asks for.
  */
 internal class PageLink(
     private val scene: Scene,
@@ -29,6 +32,8 @@ internal class PageLink(
     private val video: VideoPanel,
     private val onFormulas: (List<String>) -> List<String>,
     private val onJump: (PageAddress) -> Unit,
+    private val opened: () -> OpenedParts,
+    private val open: (OpenedParts) -> Unit,
 ) {
     /** The address that was followed, until the reader looks elsewhere. */
     private var followed: PageAddress? = null
@@ -68,12 +73,14 @@ internal class PageLink(
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         onBoard(board?.board)
         go(address)
+        open(address.opened)
         address.video?.let { video.alignment = it }
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
 
     private fun go(address: PageAddress) {
         address.moment?.let(scene::goTo)
+        if (address.moment != null) address.second?.let { x -> scene.cursor.change { shiftClicked(x, 0.0) } }
         if (address.moment != null || address.board != null) onJump(address)
         address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
     }
@@ -83,9 +90,11 @@ internal class PageLink(
             moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
             finding = scene.visitedAt(scene.cursor.x),
             visible = scene.range.now.takeIf { scene.range.isZoomed },
-            board = scene.board.now.takeIf { it.graphs.isNotEmpty() }?.renumbered(),
+            board = scene.board.now.takeIf { it.graphs.isNotEmpty() && !scene.board.isUntouched }?.renumbered(),
             formulas = formulas.own,
             video = video.alignment,
+            second = scene.cursor.now.second,
+            opened = opened(),
         )
         val end = address.toText()
         val link = window.location.href.substringBefore('#') + end

@@ -15,7 +15,7 @@ internal class CursorOverlay(
     private val graph: Graph,
     private val scene: Scene,
     private val content: PlotContent,
-    private val plot: Plot,
+    private val plot: PlotCanvas,
 ) {
     private val line = plot.over.add("div", "cursor-line")
     private val second = plot.over.add("div", "cursor-line is-second")

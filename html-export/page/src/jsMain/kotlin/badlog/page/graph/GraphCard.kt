@@ -10,16 +10,17 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
-import badlog.page.export.Sheet
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.SearchedGraph
-import badlog.page.xy.XyDrawing
+import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
+import badlog.viewer.draw.figure.Sheet
+import badlog.viewer.draw.figure.graphHead
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.table.CsvDraft
 import badlog.viewer.text.unitText
@@ -54,7 +55,7 @@ internal class GraphCard(
     private val statistics = StatisticsTable(graph, scene)
     private val legend = Legend(graph, statistics::hintOf) { toggle(lines.slice(it..it)) }
     private val xy = if (look.isXy) {
-        XyDrawing(scene, {
+        XyGraph(scene, {
             this.look
         }, ::toggle) { plane -> change(this.look.copy(xRange = plane?.x, yRange = plane?.y)) }
     } else {
@@ -62,7 +63,7 @@ internal class GraphCard(
     }
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
-    private var plot: Plot? = null
+    private var plot: PlotCanvas? = null
     private var overlay: CursorOverlay? = null
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
@@ -193,7 +194,7 @@ internal class GraphCard(
         val content = newContent()
         host.textContent = ""
         host.style.height = "${content.height}px"
-        val drawn = Plot(scene, content, host, width)
+        val drawn = PlotCanvas(scene, content, host, width)
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
         PlotGestures(drawn.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
         overlay = CursorOverlay(graph, scene, content, drawn)
@@ -209,7 +210,7 @@ internal class GraphCard(
     }
 
     private fun newContent() = if (graph.showsStates) {
-        LaneContent(graph, scene.palette, isShown, scene.range.full.to)
+        LaneContent(graph, isShown, scene.range.full.to)
     } else {
         LineContent(graph, scene, isShown) { look }
     }
@@ -218,7 +219,7 @@ internal class GraphCard(
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
-        drawGraphHead(sheet, graph, paths?.legend ?: legend.element, scene)
+        sheet.graphHead(graph.title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
         if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, graph, newContent(), scene)
     }
 
@@ -297,7 +298,10 @@ internal class GraphCard(
         host.textContent = "No data"
     }
 
-    private fun toggleStatistics() {
+    val hasStatistics: Boolean get() = !statistics.element.isHidden
+
+    /** Opens or closes the table of its statistics. */
+    fun toggleStatistics() {
         val table = statistics.element
         table.isHidden = !table.isHidden
         statisticsButton.setAttribute("aria-expanded", (!table.isHidden).toString())

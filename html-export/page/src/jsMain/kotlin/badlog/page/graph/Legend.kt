@@ -10,6 +10,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Cursor
 import badlog.viewer.draw.axis.graphAxes
 import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.draw.figure.LegendEntry
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.shown.cursor.textOf
@@ -72,6 +73,13 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
             values[index].showText(text)
         }
     }
+
+    /** Returns what it says about the lines that are drawn, with their colors if it [hasColors]. */
+    fun shown(hasColors: Boolean): List<LegendEntry> =
+        entries.indices.filter { entries[it].getAttribute("aria-pressed") == "true" }.map { i ->
+            val texts = listOf(names[i], values[i].textContent, units[i].textContent).filterNot { it.isNullOrEmpty() }
+            LegendEntry(texts.joinToString(" "), if (hasColors) i % LINE_COLORS else null)
+        }
 
     private fun numberText(number: Double) = if (graph.isVirtual) roundedText(number) else exactText(number)
 }

@@ -2,28 +2,22 @@ package badlog.page.graph
 
 import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
-import badlog.viewer.draw.axis.GraphAxis
-import org.w3c.dom.CanvasRenderingContext2D
+import badlog.viewer.draw.plot.Plot
+import badlog.viewer.draw.plot.PlotFrame
 
 /** What a plot shows inside its frame: lines, or lanes of states. */
 internal interface PlotContent {
     /** The height of the plot with its axis, in CSS pixels. */
     val height: Int
 
-    /** Whether it would cover the shading of the modes. */
-    val isOpaque: Boolean
-
-    /** The y axes, the left one first; none if y means nothing. Set by [prepare], like [limits]. */
-    val axes: List<GraphAxis>
-
-    /** The part of y that each of [axes] shows. */
+    /** The part of y that each y axis showed last, the left one first; none if y means nothing. */
     val limits: List<Span>
 
-    /** Finds out what is visible of [span] on a screen with as many pixel columns as [columns] has. */
-    fun prepare(span: Span, columns: PixelColumns)
-
-    /** Draws what [prepare] found. */
-    fun draw(context: CanvasRenderingContext2D, frame: PlotFrame)
+    /**
+     * Returns what is visible in [frame], whose pixels are [ratio] for each CSS pixel, with as many points as [columns] need. It is valid
+     * until the next call.
+     */
+    fun plotIn(frame: PlotFrame, columns: PixelColumns, ratio: Double): Plot
 
     /**
      * Returns where on y the sample of series [index] nearest to [x] is, as a fraction of the frame's height from

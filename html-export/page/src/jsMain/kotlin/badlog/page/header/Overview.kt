@@ -5,13 +5,14 @@ import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.graph.PlotFrame
-import badlog.page.graph.drawEventMarks
-import badlog.page.graph.drawFindingMarks
-import badlog.page.graph.drawNamedModes
-import badlog.page.graph.drawNoteMarks
+import badlog.page.pen.CanvasPen
 import badlog.page.view.Scene
 import badlog.page.view.findingText
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.drawEventMarks
+import badlog.viewer.draw.plot.drawFindingMarks
+import badlog.viewer.draw.plot.drawModes
+import badlog.viewer.draw.plot.drawNoteMarks
 import badlog.viewer.input.OverviewDrag
 import badlog.viewer.input.OverviewGrip
 import kotlinx.browser.window
@@ -61,11 +62,15 @@ internal class Overview(private val scene: Scene) {
         marks.width = width.toInt()
         marks.height = height.toInt()
         val context = marks.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
-        val frame = PlotFrame(0.0, 0.0, width, height, full.from, full.to)
-        drawNamedModes(context, frame, scene, full)
-        drawFindingMarks(context, frame, scene, full)
-        drawEventMarks(context, frame, scene, full)
-        drawNoteMarks(context, frame, scene, full)
+        val frame = PlotFrame(0.0, 0.0, width, height, full)
+        val colors = scene.palette.colors
+        val shown = scene.marks
+        with(CanvasPen(context)) {
+            drawModes(frame, shown.modes, colors, hasNames = true)
+            drawFindingMarks(frame, scene.findings, colors)
+            drawEventMarks(frame, shown.events, colors)
+            drawNoteMarks(frame, shown.notes, colors)
+        }
     }
 
     private fun update() {

@@ -1,10 +1,11 @@
 package badlog.page.header
 
 import badlog.page.dom.element
-import badlog.page.export.Sheet
 import badlog.page.export.figureNotes
+import badlog.page.export.svgOf
 import badlog.page.graph.GraphCard
 import badlog.page.view.Scene
+import badlog.viewer.draw.figure.Sheet
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -51,7 +52,7 @@ internal class Printing(
         document.documentElement?.setAttribute("data-print", if (whole) "all" else "board")
         element.textContent = scene.figureNotes.place
         for (card in first() + if (whole) others() else emptyList()) {
-            val parsed = js("new DOMParser()").parseFromString(Sheet.svg(Sheet.PAPER, scene.palette, card::drawOn), "image/svg+xml")
+            val parsed = js("new DOMParser()").parseFromString(svgOf(Sheet.PAPER, card::drawOn), "image/svg+xml")
             val drawing = document.importNode(parsed.documentElement.unsafeCast<Element>(), true).unsafeCast<Element>()
             drawing.setAttribute("class", "paper")
             card.element.appendChild(drawing)

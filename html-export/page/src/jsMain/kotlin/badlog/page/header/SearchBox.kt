@@ -42,6 +42,15 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         })
     }
 
+    /** What is searched for; empty for nothing. */
+    val text: String get() = input.value
+
+    /** Searches for [text]. */
+    fun show(text: String) {
+        input.value = text
+        run()
+    }
+
     /** Gives it the keyboard focus. */
     fun focus() {
         input.focus()
@@ -51,8 +60,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     /** Shows everything again. */
     fun clear() {
         if (input.value.isEmpty()) input.blur()
-        input.value = ""
-        run()
+        show("")
     }
 
     /** Repeats the search if it depends on findings. */

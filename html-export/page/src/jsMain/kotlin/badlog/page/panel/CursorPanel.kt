@@ -64,6 +64,8 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         scene.cursor.onChange { if (!element.isHidden) frame.ask() }
     }
 
+    val isOpen: Boolean get() = !element.isHidden
+
     /** Opens or closes it. */
     fun toggle() {
         setOpen(element.isHidden)

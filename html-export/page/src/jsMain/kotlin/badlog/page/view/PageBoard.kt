@@ -36,6 +36,9 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     var now: Board = Board()
         private set
 
+    /** Whether it is the board that the page begins with for everybody. */
+    val isUntouched: Boolean get() = now == begun?.now?.fittedTo { lines[it] != null }?.board
+
     val canUndo: Boolean get() = history.canUndo
     val canRedo: Boolean get() = history.canRedo
 

@@ -17,6 +17,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.Field
+import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.outline.traits
 import badlog.viewer.shown.search.Query
@@ -78,6 +79,9 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
 
     /** When it was in which mode. */
     val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
+
+    /** What every graph shows besides its lines. */
+    val marks: PlotMarks get() = PlotMarks(modes, events, findings, notes.map { it.x })
 
     /** The clocks besides the x axis. */
     val clocks: Clocks by lazy { Clocks(view, modes) }

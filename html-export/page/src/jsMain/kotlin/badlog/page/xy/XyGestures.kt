@@ -2,8 +2,11 @@ package badlog.page.xy
 
 import badlog.page.dom.EscapeKey
 import badlog.page.view.Scene
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.color.faded
 import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.input.DoubleClick
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.Wheel
@@ -23,7 +26,7 @@ internal class XyGestures(
     private val over: XyCanvas,
     private val scene: Scene,
     private val plot: XyPlot,
-    private val seen: (XyCanvas) -> Plane,
+    private val seen: (PlotFrame) -> Plane,
     private val onShow: (Plane?) -> Unit,
 ) {
     private val clicks = DoubleClick()
@@ -53,7 +56,7 @@ internal class XyGestures(
         if (isTouch(event)) fingers[event.pointerId] = event
         if (fingers.size > 1) return stop()
         pressed = event
-        before = seen(over)
+        before = seen(over.frame)
         hasMoved = false
         escape.take()
     }
@@ -70,8 +73,11 @@ internal class XyGestures(
         if (isPan(start)) {
             onShow(plane.shifted((x(start) - x(event)) * plane.x.width, (y(event) - y(start)) * plane.y.width))
         } else {
-            over.clear()
-            over.cover(x(start), y(start), x(event), y(event), scene.palette)
+            val (width, height) = over.frame.width to over.frame.height
+            over.draw { pen ->
+                val accent = faded(scene.palette.colors[Shade.ACCENT], COVER)
+                pen.rectangle(x(start) * width, y(start) * height, (x(event) - x(start)) * width, (y(event) - y(start)) * height, accent)
+            }
         }
     }
 
@@ -81,7 +87,7 @@ internal class XyGestures(
         val other = fingers.values.firstOrNull { it.pointerId != event.pointerId } ?: return
         fingers[event.pointerId] = event
         val factor = distance(last, other) / distance(event, other)
-        val plane = seen(over)
+        val plane = seen(over.frame)
         if (factor.isFinite() && factor > 0) onShow(plane.scaled(factor, plane.xAt(x(other)), plane.yAt(y(other))))
     }
 
@@ -118,7 +124,7 @@ internal class XyGestures(
         if (!event.ctrlKey && event.asDynamic().metaKey != true) return
         event.preventDefault()
         val down = event.deltaY * if (event.deltaMode == WheelEvent.DOM_DELTA_LINE) LINE else 1.0
-        val plane = seen(over)
+        val plane = seen(over.frame)
         val atX = plane.xAt(over.shareX(event.clientX.toDouble()))
         onShow(plane.scaled(Wheel.factorOf(down), atX, plane.yAt(over.shareY(event.clientY.toDouble()))))
     }
@@ -134,12 +140,12 @@ internal class XyGestures(
 
     /** Returns when the path passed the place of [event]; null if it is not near. */
     private fun timeAt(event: PointerEvent): Double? {
-        val plane = seen(over)
+        val plane = seen(over.frame)
         val time = plot.timeAt(
             x = plane.xAt(x(event)),
             y = plane.yAt(y(event)),
-            pixelX = plane.x.width / over.width,
-            pixelY = plane.y.width / over.height,
+            pixelX = plane.x.width / over.frame.width,
+            pixelY = plane.y.width / over.frame.height,
             reach = REACH * pixelRatio,
             visible = scene.range.now,
             before = scene.cursor.now.x,
@@ -151,5 +157,6 @@ internal class XyGestures(
         /** The maximum distance from the path at which the pointer still selects it, in CSS pixels. */
         const val REACH = 60
         const val LINE = 16.0
+        const val COVER = 0.25
     }
 }

@@ -93,6 +93,12 @@ class Strokes {
         place(y)
     }
 
+    /** Moves everything by [right] and [down]. */
+    fun move(right: Double, down: Double) {
+        for (i in 0 until size) points[i] += if (i % 2 == 0) right else down
+        for (i in 0 until dotsSize) dots[i] += if (i % 2 == 0) right else down
+    }
+
     /** Ends the stroke; the next point begins another one. */
     internal fun lift() {
         if (size == (if (count == 0) 0 else ends[count - 1])) return

@@ -12,12 +12,15 @@ import badlog.viewer.text.addressText
 import badlog.viewer.text.nameOfAddress
 
 /**
- * What the end of a page's address asks for: `#t=93.7&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current`.
+ * What the end of a page's address asks for:
+ * `#t=93.7&b=95.2&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current&q=battery&open=values;1`.
  *
  * @property moment where the cursor goes, in the unit of the x axis; null for nowhere.
+ * @property second where the second cursor goes, if there is a [moment]; null for nowhere.
  * @property finding the finding to show at [moment]; null for the worst one there.
  * @property visible the part of x to show; null for a range around the moment.
  * @property board the graphs to show together, by the names of their lines; null for the existing ones.
+ * @property opened the search and what else is open.
  * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
  * @property problems a sentence for each damaged part, which is ignored.
  * @property video the alignment of the video that the reader opens or the page has: `v=-3.5` if it begins 3.5 s before x is 0.
@@ -30,19 +33,25 @@ class PageAddress(
     val problems: List<String> = emptyList(),
     val finding: FindingName? = null,
     val video: VideoAlignment? = null,
+    val second: Double? = null,
+    val opened: OpenedParts = OpenedParts(),
 ) {
     /** Whether it asks for nothing. */
-    val isEmpty: Boolean get() = moment == null && visible == null && board == null && formulas.isEmpty() && video == null
+    val isEmpty: Boolean get() =
+        moment == null && visible == null && board == null && formulas.isEmpty() && video == null && opened == OpenedParts()
 
     /** Returns the end of the address, from the `#` on; empty if it asks for nothing. */
     fun toText(): String {
         val parts = listOfNotNull(
             moment?.takeIf { it.isFinite() }?.let { "t=" + numberText(it) },
+            second?.takeIf { moment?.isFinite() == true && it.isFinite() }?.let { "b=" + numberText(it) },
             finding?.takeIf { moment?.isFinite() == true }?.let { "finding=" + it.toText() },
             visible?.takeIf { it.from < it.to && it.from.isFinite() && it.to.isFinite() }?.let { "x=" + spanText(it) },
             board?.let { "board=" + it.toText() },
             formulas.takeIf { it.isNotEmpty() }?.joinToString(";", "f=", transform = ::addressText),
             video?.let { "v=" + numberText(it.startSeconds) },
+            opened.search.takeIf { it.isNotEmpty() }?.let { "q=" + addressText(it) },
+            opened.toText().takeIf { it.isNotEmpty() }?.let { "open=$it" },
         )
         return if (parts.isEmpty()) "" else parts.joinToString("&", "#")
     }
@@ -72,6 +81,8 @@ fun pageAddressOf(text: String): PageAddress {
         problems = problems,
         finding = read("finding", "finding", ::findingNameOf),
         video = read("v", "video’s place") { text -> text.toDoubleOrNull()?.takeIf(Double::isFinite)?.let(::VideoAlignment) },
+        second = read("b", "second cursor") { it.toDoubleOrNull()?.takeIf(Double::isFinite) },
+        opened = openedPartsOf(parts["open"].orEmpty(), read("q", "search", ::nameOfAddress).orEmpty()),
     )
 }
 

@@ -12,6 +12,7 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.Codepoint
 import io.kotest.property.arbitrary.alphanumeric
 import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.boolean
 import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
@@ -33,6 +34,8 @@ class PageAddressSpec : FunSpec({
             formulas = Arb.list(name, 0..3).bind().filter { it.isNotEmpty() }.distinct(),
             finding = arbitrary { FindingName(name.bind(), name.orNull().bind()) }.orNull().bind(),
             video = number.orNull().bind()?.let(::VideoAlignment),
+            second = number.orNull().bind()?.plus(0.0),
+            opened = OpenedParts(name.bind(), Arb.boolean().bind(), Arb.list(Arb.int(1..20), 0..3).bind().distinct()),
         )
     }
 
@@ -45,6 +48,8 @@ class PageAddressSpec : FunSpec({
                 read.moment shouldBe written.moment
                 read.visible shouldBe written.visible
                 read.board shouldBe written.board
+                read.second shouldBe written.second?.takeIf { written.moment != null }
+                read.opened shouldBe written.opened
                 read.formulas shouldBe written.formulas
                 read.finding?.run { rule to topic } shouldBe written.finding?.takeIf { written.moment != null }?.run { rule to topic }
                 read.video?.startSeconds shouldBe written.video?.startSeconds?.plus(0.0)
@@ -67,12 +72,14 @@ class PageAddressSpec : FunSpec({
         PageAddress(93.0, finding = FindingName("Loop stood still", "Loop time")).toText() shouldBe "#t=93&finding=Loop+stood+still;Loop+time"
         PageAddress(93.0, finding = FindingName("Restart", null)).toText() shouldBe "#t=93&finding=Restart"
         PageAddress(video = VideoAlignment(-3.5)).toText() shouldBe "#v=-3.5"
+        PageAddress(93.0, second = 95.5, opened = OpenedParts("battery", hasValues = true, listOf(1, 3))).toText() shouldBe
+            "#t=93&b=95.5&q=battery&open=values;1;3"
         PageAddress().toText() shouldBe ""
     }
 
     test("each damaged part is reported in a sentence, and the rest is used") {
-        pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c&v=1e999").problems shouldContainExactly
-            listOf("time", "range", "board", "formula", "finding", "video’s place").map { "This link’s $it is damaged; copy the link again." }
+        pageAddressOf("#t=x&x=5:4&board=~12&f=~zzzz&finding=a;b;c&v=1e999&b=y&q=~1").problems shouldContainExactly
+            listOf("time", "range", "board", "formula", "finding", "video’s place", "second cursor", "search").map { "This link’s $it is damaged; copy the link again." }
         pageAddressOf("#t=5&x=").run {
             moment shouldBe 5.0
             problems.size shouldBe 1

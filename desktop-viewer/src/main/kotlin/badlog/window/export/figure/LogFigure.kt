@@ -1,0 +1,152 @@
+package badlog.window.export.figure
+
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.figure.FigureNotes
+import badlog.viewer.draw.figure.LegendEntry
+import badlog.viewer.draw.figure.Sheet
+import badlog.viewer.draw.figure.figure
+import badlog.viewer.draw.figure.graphHead
+import badlog.viewer.draw.figure.xTitle
+import badlog.viewer.draw.lane.LaneLook
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotMargins
+import badlog.viewer.draw.plot.PlotMarks
+import badlog.viewer.draw.plot.drawCursors
+import badlog.viewer.draw.plot.drawPlot
+import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.cursor.indexAt
+import badlog.viewer.shown.cursor.textOf
+import badlog.viewer.text.unitText
+import badlog.window.compare.DrawnRecording
+import badlog.window.graph.drawSamples
+import badlog.window.graph.plot.CurveCache
+import badlog.window.graph.plot.DrawnLine
+import badlog.window.graph.plot.PlotPicture
+import badlog.window.graph.plot.PlotRequest
+import badlog.window.graph.plot.drawnLines
+import badlog.window.graph.plot.makePicture
+import badlog.window.graph.xy.drawXyCursors
+import badlog.window.graph.xy.drawXys
+import badlog.window.graph.xy.drawnXys
+import badlog.window.graph.xy.isField
+import badlog.window.graph.xy.seenOf
+import badlog.window.theme.Palette
+
+/**
+ * A picture of graphs below one another over the same x, with everything that can be read in it: what [recordings] have in the range [x],
+ * each moved by its offset; the first is the open one. It has as many points as its width can show, however long the recording is.
+ *
+ * @property width its width in points.
+ * @param graphHeight the height of a graph's lines in points.
+ * @param events the events of the open recording to mark.
+ * @param findings its findings, if known.
+ * @param notes where a person wrote a note, on its x.
+ * @param board all graphs of the screen: some may share y limits with those in the figure.
+ * @param cursors where on the open recording's x values are read for the legends.
+ */
+internal class LogFigure(
+    private val recordings: List<DrawnRecording>,
+    private val x: Span,
+    val width: Int = FigureOptions().width,
+    private val graphHeight: Int = FigureOptions().graphHeight,
+    private val events: EventTimeline = EventTimeline.NONE,
+    private val findings: FindingTimeline<Finding>? = null,
+    private val notes: List<Double> = emptyList(),
+    private val board: List<BoardGraph> = emptyList(),
+    private val cursors: Cursors = Cursors(),
+) {
+    private val open = recordings.first().recording
+    private val colors = PenColors.LIGHT
+    private val curves = CurveCache()
+
+    /** Returns those of [graphs] that have a line in any of the recordings. */
+    fun drawable(graphs: List<BoardGraph>): List<BoardGraph> = graphs.filter { graph ->
+        if (graph.isXy) drawnXys(graph, recordings).isNotEmpty() else drawnLines(graph, recordings).any { it.signal.name !in graph.hidden }
+    }
+
+    /**
+     * Draws [graphs] on [sheet]. It reads samples, so do not use it on the window's thread; interrupting its thread stops it.
+     */
+    fun draw(sheet: Sheet, graphs: List<BoardGraph>) {
+        val title = recordings.joinToString(" · ") { it.name }
+        val texts = FigureNotes.of("${open.file.fileName}", open.view.xAxis, x, cursors, open.clocks, findings)
+        sheet.figure(title, texts, drawable(graphs).map { graph -> { if (graph.isXy) drawXy(it, graph) else drawGraph(it, graph) } })
+    }
+
+    private fun drawGraph(sheet: Sheet, graph: BoardGraph) {
+        if (Thread.interrupted()) throw InterruptedException()
+        val shown = drawnLines(graph, recordings).filter { it.signal.name !in graph.hidden }
+        val lanes = shown.count { it.signal.states != null }
+        val height = PlotMargins.HEIGHT + lanes * LaneLook.HEIGHT + if (lanes < shown.size) graphHeight else 0
+        val density = sheet.pen.density
+        val frame = PlotMargins.frameOf(sheet.width, height, x, density)
+        val picture = pictureOf(graph, frame, density)
+        sheet.graphHead(graph.title, unit = "", legendOf(graph, shown))
+        sheet.part(height.toDouble()) { pen ->
+            val marks = PlotMarks(open.modes, events, findings, notes)
+            pen.drawPlot(frame, picture.plot, marks, colors, PlotMargins.BOTTOM * density)
+            pen.drawCursors(frame, cursors, colors)
+            cursors.x?.takeIf { it in x }?.let { pen.drawSamples(frame, picture, it, colors) }
+        }
+        sheet.xTitle(open.view.xAxis.title)
+    }
+
+    /** Returns what [graph] shows in [frame], with places measured from the edge of the sheet. */
+    private fun pictureOf(graph: BoardGraph, frame: PlotFrame, density: Double): PlotPicture {
+        val sharing = if (graph.sharesY) board.filter { it.sharesY && it.id != graph.id && !it.isXy } else emptyList()
+        val (width, height) = frame.width.toInt() to frame.height.toInt()
+        val request = PlotRequest(graph, recordings, x, width, height, Palette.LIGHT, density.toFloat(), sharing)
+        val picture = makePicture(request, curves, hasImage = false)
+        for (line in picture.lines) line.strokes.move(frame.left, frame.top)
+        return picture
+    }
+
+    /** Returns the legend of [lines]; none for a single line under its own name. */
+    private fun legendOf(graph: BoardGraph, lines: List<DrawnLine>): List<LegendEntry> {
+        val isNamed = lines.singleOrNull()?.signal?.name.let { it != null && (it == graph.title || it.endsWith("/" + graph.title)) }
+        if (isNamed && cursors.x == null) return emptyList()
+        return lines.map { line ->
+            val name = line.title.takeUnless { isNamed }.orEmpty()
+            LegendEntry(listOfNotNull(name, line.label, valueOf(line)).filter { it.isNotEmpty() }.joinToString(" "), colorOf(line))
+        }
+    }
+
+    private fun colorOf(line: DrawnLine) = line.color.takeIf { line.signal.states == null }
+
+    /** Returns the value of [line] at the cursor, with its unit. */
+    private fun valueOf(line: DrawnLine): String? {
+        val read = line.signal.line
+        val cursor = cursors.x ?: return null
+        return "${read.textOf(read.indexAt(cursor - line.offset), line.signal::numberText)} ${unitText(line.signal.unit)}".trim()
+    }
+
+    private fun drawXy(sheet: Sheet, graph: BoardGraph) {
+        if (Thread.interrupted()) throw InterruptedException()
+        val xys = drawnXys(graph, recordings)
+        val plot = xys[0].plot
+        val height = if (isField(xys)) PlotMargins.heightOf(plot.full, sheet.width) else sheet.width / 2
+        val density = sheet.pen.density
+        val frame = PlotMargins.frameOf(sheet.width, height, x, density)
+        val plane = seenOf(graph.plane, xys, frame.width.toFloat(), frame.height.toFloat()) ?: return
+        val legend = xys.flatMap { xy ->
+            xy.shown(graph).asReversed().map { trace ->
+                val place = cursors.x?.let { trace.textAt(it - xy.drawn.offset, plot.isField) }.orEmpty()
+                val name = if (xys.size > 1) "${trace.name}, ${xy.drawn.name}" else trace.name
+                LegendEntry("$name $place".trim(), xy.colorOf(trace))
+            }
+        }
+        sheet.graphHead(graph.title, unit = "", legend)
+        sheet.part(height.toDouble()) { pen ->
+            pen.moved(frame.left, frame.top) {
+                val (wide, high) = frame.width.toFloat() to frame.height.toFloat()
+                drawXys(pen, xys, graph, plane, x, wide, high, colors, axesFrom = frame.left)
+                drawXyCursors(pen, xys, graph, plane, cursors, wide, high, colors)
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package badlog.viewer.draw.figure
+
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.text.countText
+
+/**
+ * Draws a self-explanatory figure: at the top [title], usually the log's name, with the visible range and the cursor; then the [parts], which
+ * draw themselves one below the other; at the bottom the findings in that range.
+ */
+fun Sheet.figure(title: String, notes: FigureNotes, parts: List<(Sheet) -> Unit>) {
+    line(HEADING)
+    text(title, TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)
+    line(LINE)
+    text(notes.place, LETTERS)
+    for (part in parts) part(this)
+    space(GAP)
+    for (finding in notes.findings) {
+        line(LINE)
+        text(finding.head, LETTERS, PenColors.LIGHT.severity(finding.severity), isBold = true)
+        text(finding.text, LETTERS)
+    }
+    if (notes.moreFindings == 0) return
+    line(LINE)
+    text("${countText(notes.moreFindings, "more finding")} in this range", LETTERS)
+}
+
+/**
+ * What a figure's legend says about a line.
+ *
+ * @property text its name, and its value at the cursor.
+ * @property color the index of its color; null for none.
+ */
+class LegendEntry(val text: String, val color: Int?)
+
+/** Writes the title of a graph, and its [legend]. */
+fun Sheet.graphHead(title: String, unit: String, legend: List<LegendEntry>) {
+    line(GRAPH_HEADING)
+    text(if (unit.isEmpty()) title else "$title ($unit)", GRAPH_TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)
+    if (legend.isNotEmpty()) line(LINE)
+    for (entry in legend) {
+        if (!hasRoomFor(entry.text, LETTERS)) line(LINE)
+        entry.color?.let { swatch(PenColors.LIGHT.line(it)) }
+        text(entry.text, LETTERS)
+    }
+    space(GAP)
+}
+
+/** Writes the title of the x axis below a graph. */
+fun Sheet.xTitle(title: String) {
+    space(GAP)
+    textAtRight(title, LETTERS)
+}
+
+private const val HEADING = 26.0
+private const val TITLE = 15.0
+private const val LINE = 18.0
+private const val LETTERS = 12.0
+private const val GAP = 6.0
+private const val GRAPH_HEADING = 24.0
+private const val GRAPH_TITLE = 13.0

@@ -1,0 +1,194 @@
+package badlog.viewer.draw.pen
+
+import badlog.viewer.draw.curve.Strokes
+import kotlin.math.abs
+import kotlin.math.roundToLong
+
+/**
+ * Writes what is drawn as SVG, in CSS pixels.
+ *
+ * @param ruler returns the width of a text, given its font size and whether it is bold: SVG has no font until somebody looks at it.
+ * @param prefix begins the names of its parts, which must differ from those of other drawings in the same document.
+ */
+class SvgPen(private val ruler: (String, Double, Boolean) -> Double, private val prefix: String = "cut") : Pen {
+    override val density: Double get() = 1.0
+
+    private val body = StringBuilder()
+    private var left = 0.0
+    private var top = 0.0
+    private var clipping = ""
+    private var clips = 0
+
+    /** Returns the drawing as a document, [width] by [height], on a [background]. */
+    fun document(width: Double, height: Double, background: Int): String {
+        val paper = "<path fill=\"${rgbOf(background)}\" d=\"M0 0H${numberOf(width)}V${numberOf(height)}H0z\"/>"
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"${numberOf(width)}\" height=\"${numberOf(height)}\" " +
+            "viewBox=\"0 0 ${numberOf(width)} ${numberOf(height)}\" font-family=\"system-ui, sans-serif\">$paper$body</svg>\n"
+    }
+
+    override fun lines(strokes: Strokes, color: Int, width: Double, dash: Double) = stroke(color, width, dash) {
+        for (i in 0 until strokes.count) steps(strokes.points, strokes.startOf(i), strokes.endOf(i))
+    }
+
+    override fun areas(strokes: Strokes, baseline: Double, color: Int) = fill(color) {
+        for (i in 0 until strokes.count) {
+            val start = strokes.startOf(i)
+            val end = strokes.endOf(i)
+            steps(strokes.points, start, end)
+            step('L', strokes.points[end - 2], baseline)
+            step('L', strokes.points[start], baseline)
+            body.append('z')
+        }
+    }
+
+    override fun segments(ends: Points, color: Int, width: Double, dash: Double) = stroke(color, width, dash) {
+        for (at in 0 until ends.size step PER_LINE) steps(ends.values, at, at + PER_LINE)
+    }
+
+    override fun chain(places: Points, isClosed: Boolean, color: Int, width: Double) = stroke(color, width, 0.0) {
+        steps(places.values, 0, places.size)
+        if (isClosed) body.append('z')
+    }
+
+    override fun shapes(places: Points, corners: Int, color: Int) = fill(color) {
+        for (at in 0 until places.size step 2 * corners) {
+            steps(places.values, at, at + 2 * corners)
+            body.append('z')
+        }
+    }
+
+    override fun dots(places: Points, radius: Double, color: Int) = fill(color) {
+        for (at in 0 until places.size step 2) circle(places.values[at], places.values[at + 1], radius)
+    }
+
+    override fun ring(x: Double, y: Double, radius: Double, color: Int, width: Double) = stroke(color, width, 0.0) { circle(x, y, radius) }
+
+    override fun rectangle(left: Double, top: Double, width: Double, height: Double, color: Int) = fill(color) {
+        box(left, top, width, height)
+    }
+
+    override fun text(text: String, x: Double, middle: Double, letters: Double, color: Int, side: TextSide, isBold: Boolean, halo: Int?) {
+        val anchor = when (side) {
+            TextSide.LEFT -> " text-anchor=\"end\""
+            TextSide.CENTER -> " text-anchor=\"middle\""
+            TextSide.RIGHT -> ""
+        }
+        body.append("<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" ")
+        body.append("font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"600\"" else ""}")
+        if (halo != null) body.append(" stroke=\"${rgbOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"")
+        body.append("${paint("fill", color)}>${xmlOf(text)}</text>")
+    }
+
+    override fun widthOf(text: String, letters: Double, isBold: Boolean): Double = ruler(text, letters, isBold)
+
+    override fun image(image: PenImage, left: Double, top: Double, width: Double, height: Double, opacity: Double) {
+        body.append("<image x=\"${numberOf(this.left + left)}\" y=\"${numberOf(this.top + top)}\" ")
+        body.append("width=\"${numberOf(width)}\" height=\"${numberOf(height)}\" preserveAspectRatio=\"none\" ")
+        body.append("opacity=\"${numberOf(opacity)}\" href=\"${xmlOf(image.source)}\"$clipping/>")
+    }
+
+    override fun clip(left: Double, top: Double, width: Double, height: Double, draw: () -> Unit) {
+        val before = clipping
+        val name = "$prefix${++clips}"
+        body.append("<clipPath id=\"$name\"><path d=\"")
+        box(left, top, width, height)
+        body.append("\"/></clipPath>")
+        clipping = " clip-path=\"url(#$name)\""
+        draw()
+        clipping = before
+    }
+
+    override fun moved(x: Double, y: Double, draw: () -> Unit) {
+        left += x
+        top += y
+        draw()
+        left -= x
+        top -= y
+    }
+
+    private inline fun fill(color: Int, path: () -> Unit) = draw(paint("fill", color), path)
+
+    private inline fun stroke(color: Int, width: Double, dash: Double, path: () -> Unit) {
+        val dashes = if (dash > 0) " stroke-dasharray=\"${numberOf(dash)}\"" else ""
+        val wide = numberOf(if (width > 0) width else 1.0)
+        draw("${paint("stroke", color)} fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"$wide\"$dashes", path)
+    }
+
+    private inline fun draw(look: String, path: () -> Unit) {
+        val before = body.length
+        body.append("<path d=\"")
+        val empty = body.length
+        path()
+        if (body.length == empty) body.setLength(before) else body.append("\"$look$clipping/>")
+    }
+
+    private fun paint(kind: String, color: Int): String {
+        val opacity = (color ushr ALPHA_BITS) / OPAQUE
+        return " $kind=\"${rgbOf(color)}\"" + if (opacity < 1) " $kind-opacity=\"${numberOf(opacity)}\"" else ""
+    }
+
+    private fun steps(places: DoubleArray, from: Int, until: Int) {
+        // An isolated sample has no line.
+        if (until - from < PER_LINE) return
+        step('M', places[from], places[from + 1])
+        for (at in from + 2 until until step 2) step('L', places[at], places[at + 1])
+    }
+
+    private fun step(kind: Char, x: Double, y: Double) {
+        body.append(kind).append(numberOf(left + x)).append(' ').append(numberOf(top + y))
+    }
+
+    private fun box(left: Double, top: Double, width: Double, height: Double) {
+        step('M', left, top)
+        body.append("h${numberOf(width)}v${numberOf(height)}h${numberOf(-width)}z")
+    }
+
+    private fun circle(x: Double, y: Double, radius: Double) {
+        step('M', x + radius, y)
+        val half = "a${numberOf(radius)} ${numberOf(radius)} 0 1 0 "
+        body.append("$half${numberOf(-2 * radius)} 0$half${numberOf(2 * radius)} 0")
+    }
+
+    private companion object {
+        const val PER_LINE = 4
+        const val ALPHA_BITS = 24
+        const val OPAQUE = 255.0
+    }
+}
+
+/** Returns [value] with at most two decimals: a hundredth of a pixel is invisible, and further digits would be most of the file. */
+private fun numberOf(value: Double): String {
+    val hundredths = (value * 100).roundToLong()
+    val whole = abs(hundredths) / 100
+    val rest = (abs(hundredths) % 100).toInt()
+    val sign = if (hundredths < 0) "-" else ""
+    return when {
+        rest == 0 -> "$sign$whole"
+        rest % 10 == 0 -> "$sign$whole.${rest / 10}"
+        else -> "$sign$whole.${rest.toString().padStart(2, '0')}"
+    }
+}
+
+private fun rgbOf(color: Int) = "#" + (color and 0xFFFFFF).toString(16).padStart(6, '0')
+
+/** Returns [text] as XML, which allows neither control characters nor halves of surrogate pairs. */
+private fun xmlOf(text: String) = buildString {
+    text.forEachIndexed { i, letter ->
+        val isHalf = when {
+            letter.isHighSurrogate() -> text.getOrNull(i + 1)?.isLowSurrogate() != true
+            letter.isLowSurrogate() -> text.getOrNull(i - 1)?.isHighSurrogate() != true
+            else -> letter < ' ' || letter >= NO_LETTER
+        }
+        append(
+            when {
+                isHalf -> "\uFFFD"
+                letter == '&' -> "&amp;"
+                letter == '<' -> "&lt;"
+                letter == '"' -> "&quot;"
+                else -> letter.toString()
+            },
+        )
+    }
+}
+
+private const val NO_LETTER = '\uFFFE'

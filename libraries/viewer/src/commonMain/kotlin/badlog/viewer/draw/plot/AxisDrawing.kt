@@ -1,0 +1,81 @@
+package badlog.viewer.draw.plot
+
+import badlog.viewer.draw.axis.AxisSide
+import badlog.viewer.draw.axis.Ticks
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.pen.Pen
+import badlog.viewer.draw.pen.Points
+import badlog.viewer.draw.pen.TextSide
+import kotlin.math.round
+
+/** The font size of the numbers of axes, in CSS pixels or dp. */
+const val AXIS_LETTERS: Double = 11.0
+
+/** Draws the lines across [frame] at the ticks of x, and across [lineFrame], its part with lines, at those of the first of [axes]. */
+fun Pen.drawGrid(frame: PlotFrame, lineFrame: PlotFrame, axes: List<PlotAxis>, colors: PenColors) {
+    // A line of one pixel is sharp in the middle of a pixel.
+    val middle = density % 2 / 2
+    val lines = Points()
+    for (place in placesOf(xTicks(frame), frame.x)) lines.line(place + middle, frame.top, place + middle, frame.bottom)
+    axes.firstOrNull()?.let { axis ->
+        val rows = placesOf(Ticks.ofY(axis.shown, lineFrame.height / density), lineFrame.scaleOf(axis.shown))
+        for (place in rows) lines.line(frame.left, place + middle, frame.right, place + middle)
+    }
+    segments(lines, colors[Shade.GRID], density)
+}
+
+/** Draws the numbers of x below [frame], over [width] pixels from the left edge of the drawing: the same for all graphs of a width. */
+fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: PenColors) {
+    layer("x numbers", 0.0, frame.bottom, width, height, listOf(frame.shown, frame.left, colors)) { pen, _ ->
+        val ticks = xTicks(frame)
+        val places = placesOf(ticks, frame.x)
+        val middle = (GAP + AXIS_LETTERS / 2) * density
+        ticks.texts.forEachIndexed { i, text ->
+            pen.text(text, places[i], middle, AXIS_LETTERS * density, colors[Shade.MUTED], TextSide.CENTER)
+        }
+    }
+}
+
+/**
+ * Draws the numbers of [axes] at the sides of [frame].
+ *
+ * @param hasRoom whether there is room to the right of the frame; without it, the right axis is within, outlined: beside the frame it would
+ * take width from all graphs, whose x axes must be aligned, although only a few graphs need it.
+ */
+fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, hasRoom: Boolean = false) {
+    for (axis in axes) {
+        if (axis.side == AxisSide.NONE) continue
+        val ticks = Ticks.ofY(axis.shown, frame.height / density)
+        val texts = ticks.texts
+        val y = frame.scaleOf(axis.shown)
+        val color = if (axis.color == null) colors[Shade.MUTED] else colors.line(axis.color)
+        val half = AXIS_LETTERS / 2 * density
+        texts.forEachIndexed { i, number ->
+            val middle = y.placeOf(ticks.values[i]).coerceIn(frame.top + half, maxOf(frame.top + half, frame.bottom - half))
+            val isOutside = axis.side == AxisSide.LEFT || hasRoom
+            // The unit is shown once, at the top, if it is short enough.
+            val isTop = i == texts.lastIndex && axis.unit.isNotEmpty()
+            val text = if (isTop && (!isOutside || number.length + axis.unit.length < MAX_WITH_UNIT)) "$number ${axis.unit}" else number
+            when {
+                axis.side == AxisSide.LEFT -> text(text, frame.left - GAP * density, middle, 2 * half, color, TextSide.LEFT)
+
+                hasRoom -> text(text, frame.right + GAP * density, middle, 2 * half, color)
+
+                else -> {
+                    val place = frame.right - INNER_GAP * density
+                    text(text, place, middle, 2 * half, color, TextSide.LEFT, halo = colors[Shade.SURFACE])
+                }
+            }
+        }
+    }
+}
+
+private fun Pen.xTicks(frame: PlotFrame) = Ticks.ofX(frame.shown, frame.width / density)
+
+private fun placesOf(ticks: Ticks, scale: Scale) = DoubleArray(ticks.values.size) { round(scale.placeOf(ticks.values[it])) }
+
+private const val GAP = 6.0
+private const val INNER_GAP = 3.0
+private const val MAX_WITH_UNIT = 9

@@ -1,0 +1,60 @@
+package badlog.viewer.draw.plot
+
+import badlog.core.analysis.Span
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.path.Plane
+import kotlin.math.round
+
+/**
+ * Where the frame of a plot is, in physical pixels, and which part of x it shows.
+ *
+ * @property shown the part of x.
+ */
+class PlotFrame(val left: Double, val top: Double, val width: Double, val height: Double, val shown: Span) {
+    /** The scale of x over its width. */
+    val x: Scale = Scale.ofX(shown, width, left)
+    val right: Double get() = left + width
+    val bottom: Double get() = top + height
+
+    /** Returns the same frame, showing another part of x. */
+    fun showing(x: Span): PlotFrame = PlotFrame(left, top, width, height, x)
+
+    /** Returns its part from [from] to [to], fractions of its height. */
+    fun part(from: Double, to: Double): PlotFrame = PlotFrame(left, top + from * height, width, (to - from) * height, shown)
+
+    /** Returns the scale on which [shown] fills its height. */
+    fun scaleOf(shown: Span): Scale = Scale.ofY(shown, height, top)
+
+    /** Returns the height of 0 on [y], or of the edge nearest to it: where a filled area ends. */
+    fun baselineOf(y: Scale): Double = y.placeOf(0.0).coerceIn(top, bottom)
+}
+
+/** The margins of all plots, in CSS pixels, so that the same x is at the same place in all of them. The page's style sheet knows them, too. */
+object PlotMargins {
+    /** To the left, for the numbers of y and the names of lanes. */
+    const val LEFT: Int = 62
+
+    /** To the right. */
+    const val RIGHT: Int = 14
+
+    /** Above. */
+    const val TOP: Int = 6
+
+    /** Below, for the numbers of x. */
+    const val BOTTOM: Int = 26
+
+    /** Above and below together. */
+    const val HEIGHT: Int = TOP + BOTTOM
+
+    /** Returns the frame of a plot of [width] by [height] CSS pixels, each of them [density] physical ones, that shows [x]. */
+    fun frameOf(width: Int, height: Int, x: Span, density: Double): PlotFrame {
+        val left = round(LEFT * density)
+        val top = round(TOP * density)
+        val right = round((width - RIGHT) * density)
+        val bottom = round((height - BOTTOM) * density)
+        return PlotFrame(left, top, maxOf(1.0, right - left), bottom - top, x)
+    }
+
+    /** Returns the height of a plot [width] CSS pixels wide whose frame shows all of [plane], with the same scale for x and y. */
+    fun heightOf(plane: Plane, width: Int): Int = ((width - LEFT - RIGHT) * plane.y.width / plane.x.width).toInt() + HEIGHT
+}

@@ -1,0 +1,21 @@
+package badlog.viewer.session.link
+
+/**
+ * What a reader has opened on a page.
+ *
+ * @property search the text in the search box; empty for none.
+ * @property hasValues whether the values at the cursor are open.
+ * @property statistics the places on the board, from 1, of the graphs whose statistics are open.
+ */
+data class OpenedParts(val search: String = "", val hasValues: Boolean = false, val statistics: List<Int> = emptyList()) {
+    /** Returns all but [search] for an address: `values;1;3`. */
+    internal fun toText(): String = (listOfNotNull(VALUES.takeIf { hasValues }) + statistics).joinToString(";")
+}
+
+/** Returns what [text] from [OpenedParts.toText] says, with [search]; what a newer badlog can open is ignored. */
+internal fun openedPartsOf(text: String, search: String): OpenedParts {
+    val parts = text.split(';')
+    return OpenedParts(search, VALUES in parts, parts.mapNotNull(String::toIntOrNull).filter { it > 0 }.distinct())
+}
+
+private const val VALUES = "values"

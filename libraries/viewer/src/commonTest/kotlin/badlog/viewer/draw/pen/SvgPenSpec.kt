@@ -1,0 +1,72 @@
+package badlog.viewer.draw.pen
+
+import badlog.viewer.draw.color.faded
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class SvgPenSpec : FunSpec({
+    fun pen() = SvgPen({ text, letters, _ -> text.length * letters / 2 })
+
+    fun drawn(draw: Pen.() -> Unit) = pen().apply(draw).document(10.0, 5.0, WHITE).substringAfter("z\"/>").substringBefore("</svg>")
+
+    test("a document has its size, and a background") {
+        pen().document(10.0, 5.5, WHITE) shouldBe "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10\" height=\"5.5\" viewBox=\"0 0 10 5.5\" " +
+            "font-family=\"system-ui, sans-serif\"><path fill=\"#ffffff\" d=\"M0 0H10V5.5H0z\"/></svg>\n"
+    }
+
+    test("numbers have at most two decimals, the same on all platforms") {
+        drawn { segments(Points().line(-0.004, 1.006, 1e5 / 3, -2.5), BLUE, 1.0) } shouldContain "d=\"M0 1.01L33333.33 -2.5\""
+        drawn { rectangle(-0.05, 10.0, 0.1, 100.0, BLUE) } shouldContain "d=\"M-0.05 10h0.1v100h-0.1z\""
+    }
+
+    test("a translucent color has an opacity") {
+        drawn { rectangle(0.0, 0.0, 1.0, 1.0, faded(BLUE, 0.5)) } shouldBe "<path d=\"M0 0h1v1h-1z\" fill=\"#0000ff\" fill-opacity=\"0.5\"/>"
+    }
+
+    test("what is empty leaves no element") {
+        drawn {
+            segments(Points(), BLUE, 1.0)
+            shapes(Points(), 3, BLUE)
+            dots(Points(), 1.0, BLUE)
+        } shouldBe ""
+    }
+
+    test("a move and a clip hold only for what is drawn in them") {
+        val svg = drawn {
+            moved(10.0, 20.0) { clip(0.0, 0.0, 5.0, 5.0) { rectangle(1.0, 1.0, 1.0, 1.0, BLUE) } }
+            rectangle(1.0, 1.0, 1.0, 1.0, BLUE)
+        }
+        svg shouldContain "<clipPath id=\"cut1\"><path d=\"M10 20h5v5h-5z\"/></clipPath><path d=\"M11 21h1v1h-1z\" fill=\"#0000ff\" clip-path=\"url(#cut1)\"/>"
+        svg shouldContain "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\"/>"
+    }
+
+    test("a text is beside its place, around the middle of its letters") {
+        val svg = drawn { text("A", 5.0, 3.0, letters = 10.0, BLUE, TextSide.LEFT, isBold = true) }
+        svg shouldBe "<text x=\"5\" y=\"6.5\" font-size=\"10\" text-anchor=\"end\" font-weight=\"600\" fill=\"#0000ff\">A</text>"
+    }
+
+    test("no text can leave its element, or make a document that is not XML") {
+        drawn { text("<a>&\"\u0001\uD834\uDD1E\uD834", 0.0, 0.0, 1.0, BLUE) } shouldContain ">&lt;a>&amp;&quot;\uFFFD\uD834\uDD1E\uFFFD<"
+        checkAll(Arb.string(0..20)) { text ->
+            val content = drawn { text(text, 0.0, 0.0, 1.0, BLUE) }.substringAfter("\">").substringBefore("</text>")
+            content shouldNotContain "<"
+            content.all { it >= ' ' && it < '\uFFFE' } shouldBe true
+        }
+    }
+
+    test("a text that is too long is cut at its end, or in its middle") {
+        val pen = pen()
+        pen.fittedStart("Elevator", 40.0, letters = 10.0) shouldBe "Elevator"
+        pen.fittedStart("Elevator", 30.0, letters = 10.0) shouldBe "Eleva…"
+        pen.fittedEnds("Elevator", 30.0, letters = 10.0) shouldBe "El…tor"
+        pen.fittedEnds("Elevator", 0.0, letters = 10.0) shouldBe "…"
+    }
+})
+
+private const val WHITE = 0xFFFFFF or (0xFF shl 24)
+private const val BLUE = 0x0000FF or (0xFF shl 24)
