@@ -18,8 +18,8 @@ internal class LogFile(path: File, val output: BagOutput) {
     @Volatile
     var isMissing: Boolean = false
 
-    /** Renames it. Returns false, with nothing changed, if that fails. */
-    fun rename(to: File): Boolean = path.renameTo(to).also { if (it) path = to }
+    /** Renames it, while others append to it holding [lock]. Returns false, with its name unchanged, if that fails. */
+    fun rename(to: File, lock: Any): Boolean = output.rename(to, lock).also { if (it) path = to }
 
     /** Closes it. Reports a failure, since the disk may be gone by then. */
     fun close(faults: Faults) {
@@ -41,8 +41,8 @@ internal class LogFile(path: File, val output: BagOutput) {
 
     companion object {
         /** Creates or truncates the file at [path]. Returns null, and reports it once, if that is impossible. */
-        fun open(path: File, isCompressed: Boolean, faults: Faults): LogFile? = try {
-            val file = AppendFile(path)
+        fun open(path: File, isCompressed: Boolean, faults: Faults, move: (from: File, to: File) -> Boolean = File::renameTo): LogFile? = try {
+            val file = AppendFile(path, move)
             LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
         } catch (failure: IOException) {
             refused(path, failure, faults)
