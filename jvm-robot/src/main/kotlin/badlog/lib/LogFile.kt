@@ -113,14 +113,14 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private const val ENOUGH_BYTES = 50_000_000L
         private const val KEPT_LOGS = 10
 
-        // A USB stick, the roboRIO's and Systemcore's own, and where a simulation runs.
-        private val STICK = File("/u")
+        // Where a USB stick is mounted, and its link; the roboRIO's and Systemcore's own; and where a simulation runs.
+        private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
         /** Returns the folder that was [wanted], or else the best available one. */
-        fun choose(wanted: File?, stick: File = STICK, homes: List<File> = HOMES): File {
+        fun choose(wanted: File?, sticks: List<File> = STICKS, homes: List<File> = HOMES): File {
             if (wanted != null) return wanted
-            val places = (listOf(stick) + homes).filter { it.isDirectory && it.canWrite() }
+            val places = (sticks + homes).filter { it.isDirectory && it.canWrite() }
             return File(places.firstOrNull() ?: File("").absoluteFile, "logs")
         }
     }
