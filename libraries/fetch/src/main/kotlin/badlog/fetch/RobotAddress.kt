@@ -80,8 +80,9 @@ class RobotAddress(
             val team = robot.toIntOrNull() ?: return known
             val host = ask() ?: return known
             val isOurs = !host.startsWith("10.") || host.startsWith("10.${team / 100}.${team % 100}.")
-            if (!isOurs || known.any { it.host == host }) return known
-            return listOf(RobotAddress(host, logins(user, SYSTEMCORE, ROBORIO))) + known
+            if (!isOurs) return known
+            val first = known.find { it.host == host } ?: RobotAddress(host, logins(user, SYSTEMCORE, ROBORIO))
+            return listOf(first) + (known - first)
         }
 
         private fun ofTeam(team: Int, user: String?): List<RobotAddress> {
