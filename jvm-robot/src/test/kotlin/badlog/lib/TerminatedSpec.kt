@@ -2,8 +2,7 @@ package badlog.lib
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.collections.shouldBeIn
-import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
 import java.io.File
 import java.nio.ByteBuffer
@@ -23,6 +22,8 @@ class TerminatedSpec : FunSpec({
                 val command = childCommand(listOf(path.path, "100000000", "$isCompressed", returned.path))
                 val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "said")).start()
                 until({ rowsThatReturned(returned) > 500 }) { Thread.onSpinWait() }
+                // Those that return later may come after the log was closed, while the program still runs.
+                val before = rowsThatReturned(returned)
                 process.destroy()
                 process.waitFor()
                 val bytes = if (isCompressed) {
@@ -33,10 +34,8 @@ class TerminatedSpec : FunSpec({
                 }
                 val recording = recordingIn(bytes)
                 val rows = recording.topics.first().samples.map { it.toLong() }
-                rows.size shouldBeGreaterThan 500
+                rows.size.toLong() shouldBeGreaterThanOrEqual before
                 rows shouldBe rows.indices.map { it.toLong() }
-                // The last row may have been written without its log() having returned.
-                (rows.size - rowsThatReturned(returned)) shouldBeIn listOf(0L, 1L)
                 recording.problems.filter { it.line != null }.shouldBeEmpty()
                 File(folder, "said").readText() shouldBe ""
             }
