@@ -41,14 +41,15 @@ internal class LogFile(path: File, val output: BagOutput) {
 
     companion object {
         /** Creates or truncates the file at [path]. Returns null, and reports it once, if that is impossible. */
-        fun open(path: File, isCompressed: Boolean, faults: Faults, move: (from: File, to: File) -> Boolean = File::renameTo): LogFile? = try {
-            val file = AppendFile(path, move)
-            LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
-        } catch (failure: IOException) {
-            refused(path, failure, faults)
-        } catch (failure: SecurityException) {
-            refused(path, failure, faults)
-        }
+        fun open(path: File, isCompressed: Boolean, faults: Faults, move: (from: File, to: File) -> Boolean = File::renameTo): LogFile? =
+            try {
+                val file = AppendFile(path, move)
+                LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
+            } catch (failure: IOException) {
+                refused(path, failure, faults)
+            } catch (failure: SecurityException) {
+                refused(path, failure, faults)
+            }
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
             faults.sayOnce("open") {

@@ -28,7 +28,15 @@ private fun matching(argument: String): List<String> {
         return emptyList()
     }
     if (!folder.isDirectory() || !Files.isReadable(folder)) return emptyList()
-    val pattern = argument.substring(start).map { if (it == '*') ".*" else if (it == '?') "." else Regex.escape("$it") }
+    val pattern = argument.substring(start).map {
+        if (it == '*') {
+            ".*"
+        } else if (it == '?') {
+            "."
+        } else {
+            Regex.escape("$it")
+        }
+    }
     val name = Regex(pattern.joinToString(""), RegexOption.IGNORE_CASE)
     val names = folder.listDirectoryEntries().map { it.name }.filter(name::matches).sorted()
     return if (names.size > 1 && '?' in argument) emptyList() else names.map { head + it }

@@ -67,8 +67,7 @@ internal class Transfer(
         options.deleteOlderThan?.let { age -> listing.logs.forEach { deleteIfOld(connection, it, age) } }
     }
 
-    private fun foldersOf(connection: RobotConnection) =
-        options.robotFolders ?: (listOf("/home/${connection.user}/logs") + FOLDERS)
+    private fun foldersOf(connection: RobotConnection) = options.robotFolders ?: (listOf("/home/${connection.user}/logs") + FOLDERS)
 
     private fun isNew(connection: RobotConnection, log: RemoteLog): Boolean {
         val found = here.find(connection.robot, log.path) ?: return true

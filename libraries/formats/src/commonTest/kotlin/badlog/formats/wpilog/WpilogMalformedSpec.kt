@@ -83,7 +83,13 @@ class WpilogMalformedSpec : FunSpec({
     test("arrays of texts whose count or sizes are beyond the record are dropped, and the next one is read") {
         val log = TestLog().start(1, "s", "string[]")
         val bad = listOf(
-            number(HUGE, 4), number(0x7FFFFFFF, 4), number(1, 4), number(1, 4) + number(HUGE, 4), number(2, 4) + text("a"), number(0, 4) + byteArrayOf(1), ByteArray(3),
+            number(HUGE, 4),
+            number(0x7FFFFFFF, 4),
+            number(1, 4),
+            number(1, 4) + number(HUGE, 4),
+            number(2, 4) + text("a"),
+            number(0, 4) + byteArrayOf(1),
+            ByteArray(3),
         )
         bad.forEachIndexed { i, payload -> log.record(1, 1_000_000L + i, payload) }
         val recording = parseLog(log.record(1, 1_100_000, number(1, 4) + text("x")).bytes)
