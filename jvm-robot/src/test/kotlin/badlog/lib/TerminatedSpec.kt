@@ -37,7 +37,8 @@ class TerminatedSpec : FunSpec({
                 rows.size.toLong() shouldBeGreaterThanOrEqual before
                 rows shouldBe rows.indices.map { it.toLong() }
                 recording.problems.filter { it.line != null }.shouldBeEmpty()
-                File(folder, "said").readText() shouldBe ""
+                // The program's loop may run for a moment after its log was closed.
+                File(folder, "said").readLines().filterNot { it.endsWith("is ignored, because the log was closed.") }.shouldBeEmpty()
             }
         }
     }
