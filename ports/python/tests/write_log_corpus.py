@@ -10,7 +10,7 @@ import struct
 from pathlib import Path
 
 from station_writer import BOTH_AUTO, BOTH_TELEOP, NO_ROBOT, DseventsWriter, DslogWriter, short_match, told_in_match
-from wpilog_writer import WpilogWriter, moving_robot
+from wpilog_writer import WpilogWriter, field, moving_robot, proto
 
 FOLDER = Path(__file__).parents[3] / "libraries" / "formats" / "conformance"
 
@@ -38,6 +38,8 @@ def logs() -> dict[str, bytes]:
         "wide-array.wpilog": _wide_array(),
         "late-schema.wpilog": _late_schema(),
         "bit-fields.wpilog": _bit_fields(),
+        "properties.wpilog": _properties(),
+        "deep-message.wpilog": _deep_message(),
         "match.dslog": match,
         "match-and-events.dslog": match + told_in_match().data,
         "match-cut.dslog": match[:-5],
@@ -90,6 +92,39 @@ def _bit_fields() -> bytes:
     source = random.Random(3)
     for i in range(8):
         log.record(2, 10 + i, source.randbytes(size)).record(3, 10 + i, source.randbytes(size * (i % 3)))
+    return log.data
+
+
+def _properties() -> bytes:
+    """Units and attributes in all places where programs and badlog put them."""
+    metadata = [
+        '{"properties":{"unit":"deg","badlog":["differentiate","join:Arm/Position"]},"source":"NT"}',
+        '{"properties":{"badlog":"hide"},"source":"NT"}',
+        '{"properties":{"badlog":["hide"]},"attrs":["zero"],"unit":"V"}',
+        '{"properties":{"badlog":["hide"]},"attrs":[]}',
+        '{"properties":{"badlog":[1,null,"area"],"unit":7}}',
+        '{"properties":{"badlog":"xaxis"}}',
+        '{"properties":["badlog"]}',
+        '{"properties":{"badlog":',
+    ]
+    log = WpilogWriter()
+    for i, said in enumerate(metadata, 1):
+        log.start(i, f"NT:/Telemetry/{i}", "double", said).double(i, 1000 * i, 1.0)
+    log.start(20, "messages", "string", '{"properties":{"badlog":["area"]}}').string(20, 9000, "text")
+    return log.metadata(1, '{"properties":{"unit":"rad"}}', 10_000).data
+
+
+def _deep_message() -> bytes:
+    """Messages nested as deep as they are shown, and one deeper."""
+    log = WpilogWriter().start(9, "/.schema/proto:a.proto", "proto:FileDescriptorProto")
+    for id, depth in ((1, 100), (2, 101)):
+        levels = b"".join(proto(4, proto(1, f"M{id}x{i}".encode()) + field("a", 1, 11, f"a.M{id}x{i + 1}")) for i in range(1, depth))
+        last = proto(4, proto(1, f"M{id}x{depth}".encode()) + field("x", 1, 5))
+        payload = proto(1, 7)
+        for _ in range(1, depth):
+            payload = proto(1, payload)
+        log.record(9, id, proto(1, f"{id}.proto".encode()) + proto(2, b"a") + levels + last)
+        log.start(id, f"deep {depth}", f"proto:a.M{id}x1").record(id, 1000 * id, payload)
     return log.data
 
 

@@ -50,22 +50,29 @@ class Entry:
     def unit(self) -> str:
         """The unit in its metadata, where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic."""
         members = read_object(self.metadata) or []
-        own = _last(members, "unit")
-        properties = _last(members, "properties")
-        unit = own or (_last(properties.members or [], "unit") if properties is not None else None)
+        unit = _last(members, "unit") or _property(members, "unit")
         return UNITLESS if unit is None or unit.text is None else unit.text
 
     @property
     def attributes(self) -> tuple[str, ...]:
-        """The attributes in its metadata, or those of the entries that WPILib itself writes."""
-        member = _last(read_object(self.metadata) or [], "attrs")
-        items = (member.items if member is not None else None) or []
-        own = tuple(item.text for item in items if item.text is not None)
-        if own:
-            return own
+        """The attributes in its metadata, those that a program says as properties, or those of the entries that WPILib itself writes."""
+        members = read_object(self.metadata) or []
+        own = _last(members, "attrs")
+        items = None if own is None else own.items
+        if items is None:
+            said = _property(members, "badlog")
+            items = None if said is None else [said] if said.items is None else said.items
+        if items is not None:
+            return tuple(item.text for item in items if item.text is not None)
         if self.name == _MESSAGES or _CONSOLE in self.name:
             return ("log",)
         return ("hide",) if self.name == SYSTEM_TIME or _SCHEMA_FOLDER in self.name else ()
+
+
+def _property(members: list[tuple[str, JsonValue]], key: str) -> JsonValue | None:
+    """A property of a NetworkTables topic."""
+    properties = _last(members, "properties")
+    return None if properties is None else _last(properties.members or [], key)
 
 
 def _last(members: list[tuple[str, JsonValue]], key: str) -> JsonValue | None:

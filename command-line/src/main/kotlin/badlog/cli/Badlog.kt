@@ -4,6 +4,8 @@ import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.cli.console.StandardStreams
+import badlog.cli.console.unreachable
+import badlog.cli.console.withWildcards
 import badlog.cli.fetch.Robots
 import badlog.cli.part.PartLoader
 import com.github.ajalt.clikt.core.CliktError
@@ -28,7 +30,7 @@ internal class Badlog(
 ) {
     /** Runs the command in [arguments]. */
     fun run(arguments: List<String>): ExitCode = try {
-        StandardStreams(arguments, input).use { streams ->
+        StandardStreams(withWildcards(arguments, computer.system), input).use { streams ->
             val console = console.naming(streams.names, isOutTaken = streams.hasResult)
             run(streams.arguments, console).also { streams.giveResult(this.console::give) }
         }
@@ -62,6 +64,11 @@ internal class Badlog(
             console.say(text)
             return ExitCode.WHOLE
         }
+        val unreachable = if (NO_PATH in text) unreachable(arguments, computer.system) else null
+        if (unreachable != null) {
+            console.warn(unreachable)
+            return ExitCode.USAGE
+        }
         // The usage line before it is not needed, since the help is better.
         val reason = text.substringAfter(ERROR).replaceFirstChar(Char::uppercase)
         val inside = arguments.first().takeIf { it in command.registeredSubcommandNames() }
@@ -72,5 +79,8 @@ internal class Badlog(
 
     private companion object {
         const val ERROR = "Error: "
+
+        /** How Java says on Windows that a text with a `?` is not a path. */
+        const val NO_PATH = "Illegal char <?>"
     }
 }

@@ -2,7 +2,6 @@ package badlog.lib
 
 import java.io.File
 import java.io.IOException
-import java.io.RandomAccessFile
 import java.util.zip.CRC32
 import java.util.zip.Deflater
 
@@ -20,6 +19,9 @@ internal interface BagOutput {
     /** Waits until everything is on the disk. */
     fun sync()
 
+    /** Renames the file, which must not be written to unless [lock] is held. Returns false, with its name unchanged, if that fails. */
+    fun rename(to: File, lock: Any): Boolean
+
     fun close()
 }
 
@@ -32,6 +34,8 @@ internal class PlainOutput(private val file: AppendFile) : BagOutput {
     override fun finish() = Unit
 
     override fun sync() = file.sync()
+
+    override fun rename(to: File, lock: Any) = file.rename(to, lock)
 
     override fun close() = file.close()
 }
@@ -71,6 +75,8 @@ internal class GzipOutput(private val file: AppendFile) : BagOutput {
 
     override fun sync() = file.sync()
 
+    override fun rename(to: File, lock: Any) = file.rename(to, lock)
+
     override fun close() {
         deflater.end()
         file.close()
@@ -107,62 +113,5 @@ internal class GzipOutput(private val file: AppendFile) : BagOutput {
 
     private companion object {
         val HEADER = byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0, 0, 0, 0xff.toByte())
-    }
-}
-
-/**
- * A file that only grows, by one `write` for each [append]. A failed [append] leaves the file unchanged.
- *
- * It uses a [RandomAccessFile] because interrupting a thread does not close it, unlike a channel, and because it
- * writes up to 8 kB via the stack, without allocating a buffer.
- *
- * @param file created or truncated; missing folders are created.
- * @throws IOException if that fails.
- */
-internal class AppendFile(file: File) {
-    private val access: RandomAccessFile
-    private var isTorn = false
-
-    /** The number of bytes appended. */
-    var length: Long = 0
-        private set
-
-    init {
-        file.absoluteFile.parentFile?.mkdirs()
-        access = RandomAccessFile(file, "rw")
-        try {
-            access.setLength(0)
-        } catch (failure: IOException) {
-            // Not a regular file, such as a pipe: it has no length to reset.
-            if (file.isFile) throw failure
-        }
-    }
-
-    /** @throws IOException if not all bytes could be written; then none are in the file, and the next call may try again. */
-    fun append(bytes: ByteArray, size: Int) {
-        if (isTorn) cutTornEnd()
-        try {
-            access.write(bytes, 0, size)
-        } catch (failure: IOException) {
-            isTorn = true
-            try {
-                cutTornEnd()
-            } catch (_: IOException) {
-                // Tried again before the next row; a file that has disappeared cannot be truncated.
-            }
-            throw failure
-        }
-        length += size
-    }
-
-    /** Waits until everything is on the disk. Only for a thread that has nothing else to do. */
-    fun sync() = access.fd.sync()
-
-    fun close() = access.close()
-
-    private fun cutTornEnd() {
-        access.setLength(length)
-        access.seek(length)
-        isTorn = false
     }
 }

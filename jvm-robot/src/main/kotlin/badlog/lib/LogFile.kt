@@ -18,8 +18,8 @@ internal class LogFile(path: File, val output: BagOutput) {
     @Volatile
     var isMissing: Boolean = false
 
-    /** Renames it. Returns false, with nothing changed, if that fails. */
-    fun rename(to: File): Boolean = path.renameTo(to).also { if (it) path = to }
+    /** Renames it, while others append to it holding [lock]. Returns false, with its name unchanged, if that fails. */
+    fun rename(to: File, lock: Any): Boolean = output.rename(to, lock).also { if (it) path = to }
 
     /** Closes it. Reports a failure, since the disk may be gone by then. */
     fun close(faults: Faults) {
@@ -41,14 +41,15 @@ internal class LogFile(path: File, val output: BagOutput) {
 
     companion object {
         /** Creates or truncates the file at [path]. Returns null, and reports it once, if that is impossible. */
-        fun open(path: File, isCompressed: Boolean, faults: Faults): LogFile? = try {
-            val file = AppendFile(path)
-            LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
-        } catch (failure: IOException) {
-            refused(path, failure, faults)
-        } catch (failure: SecurityException) {
-            refused(path, failure, faults)
-        }
+        fun open(path: File, isCompressed: Boolean, faults: Faults, move: (from: File, to: File) -> Boolean = File::renameTo): LogFile? =
+            try {
+                val file = AppendFile(path, move)
+                LogFile(path, if (isCompressed) GzipOutput(file) else PlainOutput(file))
+            } catch (failure: IOException) {
+                refused(path, failure, faults)
+            } catch (failure: SecurityException) {
+                refused(path, failure, faults)
+            }
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
             faults.sayOnce("open") {
@@ -113,14 +114,14 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private const val ENOUGH_BYTES = 50_000_000L
         private const val KEPT_LOGS = 10
 
-        // A USB stick, the roboRIO's and Systemcore's own, and where a simulation runs.
-        private val STICK = File("/u")
+        // Where a USB stick is mounted, and its link; the roboRIO's and Systemcore's own; and where a simulation runs.
+        private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
         /** Returns the folder that was [wanted], or else the best available one. */
-        fun choose(wanted: File?, stick: File = STICK, homes: List<File> = HOMES): File {
+        fun choose(wanted: File?, sticks: List<File> = STICKS, homes: List<File> = HOMES): File {
             if (wanted != null) return wanted
-            val places = (listOf(stick) + homes).filter { it.isDirectory && it.canWrite() }
+            val places = (sticks + homes).filter { it.isDirectory && it.canWrite() }
             return File(places.firstOrNull() ?: File("").absoluteFile, "logs")
         }
     }

@@ -64,7 +64,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         learn()
         if (session.state == LogState.CLOSED) return
         addValues()
-        session.begin(LogName.free(folder.path, currentName(), ending), options.isCompressed)
+        session.begin(LogName.free(folder.path, currentName(), ending), options.isCompressed, options.move)
     }
 
     private fun sayDeleted(deleted: List<File>) = faults.sayOnce("deleted") {
@@ -84,14 +84,17 @@ internal class LogKeeper(private val session: LogSession, private val options: R
 
     private fun rename() {
         val file = session.file ?: return
-        if (!learn() || time == null) return
+        val wasUnknown = match.isEmpty()
+        if (!learn()) return
+        // First, and whatever becomes of the name: this is what tells the match.
+        if (wasUnknown && match.isNotEmpty()) faults.note("Match $event $match")
+        if (time == null) return
         val name = LogName.free(folder.path, currentName(), ending)
-        if (!file.rename(name)) {
+        if (!session.rename(name)) {
             faults.sayOnce("rename") { "The log ${file.path} could not be renamed to ${name.name}; it keeps its name." }
             return
         }
         syncFolder(folder.path)
-        if (match.isNotEmpty()) faults.note("Match $event $match")
     }
 
     /** Asks for what is not known yet. Returns whether any of it is known now. */

@@ -58,14 +58,17 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     }
 
     /** Creates the file and ends the setup, or does neither if the log is closed in the meantime. */
-    fun begin(path: File, isCompressed: Boolean) {
+    fun begin(path: File, isCompressed: Boolean, move: (from: File, to: File) -> Boolean = File::renameTo) {
         // Not under the lock, which publishers may need, because a disk may be slow.
-        val opened = LogFile.open(path, isCompressed, faults)
+        val opened = LogFile.open(path, isCompressed, faults, move)
         synchronized(lock) {
             opened?.let(::logTo)
             if (phase == LogState.SETTING_UP) finishSetup()
         }
     }
+
+    /** Renames the log's file to [to], without losing a row. Returns false, with its name unchanged, if that fails. */
+    fun rename(to: File): Boolean = file?.rename(to, lock) ?: false
 
     fun <T : Topic> add(topic: T): T {
         synchronized(lock) {

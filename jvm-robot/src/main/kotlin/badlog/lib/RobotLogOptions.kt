@@ -50,4 +50,7 @@ public class RobotLogOptions {
 
     /** Returns the free bytes on the disk of a folder. */
     internal var freeBytes: (File) -> Long = File::getUsableSpace
+
+    /** Renames a file. Returns false if the system does not. */
+    internal var move: (from: File, to: File) -> Boolean = File::renameTo
 }

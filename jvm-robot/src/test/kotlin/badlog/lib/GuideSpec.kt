@@ -1,6 +1,7 @@
 package badlog.lib
 
 import badlog.robots.ReadmeRobot
+import edu.wpi.first.networktables.DoubleTopic
 import edu.wpi.first.wpilibj.DriverStation
 import edu.wpi.first.wpilibj.RobotController
 import edu.wpi.first.wpilibj.TimedRobot
@@ -9,6 +10,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import org.wpilib.telemetry.Telemetry
 import java.io.File
 
 private val root = generateSequence(File("").absoluteFile) { it.parentFile }
@@ -29,6 +31,20 @@ class GuideSpec : FunSpec({
         val sources = File(root, "jvm-robot/src/test")
         guide shouldContain "```java\n" + File(sources, "java/frc/robot/Robot.java").readText() + "```"
         guide shouldContain "```kotlin\n" + File(sources, "kotlin/frc/kotlinrobot/Robot.kt").readText() + "```"
+    }
+
+    test("the robots in docs/wpilib-logging.md are those that run here, and say the same in both seasons") {
+        val guide = File(root, "docs/wpilib-logging.md").readText()
+        for (season in listOf("2026", "2027")) {
+            val source = File(root, "jvm-robot/src/test/java/frc/robot$season/Robot.java").readText()
+            guide shouldContain "```java\n" + source.replace("package frc.robot$season;", "package frc.robot;") + "```"
+        }
+        frc.robot2026.Robot().robotPeriodic()
+        frc.robot2027.Robot().robotPeriodic()
+        val said = Telemetry.PROPERTIES.entries.associate { (name, properties) ->
+            "/$name" to properties.entries.sortedByDescending { it.key }.joinToString(", ", "{", "}") { "\"${it.key}\": ${it.value}" }
+        }
+        said shouldBe DoubleTopic.PROPERTIES
     }
 
     test("the README's lines in Java are those that run here, and log") {

@@ -271,10 +271,12 @@ class RobotLogSpec : FunSpec({
             val stick = File(folder, "u").apply { mkdir() }
             val home = File(folder, "home").apply { mkdir() }
             val none = File(folder, "none")
-            LogFolder.choose(none, stick, listOf(home)) shouldBe none
-            LogFolder.choose(null, stick, listOf(home)) shouldBe File(stick, "logs")
-            LogFolder.choose(null, none, listOf(none, home)) shouldBe File(home, "logs")
-            LogFolder.choose(null, none, listOf(none)) shouldBe File(File("").absoluteFile, "logs")
+            val second = File(folder, "V").apply { mkdir() }
+            LogFolder.choose(none, listOf(stick), listOf(home)) shouldBe none
+            LogFolder.choose(null, listOf(none, second, stick), listOf(home)) shouldBe File(second, "logs")
+            LogFolder.choose(null, listOf(stick), listOf(home)) shouldBe File(stick, "logs")
+            LogFolder.choose(null, listOf(none), listOf(none, home)) shouldBe File(home, "logs")
+            LogFolder.choose(null, listOf(none), listOf(none)) shouldBe File(File("").absoluteFile, "logs")
         }
     }
 })

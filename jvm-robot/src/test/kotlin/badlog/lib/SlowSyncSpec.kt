@@ -36,6 +36,8 @@ private class SlowOutput(
         sync.invoke()
     }
 
+    override fun rename(to: File, lock: Any) = false
+
     override fun close() = close.invoke()
 }
 

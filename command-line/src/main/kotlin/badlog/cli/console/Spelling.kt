@@ -21,7 +21,7 @@ internal class Spelling(charset: Charset) {
             '“' to "\"", '”' to "\"", '‘' to "'", '’' to "'", '…' to "...", '–' to "-", '—' to "-", '−' to "-", '×' to "x", 'µ' to "u",
             'μ' to "u",
             '°' to " deg ", '²' to "^2", '³' to "^3", '·' to "*", '≤' to "<=", '≥' to ">=", '≠' to "!=", '\u00A0' to " ", '\u202F' to " ",
-            '\uFFFD' to "?",
+            '\uFFFD' to "?", 'Ω' to "ohm", '\u2126' to "ohm", '±' to "+-", '→' to "->", '≈' to "~", '½' to "1/2", '✓' to "+",
         )
 
         /** Returns the same [json] in plain ASCII, which works with any encoding of the standard output. */

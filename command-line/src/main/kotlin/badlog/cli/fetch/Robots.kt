@@ -24,6 +24,8 @@ internal class Robots(
 
     companion object {
         /** Returns the robots on this computer's network. */
-        fun ofSystem() = Robots(RobotAddress::of, { UserFolders.ofSystem().settings }, System.getenv("BADLOG_ROBOT_PASSWORD"))
+        fun ofSystem() = Robots(RobotAddress::besideDriverStation, {
+            UserFolders.ofSystem().settings
+        }, System.getenv("BADLOG_ROBOT_PASSWORD"))
     }
 }

@@ -87,9 +87,10 @@ sealed class Question : ParsedQuestion {
                 fun placed(at: Int) = (at - CHANGED.length + keyFrom).coerceIn(keyFrom, text.length)
                 return ExpressionError(text, placed(asked.from), placed(asked.until), asked.kind, asked.message)
             }
-            val signal = vocabulary.signals.first { it.name == (asked as Expression).topics.firstOrNull() }
-            if (signal.kind == SignalKind.NUMBER) {
-                val message = "“${signal.name}” is a number; “by” needs a signal with states, or “topic”."
+            val signal = vocabulary.signals.find { it.name == (asked as Expression).topics.firstOrNull() }
+            // “time” is no topic, and a number, too.
+            if (signal == null || signal.kind == SignalKind.NUMBER) {
+                val message = "“${signal?.name ?: key}” is a number; “by” needs a signal with states, or “topic”."
                 return ExpressionError(text, keyFrom, text.length, ExpressionErrorKind.TYPE, message)
             }
             val whole = body.trim().lowercase()

@@ -1,5 +1,7 @@
 package badlog.fetch
 
+import java.time.Duration
+
 /**
  * A user of a robot's computer.
  *
@@ -32,6 +34,7 @@ class RobotAddress(
     companion object {
         private const val SFTP_PORT = 22
         private const val NETWORK_TABLES_PORT = 5810
+        private const val DRIVER_STATION_SECONDS = 1L
         private const val MAX_PORT = 65_535
 
         /** The largest possible team number: addresses have no room for a larger one. */
@@ -63,6 +66,23 @@ class RobotAddress(
             }
             val named = parts.groups["user"]?.value ?: user
             return listOf(RobotAddress(parts.groups["host"]!!.value, logins(named, ROBORIO, SYSTEMCORE), port))
+        }
+
+        /**
+         * Returns the same as [of]; for a team's number, first the robot to which a Driver Station on this computer is connected, unless that
+         * is another team's. Throws the same exceptions.
+         */
+        fun besideDriverStation(robot: String, user: String? = null): List<RobotAddress> =
+            beside(robot, user) { robotOfDriverStation(Duration.ofSeconds(DRIVER_STATION_SECONDS)) }
+
+        internal fun beside(robot: String, user: String?, ask: () -> String?): List<RobotAddress> {
+            val known = of(robot, user)
+            val team = robot.toIntOrNull() ?: return known
+            val host = ask() ?: return known
+            val isOurs = !host.startsWith("10.") || host.startsWith("10.${team / 100}.${team % 100}.")
+            if (!isOurs) return known
+            val first = known.find { it.host == host } ?: RobotAddress(host, logins(user, SYSTEMCORE, ROBORIO))
+            return listOf(first) + (known - first)
         }
 
         private fun ofTeam(team: Int, user: String?): List<RobotAddress> {

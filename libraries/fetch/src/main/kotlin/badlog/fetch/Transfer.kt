@@ -67,8 +67,7 @@ internal class Transfer(
         options.deleteOlderThan?.let { age -> listing.logs.forEach { deleteIfOld(connection, it, age) } }
     }
 
-    private fun foldersOf(connection: RobotConnection) =
-        options.robotFolders ?: listOf("/home/${connection.user}/logs", "/u/logs", "/U/logs", "/home/lvuser/logs", "/home/systemcore/logs")
+    private fun foldersOf(connection: RobotConnection) = options.robotFolders ?: (listOf("/home/${connection.user}/logs") + FOLDERS)
 
     private fun isNew(connection: RobotConnection, log: RemoteLog): Boolean {
         val found = here.find(connection.robot, log.path) ?: return true
@@ -223,6 +222,9 @@ internal class Transfer(
 
     private companion object {
         val LOST = setOf(SftpConstants.SSH_FX_NO_CONNECTION, SftpConstants.SSH_FX_CONNECTION_LOST)
+
+        /** Where loggers write: a USB stick's folders, and the homes of the robots' users. */
+        val FOLDERS = listOf("/u/logs", "/U/logs", "/V/logs", "/home/lvuser/logs", "/home/systemcore/logs")
         val BELIEVABLE: Instant = Instant.parse("2015-01-01T00:00:00Z")
     }
 }

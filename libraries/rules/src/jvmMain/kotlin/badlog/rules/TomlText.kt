@@ -20,7 +20,12 @@ internal class TomlText(source: String) {
 
     /** Returns all of it; only keys in [known] are allowed. */
     fun root(known: Set<String>): TomlTable {
-        val root = Toml.parse(source)
+        val root = try {
+            Toml.parse(source)
+        } catch (_: RuntimeException) {
+            // The library itself fails for some texts instead of naming the mistake, such as for an inline table that never ends.
+            fail(place(null, null), "This is not TOML: a bracket or a quote is not closed.")
+        }
         root.errors().firstOrNull()?.let { error ->
             val said = error.message.orEmpty().lineSequence().first().trim().trimEnd('.')
             fail(place(error.position(), null), "This is not TOML: $said.")

@@ -39,6 +39,7 @@ internal class MessageLayout private constructor(
         var partCount = 0
 
         fun part(name: String, path: String, within: Set<String>): MessagePart? {
+            if (within.size > MAX_DEPTH) return null
             val index = partCount++
             val members = HashMap<Int, MessageMember>()
             for (field in types.fieldsOf(name) ?: return null) {
@@ -69,7 +70,13 @@ internal class MessageLayout private constructor(
         /** Each value is a topic, and a graph. */
         private const val MAX_SIZE = 1024
 
-        /** Returns the layout of the message with the full name [name]; null if a descriptor is missing, or there are too many values. */
+        /** The depth that other readers of Protocol Buffers accept. Each level calls the next, and the stack is finite. */
+        private const val MAX_DEPTH = 100
+
+        /**
+         * Returns the layout of the message with the full name [name]; null if a descriptor is missing, if there are too many values, or if
+         * messages are nested too deeply.
+         */
         fun of(types: MessageTypes, name: String): MessageLayout? = of(types, name, setOf(name))
 
         private fun of(types: MessageTypes, name: String, within: Set<String>): MessageLayout? {

@@ -28,7 +28,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     val attributes: List<String> get() = attributesIn(metadata, name)
 
     /** Whether it was the x axis of a bag that badlog converted to a WPILOG. */
-    val wasXAxis: Boolean get() = X_AXIS_METADATA in metadata
+    val wasXAxis: Boolean get() = isXAxisIn(metadata)
 
     /** Returns whether a record of it may have a payload of [size] bytes. */
     fun fits(size: Int): Boolean = width == 0 || if (isArray) size % width == 0 else size == width

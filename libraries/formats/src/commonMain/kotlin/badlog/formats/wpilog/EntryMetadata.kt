@@ -1,7 +1,9 @@
 package badlog.formats.wpilog
 
 import badlog.core.analysis.Units
+import badlog.core.json.JsonMember
 import badlog.core.json.JsonReader
+import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
@@ -10,27 +12,34 @@ import badlog.core.recording.TopicKind
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
 /** The part of the metadata that marks a topic as the former x axis of a bag. */
-internal const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
+private const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
+
+/** Returns whether [metadata] mark a topic as the former x axis of a bag; a program's property of the same name does not. */
+internal fun isXAxisIn(metadata: String): Boolean = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text == X_AXIS
 
 /** Returns the unit in [metadata], where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
 internal fun unitIn(metadata: String): String {
     val members = JsonReader.readObject(metadata).orEmpty()
-    val own = members.findLast { it.key == UNIT }
-    val property = members.findLast { it.key == "properties" }?.value?.members?.findLast { it.key == UNIT }
-    return (own ?: property)?.value?.text ?: Topic.UNITLESS
+    return (members.last(UNIT) ?: members.property(UNIT))?.text ?: Topic.UNITLESS
 }
 
-/** Returns the attributes of an entry [name]: those in its [metadata], or those for the entries that WPILib itself writes. */
+/**
+ * Returns the attributes of an entry [name]: those in its [metadata], which badlog has written; those that a robot's program says in the
+ * properties of a NetworkTables topic; or those for the entries that WPILib itself writes.
+ */
 internal fun attributesIn(metadata: String, name: String): List<String> {
-    val member = JsonReader.readObject(metadata).orEmpty().findLast { it.key == ATTRIBUTES }
-    val own = member?.value?.items.orEmpty().mapNotNull { it.text }
-    return when {
-        own.isNotEmpty() -> own
+    val members = JsonReader.readObject(metadata).orEmpty()
+    val own = members.last(ATTRIBUTES)?.items ?: members.property(BADLOG)?.run { items ?: listOf(this) }
+    return own?.mapNotNull { it.text } ?: when {
         name == MESSAGES || CONSOLE in name -> listOf(LOG)
         name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name -> listOf("hide")
         else -> emptyList()
     }
 }
+
+private fun List<JsonMember>.last(key: String): JsonValue? = findLast { it.key == key }?.value
+
+private fun List<JsonMember>.property(key: String): JsonValue? = last("properties")?.members?.last(key)
 
 /** Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does. */
 internal fun metadataOf(topic: Topic): String {
@@ -47,7 +56,13 @@ internal fun metadataOf(topic: Topic): String {
     if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
     if (isX) members += X_AXIS_METADATA
     if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
-    if (attributes.isNotEmpty()) members += "\"attrs\":" + attributes.joinToString(",", "[", "]", transform = ::quotedJson)
+    val others = if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
+    // An empty list, too, if there would be other ones without it.
+    if (attributes !=
+        attributesIn(others, topic.name)
+    ) {
+        members += "\"attrs\":" + attributes.joinToString(",", "[", "]", transform = ::quotedJson)
+    }
     return if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
 }
 
@@ -66,6 +81,9 @@ private const val MESSAGES = "messages"
 private const val CONSOLE = "DS:/Dscomm/Console/"
 private const val UNIT = "unit"
 private const val ATTRIBUTES = "attrs"
+
+/** The property of a NetworkTables topic whose attributes a program says; and badlog's own mark beside the properties. */
+private const val BADLOG = "badlog"
 
 /** The attribute of texts that are events. */
 internal const val LOG: String = "log"

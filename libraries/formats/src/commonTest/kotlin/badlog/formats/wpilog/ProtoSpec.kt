@@ -134,6 +134,32 @@ class ProtoSpec : FunSpec({
         recording.topic("p").unit shouldBe "B"
     }
 
+    for (isList in listOf(false, true)) {
+        val kind = if (isList) "lists" else "messages"
+
+        // The descriptor's bytes are flat, so nothing stops it from naming more levels than a stack has room for.
+        test("a type whose $kind are nested 9,000 deep is shown by its size, with a note, and the rest of the log is read") {
+            val levels = (1..9_000).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}", isList))) }
+            val last = sized(4, message("L9001", field("x", 1, DOUBLE)))
+            val others = ByteArray(levels.sumOf { it.size } + last.size)
+            (levels + last).fold(0) { at, level -> level.copyInto(others, at).let { at + level.size } }
+            val recording = read(field("top", 1, MESSAGE, "a.L1"), ByteArray(4) { 8 }, others = others)
+            recording.topic("p").run { unit to samples.toList() } shouldBe ("B" to listOf(4.0))
+            recording.problems.map { it.kind to it.topic } shouldContainExactly listOf(ProblemKind.NOT_DECODED to "p")
+        }
+    }
+
+    test("messages nested 100 deep are taken apart, and none beyond") {
+        fun levels(count: Int): Recording {
+            val inner = (1..count - 2).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}"))) }
+            val last = sized(4, message("L${count - 1}", field("x", 1, INT32)))
+            val payload = (2..count).fold(whole(1, 7)) { part, _ -> sized(1, part) }
+            return read(field("a", 1, MESSAGE, "a.L1"), payload, others = (inner + last).reduce(ByteArray::plus))
+        }
+        values(levels(100)) shouldBe mapOf("p" + "/a".repeat(99) + "/x" to 7.0)
+        levels(101).topic("p").unit shouldBe "B"
+    }
+
     test("a payload that is not such a message is dropped and counted") {
         val recording = read(field("n", 1, INT32), whole(1, 3), words(1, "text"), byteArrayOf(8), byteArrayOf(3), whole(1, 4))
         recording.topic("p/n").samples.toList() shouldBe listOf(3.0, 4.0)

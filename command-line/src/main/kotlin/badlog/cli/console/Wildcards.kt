@@ -1,0 +1,52 @@
+package badlog.cli.console
+
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/**
+ * Returns [arguments] with the names of files in place of `*.bag` and the like. Elsewhere a shell does that; on Windows nobody does if the
+ * pattern is in quotes, and a path cannot contain its characters. What matches no file stays as it is: an expression has `*` and `?`, too.
+ *
+ * A `?` also stands for each letter of a name that Windows could not pass on, so that it must mean one file only.
+ *
+ * @param system the name of the operating system.
+ */
+internal fun withWildcards(arguments: List<String>, system: String = System.getProperty("os.name")): List<String> =
+    if (system.startsWith("Windows")) arguments.flatMap { matching(it).ifEmpty { listOf(it) } } else arguments
+
+private fun matching(argument: String): List<String> {
+    if (argument.none { it in WILD } || argument.startsWith("-")) return emptyList()
+    val start = argument.lastIndexOfAny(charArrayOf('/', '\\')) + 1
+    val head = argument.substring(0, start)
+    val folder = try {
+        Path.of(head)
+    } catch (_: InvalidPathException) {
+        return emptyList()
+    }
+    if (!folder.isDirectory() || !Files.isReadable(folder)) return emptyList()
+    val pattern = argument.substring(start).map {
+        if (it == '*') {
+            ".*"
+        } else if (it == '?') {
+            "."
+        } else {
+            Regex.escape("$it")
+        }
+    }
+    val name = Regex(pattern.joinToString(""), RegexOption.IGNORE_CASE)
+    val names = folder.listDirectoryEntries().map { it.name }.filter(name::matches).sorted()
+    return if (names.size > 1 && '?' in argument) emptyList() else names.map { head + it }
+}
+
+/** Returns what to do about an argument that is not a path on Windows; null if they all are, on this [system]. */
+internal fun unreachable(arguments: List<String>, system: String = System.getProperty("os.name")): String? {
+    val argument = arguments.firstOrNull { '?' in it && !it.startsWith("-") }
+    if (argument == null || !system.startsWith("Windows")) return null
+    return "“$argument” has letters that Windows did not pass on, or means several files; name the folder above it."
+}
+
+private const val WILD = "*?"

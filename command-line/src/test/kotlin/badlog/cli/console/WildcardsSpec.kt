@@ -1,0 +1,49 @@
+package badlog.cli.console
+
+import badlog.cli.inFolder
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlin.io.path.div
+import kotlin.io.path.writeText
+
+private const val WINDOWS = "Windows 11"
+
+class WildcardsSpec : FunSpec({
+    test("on Windows, a pattern in quotes is the files that match it, whatever their case, in order") {
+        inFolder { folder ->
+            for (name in listOf("b.bag", "A.BAG", "c.wpilog")) (folder / name).writeText("")
+            withWildcards(listOf("info", "$folder/*.bag"), WINDOWS) shouldContainExactly listOf("info", "$folder/A.BAG", "$folder/b.bag")
+        }
+    }
+
+    test("an expression, an option, a pattern without files and one in a folder that does not exist stay as they are") {
+        inFolder { folder ->
+            (folder / "a.bag").writeText("")
+            val arguments = listOf("$folder/a.bag", "max(\"PDP/*\") > 3 * 2", "--*", "$folder/x*.bag", "$folder/none/*.bag")
+            withWildcards(arguments, WINDOWS) shouldBe arguments
+        }
+    }
+
+    test("elsewhere the shell has done it, and * is a letter of a name") {
+        inFolder { folder ->
+            (folder / "a.bag").writeText("")
+            withWildcards(listOf("$folder/*.bag"), "Linux") shouldContainExactly listOf("$folder/*.bag")
+        }
+    }
+
+    test("a name whose letters Windows replaced is the one file that it can mean, and otherwise a reason to name its folder") {
+        inFolder { folder ->
+            (folder / "лог.bag").writeText("")
+            withWildcards(listOf("$folder/???.bag"), WINDOWS) shouldContainExactly listOf("$folder/лог.bag")
+            (folder / "abc.bag").writeText("")
+            val arguments = listOf("info", "$folder/???.bag")
+            withWildcards(arguments, WINDOWS) shouldBe arguments
+            unreachable(arguments, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
+            unreachable(arguments, "Linux") shouldBe null
+            unreachable(listOf("info", "a.bag"), WINDOWS) shouldBe null
+        }
+    }
+})

@@ -1,0 +1,59 @@
+package badlog.robots;
+
+import badlog.lib.BadLog;
+import badlog.lib.RobotLog;
+import badlog.lib.RobotLogOptions;
+import java.io.File;
+
+/**
+ * A robot program in a process of its own, as in a match: logs into the folder in the first argument, gzipped if the second is {@code true},
+ * learns its match while it logs, and ends once the log has the match's name.
+ */
+public final class ManagedRobot {
+    private static final int ROWS_BEFORE = 50;
+    private static final int ROWS_AFTER = 50;
+    private static final long LOOP_MILLIS = 5;
+    private static final int MAX_LOOPS = 20_000;
+
+    private static volatile String match = "";
+    private static long row;
+
+    private ManagedRobot() {
+    }
+
+    public static void main(String[] args) throws InterruptedException {
+        RobotLogOptions options = new RobotLogOptions();
+        options.setFolder(new File(args[0]));
+        options.setCompressed(Boolean.parseBoolean(args[1]));
+        options.setEnabled(() -> true);
+        options.setClockSet(() -> true);
+        options.setEvent(() -> match.isEmpty() ? "" : "OHCL");
+        options.setMatch(() -> match);
+        options.setBatteryVoltage(null);
+        try (RobotLog log = RobotLog.start(options)) {
+            BadLog.createTopicLong("Row", BadLog.UNITLESS, () -> row++);
+            loopUntilNamed(log);
+            for (int i = 0; i < ROWS_AFTER; i++) {
+                loop(log);
+            }
+        }
+    }
+
+    private static void loopUntilNamed(RobotLog log) throws InterruptedException {
+        for (int loops = 0; loops < MAX_LOOPS && !isNamed(log); loops++) {
+            loop(log);
+            if (row > ROWS_BEFORE) {
+                match = "Q42";
+            }
+        }
+    }
+
+    private static void loop(RobotLog log) throws InterruptedException {
+        log.periodic();
+        Thread.sleep(LOOP_MILLIS);
+    }
+
+    private static boolean isNamed(RobotLog log) {
+        return log.getFile() != null && log.getFile().getName().contains("_OHCL_Q42");
+    }
+}
