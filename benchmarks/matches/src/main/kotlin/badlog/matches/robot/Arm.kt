@@ -61,9 +61,14 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         }
         angle += speed * dt
         if ((angle < LOWEST && speed < 0) || (angle > HIGHEST && speed > 0)) {
-            angle = angle.coerceIn(LOWEST, HIGHEST)
+            val stopped = angle.coerceIn(LOWEST, HIGHEST)
+            // What the stop holds, it holds through the chain: the motor does not turn on.
+            if (!isLoose) {
+                motor.imposeSpeed(0.0)
+                motor.position -= (angle - stopped) * gear
+            }
+            angle = stopped
             speed = 0.0
-            if (!isLoose) motor.imposeSpeed(0.0)
         }
         if (speed > 0) slipped += encoderSlip * speed * dt
     }
