@@ -9,6 +9,8 @@ import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
 import badlog.signals.derived.couplingError
+import badlog.signals.derived.currentShares
+import badlog.signals.derived.deadReading
 import badlog.signals.derived.frozenWhileTurning
 import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
@@ -27,7 +29,9 @@ import badlog.signals.pose.SeenPath
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.unitScale
+import badlog.signals.vocabulary.wordsOf
 import kotlin.math.PI
+import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
 
@@ -36,7 +40,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
     "module angle error" to false, "module speed share" to false, "coupling error" to false, "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
-    "switch error" to false, "wheel slip" to true,
+    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
@@ -98,9 +102,31 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             samples.followings.getOrPut(measured.signal.name) { followingOf(samples, target, measured, scale) }.calculated()
         }
         return if (measured.quantity == Quantity.POSITION) {
-            listOf(derived("setpoint error") { missed() }, derived("overshoot") { overshoot() })
+            val dead = DerivedSignal("encoder frozen", "", target.label, topics) { samples ->
+                val own = samples.raw(measured.signal.name)
+                deadReading(own.x, own.y, samples.enabledAt(own.x))
+            }
+            listOfNotNull(
+                derived("setpoint error") { missed() },
+                derived("overshoot") { overshoot() },
+                dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null },
+                effortOf(target, measured, scale),
+            )
         } else {
             listOf(derived("speed shortfall") { shortfall() }, derived("speed swing") { swing() })
+        }
+    }
+
+    /** The output of a part while it stays away from its target. */
+    private fun effortOf(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
+        val output = beside(target.part, Quantity.OUTPUT, Quantity.VOLTAGE).firstOrNull() ?: return null
+        val topics = listOf(measured, target, output).map { it.signal.name }
+        return DerivedSignal("output without effect", "", target.label, topics) { samples ->
+            val missed = samples.followings.getOrPut(measured.signal.name) { followingOf(samples, target, measured, scale) }.missed()
+            val driven = samples.raw(output.signal.name)
+            val full = if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven)
+            val held = driven.heldAt(missed.x)
+            Series(missed.x, DoubleArray(missed.size) { if (missed.y[it] > AWAY_PERCENT) abs(held[it]) / full else 0.0 })
         }
     }
 
@@ -116,7 +142,25 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun beside(part: List<String>, vararg quantities: Quantity) = byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
 
     private fun ofModules(): List<DerivedSignal> = modules.indices.flatMap { at ->
-        listOfNotNull(angleError(at).takeIf { modules.all { module -> module.targetAngle != null } }, speedShare(at))
+        listOfNotNull(angleError(at).takeIf { modules.all { module -> module.targetAngle != null } }, speedShare(at), currentShare(at))
+    }
+
+    /** The topics of the drive motor of a module besides those of [SwerveModule]. */
+    private fun driveTopicsOf(module: SwerveModule, vararg quantities: Quantity): List<PartTopic> {
+        val words = wordsOf(module.label)
+        return parts.filter { part ->
+            part.quantity in quantities && !part.isTarget && part.part.containsAll(words) && part.part.none { it in STEER_WORDS }
+        }
+    }
+
+    private fun currentShare(at: Int): DerivedSignal? {
+        val currents = modules.map { driveTopicsOf(it, Quantity.CURRENT).firstOrNull()?.signal?.name ?: return null }
+        val topics = listOf(currents[at]) + modules[at].topics.reversed()
+        return DerivedSignal("module current share", "", modules[at].label, topics) { samples ->
+            val series = currents.map(samples::raw)
+            val times = timesOf(series)
+            once(times, currentShares(times, series.map { it.heldAt(times) }, samples.enabledAt(times))?.get(at))
+        }
     }
 
     private fun angleError(at: Int) = DerivedSignal("module angle error", "deg", modules[at].label, modules[at].topics) { samples ->
@@ -128,7 +172,12 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         moduleAngleError(at, times, radians(angles), radians(targets), speeds, samples.enabledAt(times))
     }
 
-    private fun speedShare(at: Int) = DerivedSignal("module speed share", "", modules[at].label, modules[at].topics.reversed()) { samples ->
+    private fun speedShare(at: Int) = DerivedSignal(
+        "module speed share",
+        "",
+        modules[at].label,
+        (modules[at].topics.reversed() + driveTopicsOf(modules[at], Quantity.VELOCITY, Quantity.CURRENT).map { it.signal.name }).distinct(),
+    ) { samples ->
         val speeds = modules.map { samples.raw(it.speed) }
         val times = timesOf(speeds)
         val shares = moduleSpeedShares(
@@ -170,11 +219,16 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         }
     }
 
-    private fun coupling(part: List<PartTopic>): List<DerivedSignal> {
+    /** Returns what a mechanism's own sensor says and what its motor's does; null without both. */
+    private fun couplingIn(part: List<PartTopic>): Pair<PartTopic, PartTopic>? {
         val places = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }
-        if (places.size != 2) return emptyList()
-        val moved = places.find { it.isAbsolute } ?: places.find { !it.isMotor && places.any { other -> other.isMotor } } ?: return emptyList()
-        val turned = places.first { it !== moved }
+        if (places.size != 2) return null
+        val moved = places.find { it.isAbsolute } ?: places.find { !it.isMotor && places.any { other -> other.isMotor } } ?: return null
+        return moved to places.first { it !== moved }
+    }
+
+    private fun coupling(part: List<PartTopic>): List<DerivedSignal> {
+        val (moved, turned) = couplingIn(part) ?: return emptyList()
         fun derived(name: String, unit: String, calculated: (DoubleArray, DoubleArray, DoubleArray, BooleanArray) -> Series) =
             DerivedSignal(name, unit, moved.label, listOf(moved, turned).map { it.signal.name }) { samples ->
                 val both = listOf(samples.raw(turned.signal.name), samples.raw(moved.signal.name))
@@ -247,6 +301,10 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         const val SHOWN = 4
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
         val DRIVE_WORDS = setOf("drive", "drivetrain", "drivebase", "module", "swerve", "chassis", "drive0")
+        val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
+
+        /** In percent of the range. */
+        const val AWAY_PERCENT = 12.0
         val CORNERS = setOf("front", "back", "rear", "left", "right")
     }
 }

@@ -13,7 +13,8 @@ fun airLoss(pressure: Series, compressor: Series): Series {
     return Series(
         pressure.x,
         DoubleArray(pressure.size) { i ->
-            val used = i > 0 && fallWithin(pressure, i, USE_SECONDS) > USE_PSI
+            // A log of changes has no sample just before.
+            val used = i > 0 && maxOf(fallWithin(pressure, i, USE_SECONDS), pressure.y[i - 1] - pressure.y[i]) > USE_PSI
             if (used || runs[i] != 0.0) since = i + 1
             val first = if (since < i) indexBefore(pressure.x, i, LOSS_SECONDS, since) else i
             val seconds = pressure.x[i] - pressure.x[first]

@@ -37,16 +37,20 @@ class Following(private val times: DoubleArray, private val target: DoubleArray,
     }
 
     /**
-     * Returns by how much it stays away from a constant target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN
-     * while the target changes, and while it comes nearer.
+     * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
+     * it comes nearer, and just after the robot was enabled.
      */
-    fun missed(): Series = samples { i ->
-        val first = indexBefore(times, i, STAYED_SECONDS)
-        if (age[i] < SETTLED_SECONDS || abs(target[first] - target[i]) > SAME * range) return@samples Double.NaN
-        var least = Double.MAX_VALUE
-        for (k in first..i) least = min(least, abs(target[k] - measured[k]))
-        val nearer = abs(target[first] - measured[first]) - abs(target[i] - measured[i])
-        if (nearer > NEARER * range) Double.NaN else PERCENT * least / range
+    fun missed(): Series {
+        var enabledSince = 0
+        return samples { i ->
+            if (i > 0 && !isEnabled[i - 1]) enabledSince = i
+            val first = indexBefore(times, i, STAYED_SECONDS)
+            if (times[i] - times[enabledSince] < SETTLED_SECONDS || times[i] - times[first] < STAYED_SECONDS / 2) return@samples Double.NaN
+            var least = Double.MAX_VALUE
+            for (k in first..i) least = min(least, abs(target[k] - measured[k]))
+            val toward = (measured[i] - measured[first]) * sign(target[i] - measured[i])
+            if (toward > NEARER * range) Double.NaN else PERCENT * least / range
+        }
     }
 
     /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
@@ -154,8 +158,8 @@ class Following(private val times: DoubleArray, private val target: DoubleArray,
 
         // Targets that differ less are the same.
         const val SAME = 0.002
-        const val SETTLED_SECONDS = 0.5
-        const val STAYED_SECONDS = 0.3
+        const val SETTLED_SECONDS = 1.0
+        const val STAYED_SECONDS = 0.4
         const val NEARER = 0.03
         const val SPUN_UP_SECONDS = 1.0
         const val STEADY_SECONDS = 0.4

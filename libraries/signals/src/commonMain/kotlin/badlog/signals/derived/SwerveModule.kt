@@ -69,7 +69,7 @@ private fun namedModules(parts: List<PartTopic>): List<SwerveModule> {
             if (angle.unit == "rad") 1.0 else PI / 180,
         )
     }
-    return if (found.size == corners.size && found.size == 4) found else emptyList()
+    return if (found.size == 4) found else emptyList()
 }
 
 /**

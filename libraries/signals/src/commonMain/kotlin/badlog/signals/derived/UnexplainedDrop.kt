@@ -26,7 +26,7 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
         var end = i
         while (end < times.size && dropped[end] > LEAST_VOLTS) end++
         val until = if (end < times.size) times[end] else times[end - 1]
-        if (until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size && readsWithin(current, times[i], until) >= LEAST_READS) {
+        if (until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size && readsWithin(current, times[i], until) >= LEAST_READS && lowest(amperes, i, end) < MOST_AMPERES) {
             for (k in i until end) explained[k] = dropped[k]
         }
         i = end
@@ -81,6 +81,8 @@ private fun highest(current: Series, time: Double): Double {
     return high
 }
 
+private fun lowest(amperes: DoubleArray, from: Int, until: Int) = (from until until).minOf { amperes[it] }
+
 private fun readsWithin(current: Series, from: Double, to: Double): Int {
     var reads = 0
     for (i in current.firstAtOrAfter(from) until current.size) {
@@ -94,6 +96,9 @@ private const val LAG_SECONDS = 0.15
 private const val LEAST_VOLTS = 0.5
 private const val LONGEST_SECONDS = 2.0
 private const val LEAST_READS = 2
+
+/** With a higher current, a battery that sags more than in proportion explains a dip, too. */
+private const val MOST_AMPERES = 100.0
 private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0
