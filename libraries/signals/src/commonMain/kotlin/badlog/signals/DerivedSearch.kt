@@ -8,6 +8,7 @@ import badlog.signals.derived.Side
 import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
+import badlog.signals.derived.channelChanges
 import badlog.signals.derived.couplingError
 import badlog.signals.derived.currentShares
 import badlog.signals.derived.deadReading
@@ -17,6 +18,7 @@ import badlog.signals.derived.heldAt
 import badlog.signals.derived.moduleAngleError
 import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.partTopicsOf
+import badlog.signals.derived.quantile
 import badlog.signals.derived.sideFriction
 import badlog.signals.derived.sightError
 import badlog.signals.derived.stall
@@ -40,7 +42,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
     "module angle error" to false, "module speed share" to false, "coupling error" to false, "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
-    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
+    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false, "channel change" to false,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
@@ -55,7 +57,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private val modules = swerveModulesOf(names, parts)
 
     val signals: List<DerivedSignal> = listOfNotNull(voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
-        following() + ofModules() + byPart.values.flatMap(::ofPart) + headings() + sides()
+        following() + ofModules() + channels() + byPart.values.flatMap(::ofPart) + headings() + sides()
 
     private fun named(signal: String) = found.of(signal).ifEmpty { found.summandsOf(signal) }.takeIf { it.isNotEmpty() }?.let { NamedSignal.of(signal, it) }
 
@@ -114,6 +116,21 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             )
         } else {
             listOf(derived("speed shortfall") { shortfall() }, derived("speed swing") { swing() })
+        }
+    }
+
+    private fun channels(): List<DerivedSignal> {
+        val topics = found.of("channel current").map { it.topic }
+        if (modules.size != 4 || topics.size < 4) return emptyList()
+        return topics.mapIndexed { at, topic ->
+            DerivedSignal("channel change", "", topic, listOf(topic)) { samples ->
+                val changes = samples.channelChanges.getOrPut("") {
+                    val series = topics.map(samples::raw)
+                    val times = timesOf(series)
+                    channelChanges(times, series.map { it.heldAt(times) }, samples.enabledAt(times)).orEmpty()
+                }
+                once(samples.raw(topic).x, changes.getOrNull(at))
+            }
         }
     }
 
@@ -212,7 +229,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun switch(part: List<PartTopic>): DerivedSignal? {
         val switch = part.find { it.quantity == Quantity.SWITCH } ?: return null
         val position = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
-        return DerivedSignal("switch error", "%", position.label, listOf(switch, position).map { it.signal.name }) { samples ->
+        return DerivedSignal("switch error", "%", position.label, listOf(position, switch).map { it.signal.name }) { samples ->
             val both = listOf(samples.raw(position.signal.name), samples.raw(switch.signal.name))
             val times = timesOf(both)
             switchError(times, both[0].heldAt(times), both[1].heldAt(times))
@@ -249,19 +266,27 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             drive.find { side in it.part && it.quantity == quantity }
         }
         val speeds = listOf("left", "right").map { of(it, Quantity.VELOCITY) ?: return emptyList() }
-        val outputs = listOf("left", "right").map { of(it, Quantity.VOLTAGE, Quantity.OUTPUT) ?: return emptyList() }
+        val outputs = listOf("left", "right").map { of(it, Quantity.CURRENT, Quantity.VOLTAGE, Quantity.OUTPUT) ?: return emptyList() }
         return listOf(0, 1).map { at ->
             val topics = listOf(outputs[at], speeds[at], outputs[1 - at], speeds[1 - at]).map { it.signal.name }
             val shown = topics + drive.filter { listOf("left", "right")[at] in it.part && it.quantity == Quantity.CURRENT }.map { it.signal.name }
             DerivedSignal("side friction", "", speeds[at].label, shown) { samples ->
                 val all = topics.map(samples::raw)
                 val times = timesOf(all)
-                val full = if (outputs[at].quantity == Quantity.VOLTAGE) 12.0 else fullOf(all[0])
+                val full = when (outputs[at].quantity) {
+                    // At its limit, a current takes about a quarter of the output.
+                    Quantity.CURRENT -> 4 * maxOf(amperesOf(all[0]), amperesOf(all[2]))
+                    Quantity.VOLTAGE -> 12.0
+                    else -> fullOf(all[0])
+                }
                 fun side(output: Int) = Side(scaled(all[output].heldAt(times), 1 / full), all[output + 1].heldAt(times))
                 once(times, sideFriction(times, side(0), side(2)))
             }
         }
     }
+
+    /** The current that a motor gets at most, but for moments. */
+    private fun amperesOf(current: Series) = quantile(DoubleArray(current.size) { abs(current.y[it]) }, 0.99).coerceAtLeast(1.0)
 
     private fun fullOf(output: Series) = if (output.y.any { it > 2 || it < -2 }) 100.0 else 1.0
 

@@ -83,6 +83,9 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     /** How each part follows its target, by the name of what is measured; several signals are derived from it. */
     internal val followings = HashMap<String, Following>()
 
+    /** How the channels of the power distribution changed: one list, for all of them. */
+    internal val channelChanges = HashMap<String, List<Double?>>()
+
     /** Returns the samples of the topic [name] as they were logged. */
     internal fun raw(name: String): Series = log.series(name)
 

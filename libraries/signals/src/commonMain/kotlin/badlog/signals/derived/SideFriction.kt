@@ -6,11 +6,14 @@ import kotlin.math.sign
 /**
  * Returns how much more output one side of a tank drive needs than the other at the same speed, as part of full output: what remains of
  * its output after what its speed and its acceleration need, both fitted to the log. Positive if the first side needs more. Null if there
- * is too little driving to tell. All arrays have the same times.
+ * is too little straight driving to tell. All arrays have the same times.
  */
 fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
-    val first = frictionOf(times, one) ?: return null
-    val second = frictionOf(times, other) ?: return null
+    val top = quantile(DoubleArray(times.size) { abs(one.speed[it]) }, 0.98)
+    // In turns, wheels scrub.
+    val isStraight = BooleanArray(times.size) { abs(one.speed[it] - other.speed[it]) < 0.1 * top }
+    val first = frictionOf(times, one, isStraight) ?: return null
+    val second = frictionOf(times, other, isStraight) ?: return null
     return first - second
 }
 
@@ -18,14 +21,16 @@ fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
 class Side(val output: DoubleArray, val speed: DoubleArray)
 
 /** Returns the output that friction takes: the constant part of output over speed and acceleration, in the direction of the speed. */
-private fun frictionOf(times: DoubleArray, side: Side): Double? {
+private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray): Double? {
     val top = quantile(DoubleArray(times.size) { abs(side.speed[it]) }, 0.98)
     if (!(top > 0)) return null
     val sums = Array(3) { DoubleArray(4) }
     var count = 0
     for (i in 2 until times.size - 2) {
         val speed = side.speed[i]
-        if (!(abs(speed) > 0.1 * top) || !side.output[i].isFinite()) continue
+        if (!isStraight[i] || !(abs(speed) > 0.1 * top) || !side.output[i].isFinite()) continue
+        // A device that is not heard leaves its last values.
+        if (side.speed[i] == side.speed[i - 1] && side.speed[i] == side.speed[i - 2] && side.output[i] == side.output[i - 2]) continue
         val seconds = times[i + 2] - times[i - 2]
         if (seconds <= 0 || seconds > 0.3) continue
         val forward = sign(speed)

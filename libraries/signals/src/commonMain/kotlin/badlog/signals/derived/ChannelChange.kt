@@ -1,0 +1,31 @@
+package badlog.signals.derived
+
+/**
+ * Returns how the current of each of [currents], the channels of a power distribution, changed from the first [FIRST_SECONDS] of enabled time to
+ * the last [LAST_SECONDS], as a share of how those of its equals changed: 1 if all changed alike. Only the four channels that took most at first
+ * are equals of each other, the drive motors of a swerve drive; null for others, or if a log is too short.
+ */
+fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
+    val used = times.indices.filter { isEnabled[it] }
+    if (used.isEmpty() || used.last() - used.first() < 2 || times[used.last()] - times[used.first()] < FIRST_SECONDS + LAST_SECONDS) return null
+    val early = used.filter { times[it] < times[used.first()] + FIRST_SECONDS }
+    val late = used.filter { times[it] > times[used.last()] - LAST_SECONDS }
+    fun mean(current: DoubleArray, at: List<Int>) = at.sumOf { current[it].let { a -> if (a.isNaN()) 0.0 else a } } / at.size
+    val first = currents.map { mean(it, early) }
+    val last = currents.map { mean(it, late) }
+    val equals = currents.indices.sortedByDescending { first[it] }.take(EQUALS)
+    // Equals are alike, and more than the next.
+    if (equals.size < EQUALS || first[equals.last()] < 0.6 * first[equals.first()] || first[equals.last()] < 1) return null
+    val rest = currents.indices.filter { it !in equals }.maxOfOrNull { first[it] } ?: 0.0
+    if (rest > 0.85 * first[equals.last()]) return null
+    val ratios = equals.associateWith { last[it] / first[it] }
+    return currents.indices.map { index ->
+        val own = ratios[index] ?: return@map null
+        val others = ratios.filterKeys { it != index }.values.sorted()
+        own / others[others.size / 2]
+    }
+}
+
+private const val EQUALS = 4
+private const val FIRST_SECONDS = 25.0
+private const val LAST_SECONDS = 60.0
