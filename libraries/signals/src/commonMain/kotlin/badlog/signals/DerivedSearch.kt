@@ -228,7 +228,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
 
     private fun switch(part: List<PartTopic>): DerivedSignal? {
         val switch = part.find { it.quantity == Quantity.SWITCH } ?: return null
-        val position = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
+        val position = part.filter { it.isTarget }.firstNotNullOfOrNull(::measuredOf)?.takeIf { it.quantity == Quantity.POSITION }
+            ?: part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
         return DerivedSignal("switch error", "%", position.label, listOf(position, switch).map { it.signal.name }) { samples ->
             val both = listOf(samples.raw(position.signal.name), samples.raw(switch.signal.name))
             val times = timesOf(both)

@@ -1,15 +1,18 @@
 package badlog.signals.derived
 
 /**
- * Returns how the current of each of [currents], the channels of a power distribution, changed from the first [FIRST_SECONDS] of enabled time to
- * the last [LAST_SECONDS], as a share of how those of its equals changed: 1 if all changed alike. Only the four channels that took most at first
+ * Returns how the current of each of [currents], the channels of a power distribution, changed from the first sixth of enabled time to the
+ * last two fifths, as a share of how those of its equals changed: 1 if all changed alike. Only the four channels that took most at first
  * are equals of each other, the drive motors of a swerve drive; null for others, or if a log is too short.
  */
 fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { isEnabled[it] }
-    if (used.isEmpty() || used.last() - used.first() < 2 || times[used.last()] - times[used.first()] < FIRST_SECONDS + LAST_SECONDS) return null
-    val early = used.filter { times[it] < times[used.first()] + FIRST_SECONDS }
-    val late = used.filter { times[it] > times[used.last()] - LAST_SECONDS }
+    if (used.isEmpty()) return null
+    val start = times[used.first()]
+    val seconds = times[used.last()] - start
+    if (seconds < LEAST_SECONDS) return null
+    val early = used.filter { times[it] < start + seconds * EARLY }
+    val late = used.filter { times[it] > start + seconds * LATE }
     fun mean(current: DoubleArray, at: List<Int>) = at.sumOf { current[it].let { a -> if (a.isNaN()) 0.0 else a } } / at.size
     val first = currents.map { mean(it, early) }
     val last = currents.map { mean(it, late) }
@@ -27,5 +30,6 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
 }
 
 private const val EQUALS = 4
-private const val FIRST_SECONDS = 25.0
-private const val LAST_SECONDS = 60.0
+private const val LEAST_SECONDS = 30.0
+private const val EARLY = 1.0 / 6
+private const val LATE = 0.6
