@@ -42,7 +42,8 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
     "module angle error" to false, "module speed share" to false, "coupling error" to false, "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
-    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false, "channel change" to false,
+    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
+    "channel change" to false,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
@@ -59,12 +60,16 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     val signals: List<DerivedSignal> = listOfNotNull(voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
         following() + ofModules() + channels() + byPart.values.flatMap(::ofPart) + headings() + sides()
 
-    private fun named(signal: String) = found.of(signal).ifEmpty { found.summandsOf(signal) }.takeIf { it.isNotEmpty() }?.let { NamedSignal.of(signal, it) }
+    private fun named(signal: String): NamedSignal? {
+        val topics = found.of(signal).ifEmpty { found.summandsOf(signal) }
+        return if (topics.isEmpty()) null else NamedSignal.of(signal, topics)
+    }
 
     private fun voltageLost(): DerivedSignal? {
         val battery = named("battery") ?: return null
         val current = named("total current") ?: return null
-        return DerivedSignal("voltage lost", "V", "", battery.topics + current.topics.take(SHOWN)) { unexplainedDrop(it.of(battery), it.of(current)) }
+        val topics = battery.topics + current.topics.take(SHOWN)
+        return DerivedSignal("voltage lost", "V", "", topics) { unexplainedDrop(it.of(battery), it.of(current)) }
     }
 
     private fun airLoss(): DerivedSignal? = ofAir("air loss", "psi/s", ::airLoss)
@@ -156,7 +161,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         return Following(times, wanted.heldAt(times), values, samples.enabledAt(times))
     }
 
-    private fun beside(part: List<String>, vararg quantities: Quantity) = byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
+    private fun beside(part: List<String>, vararg quantities: Quantity) =
+        byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
 
     private fun ofModules(): List<DerivedSignal> = modules.indices.flatMap { at ->
         listOfNotNull(angleError(at).takeIf { modules.all { module -> module.targetAngle != null } }, speedShare(at), currentShare(at))
@@ -270,7 +276,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         val outputs = listOf("left", "right").map { of(it, Quantity.CURRENT, Quantity.VOLTAGE, Quantity.OUTPUT) ?: return emptyList() }
         return listOf(0, 1).map { at ->
             val topics = listOf(outputs[at], speeds[at], outputs[1 - at], speeds[1 - at]).map { it.signal.name }
-            val shown = topics + drive.filter { listOf("left", "right")[at] in it.part && it.quantity == Quantity.CURRENT }.map { it.signal.name }
+            val side = listOf("left", "right")[at]
+            val shown = topics + drive.filter { side in it.part && it.quantity == Quantity.CURRENT }.map { it.signal.name }
             DerivedSignal("side friction", "", speeds[at].label, shown) { samples ->
                 val all = topics.map(samples::raw)
                 val times = timesOf(all)
@@ -294,7 +301,9 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun wheelSlip(): DerivedSignal? {
         val measured = named("acceleration") ?: return null
         val isTank = modules.isEmpty()
-        val sides = parts.filter { part -> part.part.any { it in DRIVE_WORDS } && part.part.count { it in CORNERS } == 1 && part.quantity == Quantity.VELOCITY && !part.isTarget }
+        val sides = parts.filter { part ->
+            part.part.any { it in DRIVE_WORDS } && part.part.count { it in CORNERS } == 1 && part.quantity == Quantity.VELOCITY && !part.isTarget
+        }
         if (isTank && sides.size != 2) return null
         if (isTank && sides.any { it.unit != "m/s" && it.unit.isNotEmpty() }) return null
         val heading = found.of("gyro angle").firstOrNull()?.let { NamedSignal.of("gyro angle", listOf(it)) }
@@ -321,7 +330,11 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
 
     /** A figure of the whole log, as a sample at its start. */
     private fun once(times: DoubleArray, value: Double?) =
-        if (value == null || times.isEmpty()) Series(DoubleArray(0), DoubleArray(0)) else Series(doubleArrayOf(times[0]), doubleArrayOf(value))
+        if (value == null || times.isEmpty()) {
+            Series(DoubleArray(0), DoubleArray(0))
+        } else {
+            Series(doubleArrayOf(times[0]), doubleArrayOf(value))
+        }
 
     private companion object {
         const val SHOWN = 4

@@ -18,7 +18,11 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             if (used || runs[i] != 0.0) since = i + 1
             val first = if (since < i) indexBefore(pressure.x, i, LOSS_SECONDS, since) else i
             val seconds = pressure.x[i] - pressure.x[first]
-            if (seconds < LOSS_SECONDS * 0.9) Double.NaN else (ends(pressure, first, first + AVERAGED) - ends(pressure, i - AVERAGED, i)) / seconds
+            if (seconds < LOSS_SECONDS * 0.9) {
+                Double.NaN
+            } else {
+                (ends(pressure, first, first + AVERAGED) - ends(pressure, i - AVERAGED, i)) / seconds
+            }
         },
     )
 }
@@ -30,7 +34,10 @@ fun airLoss(pressure: Series, compressor: Series): Series {
 fun airGain(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
     var since = 0
-    val rises = DoubleArray(pressure.size) { i -> (indexBefore(pressure.x, i, 1.0)).let { first -> ends(pressure, i - 2, i) - ends(pressure, first, first + 2) } }
+    val rises = DoubleArray(pressure.size) { i ->
+        val first = indexBefore(pressure.x, i, 1.0)
+        ends(pressure, i - 2, i) - ends(pressure, first, first + 2)
+    }
     return Series(
         pressure.x,
         DoubleArray(pressure.size) { i ->

@@ -3,8 +3,8 @@ package badlog.signals.derived
 import kotlin.math.abs
 
 /**
- * Returns the current of each of several equal motors as a share of what the others have on average, 1 for all in a healthy drive: the means
- * of their amounts while the robot is enabled, over the second half of that time, since motors fail in a match. Null if they hardly ran.
+ * Returns the current of each of several equal motors as a share of what the others have on average, 1 for all in a healthy drive: the
+ * means of their amounts while the robot is enabled, over the second half of that time, since motors fail in a match. Null if they hardly ran.
  */
 fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): DoubleArray? {
     val used = times.indices.filter { i -> isEnabled[i] && currents.all { it[i].isFinite() } }

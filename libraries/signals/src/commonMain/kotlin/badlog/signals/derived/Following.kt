@@ -14,7 +14,12 @@ import kotlin.math.sign
  * @param measured what it was, in the same unit.
  * @param isEnabled whether the robot was enabled.
  */
-class Following(private val times: DoubleArray, private val target: DoubleArray, private val measured: DoubleArray, private val isEnabled: BooleanArray) {
+class Following(
+    private val times: DoubleArray,
+    private val target: DoubleArray,
+    private val measured: DoubleArray,
+    private val isEnabled: BooleanArray,
+) {
     /** The range of targets while enabled; never 0. */
     val range: Double = spread()
 

@@ -87,17 +87,20 @@ private val QUANTITY_WORDS = POSITIONS + VELOCITIES + CURRENTS + VOLTAGES + OUTP
 private val ABSOLUTE = setOf("absolute", "abs", "encoder", "cancoder", "throughbore")
 private val MOTOR = setOf("motor", "rotor")
 private val QUALIFIERS = ABSOLUTE + MOTOR + setOf(
-    "applied", "supply", "stator", "input", "measured", "measurement", "actual", "bottom", "top", "lower", "upper", "forward", "reverse", "is", "pressed",
+    "applied", "supply", "stator", "input", "measured", "measurement", "actual", "bottom", "top", "lower", "upper", "forward",
+    "reverse", "is", "pressed",
 )
 
 /** Words of topics that are no sensor of a part, whatever else their names say. */
 private val OTHER = setOf(
-    "temp", "temperature", "celsius", "fault", "faults", "gain", "limit", "max", "min", "tolerance", "offset", "error", "torque", "ks", "kv", "kp", "kd", "ki", "time", "count",
+    "temp", "temperature", "celsius", "fault", "faults", "gain", "limit", "max", "min", "tolerance", "offset", "error",
+    "torque", "ks", "kv", "kp", "kd", "ki", "time", "count",
 )
 
 /** Words for what logged a topic. */
 private val ROOTS = setOf(
-    "nt", "smart", "dashboard", "smartdashboard", "shuffleboard", "real", "outputs", "realoutputs", "replay", "advantage", "kit", "system", "live", "window", "inputs", "m", "robot",
+    "nt", "smart", "dashboard", "smartdashboard", "shuffleboard", "real", "outputs", "realoutputs", "replay",
+    "advantage", "kit", "system", "live", "window", "inputs", "m", "robot",
 )
 private val AMPERES = setOf("A", "amps")
 private val SPEEDS = setOf("rpm", "RPM", "rad/s", "rot/s", "rps", "deg/s", "m/s")

@@ -12,5 +12,6 @@ fun stall(times: DoubleArray, speeds: DoubleArray, drives: DoubleArray, leastDri
     val usual = quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
     val most = quantile(DoubleArray(times.size) { abs(drives[it]) }, 0.995)
     val least = maxOf(0.5 * most, leastDrive)
-    return Series(times, DoubleArray(times.size) { if (abs(drives[it]) >= least && usual > 0 && abs(speeds[it]) < 0.04 * usual) 1.0 else 0.0 })
+    fun isStalled(at: Int) = abs(drives[at]) >= least && usual > 0 && abs(speeds[at]) < 0.04 * usual
+    return Series(times, DoubleArray(times.size) { if (isStalled(it)) 1.0 else 0.0 })
 }

@@ -38,13 +38,14 @@ private fun structModules(names: List<Signal>): List<SwerveModule> {
         if (!name.endsWith(STRUCT_ANGLE)) continue
         val element = name.removeSuffix(STRUCT_ANGLE)
         if (SPEED_FIELDS.none { element + it in known }) continue
-        lists.getOrPut(if (element.endsWith(']')) element.substringBeforeLast('[') else element.substringBeforeLast('/')) { ArrayList() } += element
+        val list = element.substringBeforeLast(if (element.endsWith(']')) '[' else '/')
+        lists.getOrPut(list) { ArrayList() } += element
     }
     val whole = lists.filter { it.value.size in 3..6 }
     fun isTarget(list: String) = wordsOf(list).any { it in TARGET_WORDS }
     val measured = whole.filter { !isTarget(it.key) }.entries.firstOrNull() ?: return emptyList()
-    val targets = whole.filter { isTarget(it.key) && it.value.size == measured.value.size }.entries.sortedByDescending { "optimized" in it.key.lowercase() }
-    val target = targets.firstOrNull()
+    val targets = whole.filter { isTarget(it.key) && it.value.size == measured.value.size }.entries
+    val target = targets.maxByOrNull { "optimized" in it.key.lowercase() }
     fun speed(element: String) = element + SPEED_FIELDS.first { element + it in known }
     return measured.value.mapIndexed { index, element ->
         val wanted = target?.value?.get(index)
@@ -54,7 +55,9 @@ private fun structModules(names: List<Signal>): List<SwerveModule> {
 
 private fun namedModules(parts: List<PartTopic>): List<SwerveModule> {
     fun of(part: List<String>, quantity: Quantity, isTarget: Boolean) = parts.find { topic ->
-        topic.part == part && topic.isTarget == isTarget && (topic.quantity == quantity || (isTarget && quantity == Quantity.VELOCITY && topic.quantity == Quantity.NONE))
+        // “Front Left Setpoint” is that of the speed, if “Front Left Angle Setpoint” is beside it.
+        val isOfSpeed = isTarget && quantity == Quantity.VELOCITY && topic.quantity == Quantity.NONE
+        topic.part == part && topic.isTarget == isTarget && (topic.quantity == quantity || isOfSpeed)
     }
     val corners = parts.map { it.part }.distinct().filter { part -> part.count { it in CORNERS } == 2 }
     val found = corners.mapNotNull { part ->

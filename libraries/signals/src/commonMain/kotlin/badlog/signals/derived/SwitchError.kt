@@ -21,7 +21,9 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray)
             low = here
             high = here
             var jump = 0.0
-            for (k in maxOf(1, i - 1)..minOf(i + 2, times.lastIndex)) if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1]))
+            for (k in maxOf(1, i - 1)..minOf(i + 2, times.lastIndex)) {
+                if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1]))
+            }
             if (jump > JUMP_SHARE * range) errors[i] = 100 * jump / range
         }
         if (here < low) low = here

@@ -25,8 +25,12 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
         }
         var end = i
         while (end < times.size && dropped[end] > LEAST_VOLTS) end++
+        // A sensor that lags or is slow misses some of the current.
+        fun isMoreThanUnseen(from: Int, to: Int) =
+            lowest(amperes, from, to) < MOST_AMPERES && (from until to).maxOf { dropped[it] } > UNSEEN_AMPERES * resistance
         val until = if (end < times.size) times[end] else times[end - 1]
-        if (until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size && readsWithin(current, times[i], until) >= LEAST_READS && lowest(amperes, i, end) < MOST_AMPERES) {
+        val isDip = until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size
+        if (isDip && readsWithin(current, times[i], until) >= LEAST_READS && isMoreThanUnseen(i, end)) {
             for (k in i until end) explained[k] = dropped[k]
         }
         i = end
@@ -64,7 +68,8 @@ private fun openVolts(times: DoubleArray, volts: DoubleArray, amperes: DoubleArr
     while (i < times.size) {
         var end = i
         while (end < times.size && times[end] < times[i] + SECOND) end++
-        val median = quantile(DoubleArray(end - i) { volts[i + it] + resistance * amperes[i + it].let { a -> if (a.isNaN()) 0.0 else a } }, 0.5)
+        val unloaded = DoubleArray(end - i) { volts[i + it] + if (amperes[i + it].isNaN()) 0.0 else resistance * amperes[i + it] }
+        val median = quantile(unloaded, 0.5)
         // A dip may fill most of a second.
         val level = if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS)
         for (k in i until end) open[k] = level
@@ -99,6 +104,7 @@ private const val LEAST_READS = 2
 
 /** With a higher current, a battery that sags more than in proportion explains a dip, too. */
 private const val MOST_AMPERES = 100.0
+private const val UNSEEN_AMPERES = 60.0
 private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0

@@ -5,8 +5,8 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns by how much the wheels gain speed faster than the robot does, in m/s², over [WINDOW_SECONDS] up to each time; 0 while they brake or
- * follow. [forward] and [left] are the speeds of the wheels along and across the robot in m/s, [heading] its heading in rad, and
+ * Returns by how much the wheels gain speed faster than the robot does, in m/s², over [WINDOW_SECONDS] up to each time; 0 while they
+ * brake or follow. [forward] and [left] are the speeds of the wheels along and across the robot in m/s, [heading] its heading in rad, and
  * [acceleration] what an accelerometer measured along the robot, in m/s². A robot that turns while it moves aside gains speed along
  * itself that no accelerometer feels.
  */

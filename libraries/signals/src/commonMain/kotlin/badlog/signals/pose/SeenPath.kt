@@ -13,7 +13,8 @@ data class SeenPath(val seen: Pose, val driven: Pose) {
     companion object {
         /** Returns the first pair in [poses]; null if there is none. Of a list of places, the first counts. */
         fun of(poses: List<Pose>): SeenPath? {
-            val seen = poses.find { it.role == PoseRole.SEEN && it.meters == 1.0 && !it.name.contains("target", ignoreCase = true) } ?: return null
+            fun isSight(pose: Pose) = pose.role == PoseRole.SEEN && pose.meters == 1.0 && !pose.name.contains("target", ignoreCase = true)
+            val seen = poses.find(::isSight) ?: return null
             val driven = poses.find { it.role == PoseRole.DRIVEN && it.meters == 1.0 } ?: return null
             return SeenPath(seen, driven)
         }
