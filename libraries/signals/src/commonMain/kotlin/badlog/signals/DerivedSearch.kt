@@ -213,6 +213,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun ofPart(part: List<PartTopic>): List<DerivedSignal> = listOfNotNull(stall(part), switch(part)) + coupling(part)
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
+        // A motor that is known by its id alone may drive the robot, and a robot that pushes another is not jammed.
+        if (part[0].part.all { word -> word in DEVICE_WORDS || word.all { it in '0'..'9' } }) return null
         if (part.any { it.quantity == Quantity.POSITION && it.isTarget || it.isTarget && it.quantity == Quantity.NONE }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
         val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
@@ -344,6 +346,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
 
         /** In percent of the range. */
         const val AWAY_PERCENT = 12.0
+        val DEVICE_WORDS = setOf("phoenix", "talon", "fx", "srx", "victor", "spx", "spark", "max", "flex", "rev", "ctre", "can", "id")
         val CORNERS = setOf("front", "back", "rear", "left", "right")
     }
 }

@@ -17,11 +17,12 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             val used = i > 0 && maxOf(fallWithin(pressure, i, USE_SECONDS), pressure.y[i - 1] - pressure.y[i]) > USE_PSI
             if (used || runs[i] != 0.0) since = i + 1
             val first = if (since < i) indexBefore(pressure.x, i, LOSS_SECONDS, since) else i
-            val seconds = pressure.x[i] - pressure.x[first]
-            if (seconds < LOSS_SECONDS * 0.9) {
+            val middle = indexBefore(pressure.x, i, LOSS_SECONDS / 2, first)
+            if (pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
                 Double.NaN
             } else {
-                (ends(pressure, first, first + AVERAGED) - ends(pressure, i - AVERAGED, i)) / seconds
+                // A leak goes on all the time; a slow cylinder does not.
+                minOf(lossOver(pressure, first, middle), lossOver(pressure, middle, i))
             }
         },
     )
@@ -51,6 +52,11 @@ fun airGain(pressure: Series, compressor: Series): Series {
             }
         },
     )
+}
+
+private fun lossOver(pressure: Series, from: Int, to: Int): Double {
+    val seconds = pressure.x[to] - pressure.x[from]
+    return if (seconds > 0) (ends(pressure, from - AVERAGED / 2, from + AVERAGED / 2) - ends(pressure, to - AVERAGED, to)) / seconds else 0.0
 }
 
 private fun fallWithin(pressure: Series, at: Int, seconds: Double) = pressure.y[indexBefore(pressure.x, at, seconds)] - pressure.y[at]
