@@ -7,8 +7,8 @@ import kotlin.math.max
  * Returns by how much [battery] is lower than [current] explains, in V: 0 where it is not, and in dips whose current is not known well
  * enough to tell, since its sensor was not read at least twice within them.
  *
- * A battery is taken as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current within
- * [LAG_SECONDS] counts, since sensors lag and a dip may be over before they are read.
+ * A battery is taken as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current from
+ * [LAG_SECONDS] before to [LATEST_SECONDS] after counts, since sensors lag and a dip may be over before they are read.
  */
 fun unexplainedDrop(battery: Series, current: Series): Series {
     val times = battery.x
@@ -82,7 +82,7 @@ private fun openVolts(times: DoubleArray, volts: DoubleArray, amperes: DoubleArr
 private fun highest(current: Series, time: Double): Double {
     var i = (current.firstAtOrAfter(time - LAG_SECONDS) - 1).coerceAtLeast(0)
     var high = 0.0
-    while (i < current.size && current.x[i] <= time + LAG_SECONDS) high = max(high, current.y[i++])
+    while (i < current.size && current.x[i] <= time + LATEST_SECONDS) high = max(high, current.y[i++])
     return high
 }
 
@@ -98,6 +98,7 @@ private fun readsWithin(current: Series, from: Double, to: Double): Int {
 }
 
 private const val LAG_SECONDS = 0.15
+private const val LATEST_SECONDS = 0.35
 private const val LEAST_VOLTS = 0.5
 private const val LONGEST_SECONDS = 2.0
 private const val LEAST_READS = 2
