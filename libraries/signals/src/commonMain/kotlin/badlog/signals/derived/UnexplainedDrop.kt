@@ -105,7 +105,7 @@ private const val LEAST_READS = 2
 
 /** With a higher current, a battery that sags more than in proportion explains a dip, too. */
 private const val MOST_AMPERES = 100.0
-private const val UNSEEN_AMPERES = 100.0
+private const val UNSEEN_AMPERES = 85.0
 private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0
