@@ -19,7 +19,7 @@ import java.io.File
 private val CAUSES = mapOf(
     Fault.WALL to "The robot pushed against something that did not move",
     Fault.LOOSE_LEAD to "Battery lead, connector or main breaker made bad contact",
-    Fault.TIRED_BATTERY to "The battery was tired",
+    Fault.TIRED_BATTERY to "The battery was old or worn",
     Fault.SEIZED_MOTOR to "A motor was blocked",
     Fault.SEIZED_DRIVE to "A gearbox of the drivetrain was stuck",
     Fault.UNPLUGGED_MOTOR to "One of two linked motors did nothing",

@@ -12,12 +12,14 @@ import badlog.expression.syntax.ExpressionErrorKind
 import badlog.signals.ACTIVE
 import badlog.signals.ACTIVITY
 import badlog.signals.CLOCK
+import badlog.signals.DERIVED_NAMES
 import badlog.signals.DEVIATION
 import badlog.signals.LogShape
 import badlog.signals.NamedSignal
 import badlog.signals.PLAN_DISTANCE
 import badlog.signals.ScaledSignal
 import badlog.signals.TIME
+import badlog.signals.derivedSignalsOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.matchOf
@@ -71,6 +73,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     private val vocabulary get() = shape.vocabulary
     private val timeTopic get() = shape.timeTopic
     private val signals = shape.topicsOf(rules.signals)
+    private val derived = derivedSignalsOf(shape, rules.signals, signals)
     private val time = (vocabulary.signals.find { it.name == timeTopic } ?: CLOCK).let { x ->
         // Without a unit, a time axis counts seconds.
         NamedSignal(TIME, listOf(ScaledSignal(x, 1.0)), if (vocabulary.hasTime && Units.isNone(x.unit)) "s" else x.unit)
@@ -96,6 +99,11 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         if (rules.signals.find(PLAN_DISTANCE) == null) {
             val path = shape.path
             if (path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(path)
+        }
+        for ((name, isSingle) in DERIVED_NAMES) {
+            if (!isSingle || name in found || rules.signals.find(name) != null) continue
+            val own = derived.find { it.name == name }
+            if (own == null) lacking[name] = Signal(name, SignalKind.NUMBER) else found[name] = NamedSignal.of(name, own)
         }
         val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
@@ -162,6 +170,11 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         .map { Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, it)), it.name) }
 
     private fun turnsOf(each: TopicsOfSignal): List<Turn> {
+        if (each.signal in DERIVED_NAMES) {
+            return derived.filter { it.name == each.signal }.map { own ->
+                Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
+            }
+        }
         val topics = signals.of(each.signal)
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
         return pairs.mapNotNull { (topic, other) ->

@@ -6,6 +6,7 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.rules.number.ComparedSignal
+import badlog.signals.DERIVED_NAMES
 import badlog.signals.vocabulary.SignalVocabulary
 import org.tomlj.TomlTable
 import kotlin.time.Duration
@@ -238,7 +239,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         }
         toml.requireKnown(value, setOf("signal", "with", "linked"), "“each”")
         val names = listOfNotNull(toml.string(value, "signal")) + toml.optionalStrings(value, "with")
-        val unknown = names.find { signals.find(it)?.isMany != true }
+        val unknown = names.find { signals.find(it)?.isMany != true && it !in DERIVED_NAMES }
         if (unknown != null || !value.contains(listOf("signal"))) {
             toml.fail(
                 toml.placeOf(table, "each"),

@@ -78,9 +78,9 @@ class IncidentSpec : FunSpec({
 
     test("a finding about the whole log explains what happens at any time, and needs no time itself") {
         val incident = incidents(ofWhole("Raised battery resistance"), found("Weak battery", 30.0)).single()
-        incident.name shouldBe "The battery was tired"
+        incident.name shouldBe "The battery was old or worn"
         incident.time shouldBe 30.0
-        incidents(ofWhole("Tired battery")).single().time.isNaN() shouldBe true
+        incidents(ofWhole("High battery resistance")).single().time.isNaN() shouldBe true
     }
 
     test("a cause that requires an effect is not one without it") {

@@ -54,7 +54,8 @@ internal class TestMatch(private val seconds: Int = 40) {
         number("Vision/Latency") { 30 + 5 * wave(it) }
         number("limelight/hb") { (it * 30).toInt().toDouble() }
         number("Gyro/Angle") { 90 + 0.001 * TestMatch.wave(it * 40) + if (it in ENABLED) 60 * wave(it / 2 - 2) else 0.0 }
-        number("Pneumatics/Pressure") { 110 + 5 * wave(it / 5) }
+        // A cylinder takes its air at once, and the compressor runs for a second.
+        number("Pneumatics/Pressure") { 106 + 4 * (it % 10).coerceAtMost(1.0) }
         flag("Pneumatics/Compressor On") { it.toInt() % 10 == 0 }
         number("System/Free Memory MB") { 60.0 }
         number("System/Free Disk MB") { 300.0 }

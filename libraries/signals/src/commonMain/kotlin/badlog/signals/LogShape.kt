@@ -5,6 +5,7 @@ import badlog.core.recording.TopicKind
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
 import badlog.signals.pose.PlannedPath
+import badlog.signals.pose.SeenPath
 import badlog.signals.pose.posesOf
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
@@ -17,6 +18,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property hasClock whether x is time, although no topic has it.
  * @property empty the names of the topics without samples, which are not signals.
  * @property path the driven path and the planned one; null for none.
+ * @property sight the driven path and where a camera saw the robot; null for none.
  */
 data class LogShape(
     val vocabulary: Vocabulary,
@@ -24,6 +26,7 @@ data class LogShape(
     val hasClock: Boolean,
     val empty: Set<String> = emptySet(),
     val path: PlannedPath? = null,
+    val sight: SeenPath? = null,
 ) {
     /** Returns which of the topics are the signals of [signals]. */
     fun topicsOf(signals: SignalVocabulary): SignalTopics = SignalTopics(signals, vocabulary, timeTopic, empty)
@@ -33,12 +36,14 @@ data class LogShape(
         fun of(view: LogView): LogShape {
             val x = view.xAxis
             val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+            val poses = posesOf(view.recording.topics)
             return LogShape(
                 LogViewSignals(view).vocabulary,
                 x.topic?.name,
                 hasClock = x.topic == null && !x.isIndex,
                 empty,
-                PlannedPath.of(posesOf(view.recording.topics)),
+                PlannedPath.of(poses),
+                SeenPath.of(poses),
             )
         }
     }

@@ -9,6 +9,7 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.signals.pose.PlannedPath
+import badlog.signals.derived.Following
 import badlog.signals.vocabulary.FRACTION
 import badlog.signals.vocabulary.SignalTopic
 import kotlin.math.abs
@@ -23,7 +24,13 @@ val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
  * The numbers of [signal] times [scale]. If that is null, they are scaled so that the full value is [whole], whether they are
  * percent or fractions. With a [reading], they are read as true or false.
  */
-data class ScaledSignal(val signal: Signal, val scale: Double?, val whole: Double = 1.0, val reading: FlagReading? = null)
+data class ScaledSignal(
+    val signal: Signal,
+    val scale: Double?,
+    val whole: Double = 1.0,
+    val reading: FlagReading? = null,
+    val derived: DerivedSignal? = null,
+)
 
 /** The sum of [summands], usually a single one, under the name [name], in [unit]; for a calculated one, [madeOf] has the topics. */
 class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String, private val madeOf: List<String>? = null) {
@@ -42,6 +49,11 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
         /** Returns the distance from a plan, for a log with this [path]. */
         fun of(path: PlannedPath): NamedSignal =
             NamedSignal(DEVIATION.name, listOf(ScaledSignal(DEVIATION, 1.0)), DEVIATION.unit, path.topics)
+
+        /** Returns [derived] under the name [name]. */
+        fun of(name: String, derived: DerivedSignal): NamedSignal = Signal(name, SignalKind.NUMBER, derived.unit).let { signal ->
+            NamedSignal(name, listOf(ScaledSignal(signal, 1.0, derived = derived)), derived.unit, derived.topics)
+        }
 
         /** Returns the sum of [topics] as [name]. */
         fun of(name: String, topics: List<SignalTopic>): NamedSignal =
@@ -68,12 +80,32 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
     }
 
+    /** How each part follows its target, by the name of what is measured; several signals are derived from it. */
+    internal val followings = HashMap<String, Following>()
+
+    /** How the channels of the power distribution changed: one list, for all of them. */
+    internal val channelChanges = HashMap<String, List<Double?>>()
+
+    /** Returns the samples of the topic [name] as they were logged. */
+    internal fun raw(name: String): Series = log.series(name)
+
+    /** Returns whether the robot was enabled at each of [times], which ascend; always true if the log does not show it. */
+    internal fun enabledAt(times: DoubleArray): BooleanArray {
+        val spans = log.enabled ?: return BooleanArray(times.size) { true }
+        var next = 0
+        return BooleanArray(times.size) { i ->
+            while (next < spans.size && spans[next].span.to < times[i]) next++
+            next < spans.size && times[i] >= spans[next].span.from
+        }
+    }
+
     private val bounds = HashMap<DoubleArray, SampleBounds>()
 
     /** Returns the bounds of the samples of [series]. */
     fun boundsOf(series: Series): SampleBounds = bounds.getOrPut(series.y) { SampleBounds(series.y) }
 
     private fun scaled(source: ScaledSignal): Series {
+        if (source.derived != null) return source.derived.samples(this)
         if (source.signal === CLOCK) return log.axis
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
         if (source.signal === DEVIATION) return planDistanceIn(view, log)

@@ -19,6 +19,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
     /** The most torque that the chain carries, at the arm, in N·m. */
     var chain = 1e6
     private var isLoose = false
+    private var parted = -LOWEST * motor.gear
 
     /** Whether its encoder is connected. */
     var isEncoderConnected = true
@@ -65,6 +66,8 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
             speed = 0.0
             if (!isLoose) motor.imposeSpeed(0.0)
         }
+        // A chain holds motor and arm together, also at a stop; only when it is loose can they part.
+        if (isLoose) parted = motor.position - angle * gear else motor.position = parted + angle * gear
         if (speed > 0) slipped += encoderSlip * speed * dt
     }
 

@@ -130,7 +130,9 @@ internal class Motor(
             speed = before + dt * (strength * explicit + load) / (inertia + dt * damping)
             current = if (isLimited) explicit else explicit - (speed - before) / kind.speedPerVolt / resistance
             torque = strength * current
-            slope = if (isLimited) 0.0 else output * output / resistance * count
+            // A motor's torque is its current times a constant: one that gives less also takes less.
+            current *= health
+            slope = if (isLimited) 0.0 else output * output / resistance * count * health
         } else {
             speed = before + dt * load / inertia
             current = 0.0

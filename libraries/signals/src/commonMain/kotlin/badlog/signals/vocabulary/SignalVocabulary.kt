@@ -45,11 +45,14 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
 /** The [unit] of topics whose names end in [ending]. */
 class NamedUnit(val ending: String, val unit: String) {
     fun isOf(name: String): Boolean {
-        val end = if (name.endsWith(']')) name.substringBeforeLast('[') else name
+        // “Height (m)” has its unit in parentheses.
+        val end = if (name.endsWith(']')) name.substringBeforeLast('[') else name.removeSuffix(")")
         if (!end.endsWith(ending, ignoreCase = true)) return false
+        // “Encoder A” is not a current.
+        if (ending.length == 1 && !name.endsWith(")")) return false
         val before = end.getOrNull(end.length - ending.length - 1) ?: return true
         // “Full Cycle MS” and “FullCycleMS” end in MS; “Items” does not.
-        return before in " _-/." || (end.endsWith(ending) && isUpper(ending[0]) && !isUpper(before))
+        return before in " _-/.(" || (end.endsWith(ending) && isUpper(ending[0]) && !isUpper(before))
     }
 }
 

@@ -41,6 +41,7 @@ private val UNITS = listOf(
     ),
     mapOf("m" to 1.0, "meter" to 1.0, "meters" to 1.0, "cm" to 0.01, "mm" to 0.001, "in" to 0.0254, "inches" to 0.0254, "ft" to 0.3048),
     mapOf("m/s" to 1.0, "cm/s" to 0.01, "in/s" to 0.0254, "ft/s" to 0.3048),
+    mapOf("m/s²" to 1.0, "m/s^2" to 1.0, "m/s/s" to 1.0, "g" to 9.80665),
     mapOf("psi" to 1.0, "kpa" to 0.145038, "bar" to 14.5038),
     mapOf("mb" to 1.0, "kb" to 1e-3, "b" to 1e-6, "bytes" to 1e-6, "gb" to 1e3),
     mapOf("dbm" to 1.0, "db" to 1.0),

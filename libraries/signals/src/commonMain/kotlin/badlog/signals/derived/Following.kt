@@ -1,0 +1,178 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import kotlin.math.abs
+import kotlin.math.max
+import kotlin.math.min
+import kotlin.math.sign
+
+/**
+ * How a part follows its target.
+ *
+ * @param times of each sample.
+ * @param target what it should be, then.
+ * @param measured what it was, in the same unit.
+ * @param isEnabled whether the robot was enabled.
+ */
+class Following(
+    private val times: DoubleArray,
+    private val target: DoubleArray,
+    private val measured: DoubleArray,
+    private val isEnabled: BooleanArray,
+) {
+    /** The range of targets while enabled; never 0. */
+    val range: Double = spread()
+
+    /** The time for which target and mode have been the same, at each sample. */
+    private val age = DoubleArray(times.size)
+
+    init {
+        var since = 0
+        for (i in times.indices) {
+            val isSame = i > 0 && abs(target[i] - target[since]) <= SAME * range && isEnabled[i] == isEnabled[i - 1]
+            if (!isSame) since = i
+            age[i] = times[i] - times[since]
+        }
+    }
+
+    private fun spread(): Double {
+        val used = DoubleArray(times.size) { if (isEnabled[it]) target[it] else Double.NaN }
+        val spread = quantile(used, 0.99) - quantile(used, 0.01)
+        return if (spread > 0) spread else max(abs(quantile(used, 0.99)), Double.MIN_VALUE)
+    }
+
+    /**
+     * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
+     * it comes nearer, and just after the robot was enabled.
+     */
+    fun missed(): Series {
+        var enabledSince = 0
+        return samples { i ->
+            if (i > 0 && !isEnabled[i - 1]) enabledSince = i
+            val first = indexBefore(times, i, STAYED_SECONDS)
+            if (times[i] - times[enabledSince] < SETTLED_SECONDS || times[i] - times[first] < STAYED_SECONDS / 2) return@samples Double.NaN
+            var least = Double.MAX_VALUE
+            for (k in first..i) least = min(least, abs(target[k] - measured[k]))
+            val toward = (measured[i] - measured[first]) * sign(target[i] - measured[i])
+            if (toward > NEARER * range) Double.NaN else PERCENT * least / range
+        }
+    }
+
+    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
+    fun shortfall(): Series {
+        val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
+        return samples { i ->
+            val wanted = abs(target[i])
+            if (age[i] < SPUN_UP_SECONDS || wanted < 0.3 * largest || peakToPeak(i, STEADY_SECONDS) > STEADY * wanted) {
+                Double.NaN
+            } else {
+                PERCENT * (wanted - measured[i] * sign(target[i])) / wanted
+            }
+        }
+    }
+
+    /** Returns by how much it is beyond a target that it has just been moved to, in percent of the step. */
+    fun overshoot(): Series {
+        val beyond = DoubleArray(times.size) { Double.NaN }
+        var before = Double.NaN
+        var i = 0
+        while (i < times.size) {
+            val end = endOfStretch(i)
+            val isLong = times[end - 1] - times[i] >= STEP_SECONDS
+            if (isLong && isEnabled[i] && !before.isNaN()) {
+                val step = target[i] - before
+                if (abs(step) > LEAST_STEP * range) {
+                    for (k in i until end) beyond[k] = max(0.0, PERCENT * (measured[k] - target[i]) / step)
+                }
+            }
+            if (isLong) before = if (isEnabled[i]) target[i] else Double.NaN
+            i = end
+        }
+        return Series(times, beyond)
+    }
+
+    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target; NaN if it does not swing. */
+    fun swing(): Series {
+        val swings = DoubleArray(times.size) { Double.NaN }
+        var i = 0
+        while (i < times.size) {
+            val end = endOfStretch(i)
+            if (isEnabled[i] && target[i] != 0.0 && times[end - 1] - times[i] > SWING_SECONDS) swingsIn(i, end, swings)
+            i = end
+        }
+        return Series(times, swings)
+    }
+
+    private fun swingsIn(from: Int, until: Int, swings: DoubleArray) {
+        val near = 0.25 * abs(target[from])
+        var start = from
+        for (i in from until until) {
+            if (abs(measured[i] - target[i]) > near) start = i + 1
+            if (start > i || times[i] - times[start] < SWING_SECONDS) continue
+            val first = indexBefore(times, i, SWING_SECONDS, start)
+            swings[i] = turnsIn(first, i)
+        }
+    }
+
+    /**
+     * Returns the median size of the swings between two samples in percent of the target, if they go to both sides of the target in turn;
+     * otherwise NaN. A wheel that loses speed with each shot is below its target only.
+     */
+    private fun turnsIn(from: Int, to: Int): Double {
+        val wanted = target[to]
+        val least = LEAST_SWING / 2 * abs(wanted)
+        val sizes = ArrayList<Double>()
+        var side = 0.0
+        var extreme = 0.0
+        for (i in from..to) {
+            val off = measured[i] - wanted
+            if (abs(off) < least) continue
+            if (sign(off) != side) {
+                if (side != 0.0) sizes += abs(extreme)
+                side = sign(off)
+                extreme = off
+            } else if (abs(off) > abs(extreme)) {
+                extreme = off
+            }
+        }
+        return if (sizes.size < LEAST_TURNS) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / abs(wanted)
+    }
+
+    private fun endOfStretch(from: Int): Int {
+        var end = from + 1
+        while (end < times.size && age[end] > 0) end++
+        return end
+    }
+
+    private fun peakToPeak(at: Int, seconds: Double): Double {
+        var low = measured[at]
+        var high = measured[at]
+        var i = at
+        while (i >= 0 && times[at] - times[i] <= seconds) {
+            low = min(low, measured[i])
+            high = max(high, measured[i])
+            i--
+        }
+        return high - low
+    }
+
+    private fun samples(value: (Int) -> Double) = Series(times, DoubleArray(times.size) { if (isEnabled[it]) value(it) else Double.NaN })
+
+    private companion object {
+        const val PERCENT = 100.0
+
+        // Targets that differ less are the same.
+        const val SAME = 0.002
+        const val SETTLED_SECONDS = 1.0
+        const val STAYED_SECONDS = 0.4
+        const val NEARER = 0.03
+        const val SPUN_UP_SECONDS = 1.0
+        const val STEADY_SECONDS = 0.4
+        const val STEADY = 0.04
+        const val STEP_SECONDS = 0.6
+        const val LEAST_STEP = 0.25
+        const val SWING_SECONDS = 2.0
+        const val LEAST_SWING = 0.012
+        const val LEAST_TURNS = 3
+    }
+}

@@ -1,0 +1,48 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.round
+
+/**
+ * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned
+ * just before and just after. 0 elsewhere. A full turn is no jump, since angles are counted from 0 to 360° or from -180 to 180°.
+ *
+ * @param degrees what its numbers are multiplied by to get degrees.
+ */
+fun headingJump(heading: Series, degrees: Double): Series {
+    val jumps = DoubleArray(heading.size)
+    for (i in 2 until heading.size - 1) {
+        val seconds = heading.x[i] - heading.x[i - 1]
+        if (seconds <= 0 || seconds > LONGEST_STEP) continue
+        val step = turned(heading, i, degrees)
+        if (abs(step) < LEAST_DEGREES) continue
+        val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
+        val jump = abs(step - usual * seconds)
+        if (jump > LEAST_DEGREES && abs(step) / seconds > FASTEST) jumps[i] = jump
+    }
+    return Series(heading.x, jumps)
+}
+
+private fun turned(heading: Series, at: Int, degrees: Double): Double {
+    val step = (heading.y[at] - heading.y[at - 1]) * degrees
+    return if (step.isFinite()) step - FULL_TURN * round(step / FULL_TURN) else 0.0
+}
+
+private fun rate(heading: Series, at: Int, degrees: Double): Double {
+    val seconds = heading.x[at] - heading.x[at - 1]
+    return if (seconds > 0) (turned(heading, at, degrees) / seconds).coerceIn(-FASTEST, FASTEST) else 0.0
+}
+
+private const val FULL_TURN = 360.0
+private const val LEAST_DEGREES = 12.0
+
+/** No robot turns faster, in °/s. */
+private const val FASTEST = 900.0
+
+/** After a longer gap, nothing is known of how it turned, in s. */
+private const val LONGEST_STEP = 0.12
+
+/** Degrees in a radian. */
+const val DEGREES_PER_RADIAN: Double = 180 / PI

@@ -1,0 +1,39 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+
+/** Returns the value of this series at each of [times], which ascend: its last sample by then, NaN before the first. */
+fun Series.heldAt(times: DoubleArray): DoubleArray {
+    var next = 0
+    return DoubleArray(times.size) { i ->
+        while (next < size && x[next] <= times[i]) next++
+        if (next == 0) Double.NaN else y[next - 1]
+    }
+}
+
+/** Returns the times of [series] together, ascending, each once. */
+fun timesOf(series: List<Series>): DoubleArray {
+    val first = series[0].x
+    if (series.all { it.x === first }) return first
+    val all = series.flatMap { it.x.asIterable() }.toDoubleArray().apply { sort() }
+    var kept = 0
+    for (time in all) if (kept == 0 || time > all[kept - 1]) all[kept++] = time
+    return all.copyOf(kept)
+}
+
+/** Returns the value that [share] of the finite numbers in [values] do not exceed; NaN if there are none. */
+internal fun quantile(values: DoubleArray, share: Double): Double {
+    val sorted = values.filter { it.isFinite() }.toDoubleArray().apply { sort() }
+    return if (sorted.isEmpty()) Double.NaN else sorted[((sorted.size - 1) * share).toInt()]
+}
+
+/** Returns the smallest index whose time is not more than [seconds] before that of [at]. */
+internal fun indexBefore(times: DoubleArray, at: Int, seconds: Double, from: Int = 0): Int {
+    var low = from
+    var high = at
+    while (low < high) {
+        val middle = (low + high) ushr 1
+        if (times[middle] < times[at] - seconds) low = middle + 1 else high = middle
+    }
+    return low
+}

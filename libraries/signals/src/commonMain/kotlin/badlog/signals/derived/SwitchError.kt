@@ -1,0 +1,37 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import kotlin.math.abs
+
+/**
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of the mechanism's range: how far it moves while
+ * the switch stays [pressed], or how far it jumps at the moment at which the switch closes, which code does that takes this for the
+ * end of the way. 0 while nothing contradicts. [times] are those of both arrays.
+ */
+fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray): Series {
+    val range = quantile(position, 0.98) - quantile(position, 0.02)
+    val errors = DoubleArray(times.size)
+    var low = 0.0
+    var high = 0.0
+    for (i in 1 until times.size) {
+        if (pressed[i] != 1.0 || !(range > 0)) continue
+        val here = position[i]
+        if (pressed[i - 1] != 1.0) {
+            // Code may set the position to 0 in the same loop, or in the next.
+            low = here
+            high = here
+            var jump = 0.0
+            for (k in maxOf(1, i - 1)..minOf(i + 2, times.lastIndex)) {
+                if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1]))
+            }
+            if (jump > JUMP_SHARE * range) errors[i] = 100 * jump / range
+        }
+        if (here < low) low = here
+        if (here > high) high = here
+        errors[i] = maxOf(errors[i], 100 * (high - low) / range)
+    }
+    return Series(times, errors)
+}
+
+private const val JUMP_SECONDS = 0.1
+private const val JUMP_SHARE = 0.12

@@ -1,0 +1,114 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import kotlin.math.max
+
+/**
+ * Returns by how much [battery] is lower than [current] explains, in V: 0 where it is not, and in dips whose current is not known well
+ * enough to tell, since its sensor was not read at least twice within them.
+ *
+ * A battery is taken as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current from
+ * [LAG_SECONDS] before to [LATEST_SECONDS] after counts, since sensors lag and a dip may be over before they are read.
+ */
+fun unexplainedDrop(battery: Series, current: Series): Series {
+    val times = battery.x
+    val amperes = current.heldAt(times)
+    val resistance = resistanceOf(battery.y, amperes)
+    val open = openVolts(times, battery.y, amperes, resistance)
+    val dropped = DoubleArray(times.size) { i -> open[i] - resistance * highest(current, times[i]) - battery.y[i] }
+    val explained = DoubleArray(times.size)
+    var i = 0
+    while (i < times.size) {
+        if (!(dropped[i] > LEAST_VOLTS)) {
+            i++
+            continue
+        }
+        var end = i
+        while (end < times.size && dropped[end] > LEAST_VOLTS) end++
+        // A sensor that lags or is slow misses some of the current.
+        fun isMoreThanUnseen(from: Int, to: Int) =
+            lowest(amperes, from, to) < MOST_AMPERES && (from until to).maxOf { dropped[it] } > UNSEEN_AMPERES * resistance
+        val until = if (end < times.size) times[end] else times[end - 1]
+        val isDip = until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size
+        if (isDip && readsWithin(current, times[i], until) >= LEAST_READS && isMoreThanUnseen(i, end)) {
+            for (k in i until end) explained[k] = dropped[k]
+        }
+        i = end
+    }
+    return Series(times, explained)
+}
+
+/** Returns the slope of voltage over current in Ω, within what batteries have. */
+private fun resistanceOf(volts: DoubleArray, amperes: DoubleArray): Double {
+    var n = 0.0
+    var meanI = 0.0
+    var meanV = 0.0
+    var squares = 0.0
+    var products = 0.0
+    for (k in volts.indices) {
+        val v = volts[k]
+        val a = amperes[k]
+        if (!v.isFinite() || !a.isFinite() || v < 1) continue
+        n++
+        val dI = a - meanI
+        meanI += dI / n
+        meanV += (v - meanV) / n
+        squares += dI * (a - meanI)
+        products += dI * (v - meanV)
+    }
+    val slope = if (squares > 0) -products / squares else LEAST_OHMS
+    return slope.coerceIn(LEAST_OHMS, MOST_OHMS)
+}
+
+/** Returns the voltage without a load around each time: the median of each second. */
+private fun openVolts(times: DoubleArray, volts: DoubleArray, amperes: DoubleArray, resistance: Double): DoubleArray {
+    val open = DoubleArray(times.size)
+    var i = 0
+    var before = Double.NaN
+    while (i < times.size) {
+        var end = i
+        while (end < times.size && times[end] < times[i] + SECOND) end++
+        val unloaded = DoubleArray(end - i) { volts[i + it] + if (amperes[i + it].isNaN()) 0.0 else resistance * amperes[i + it] }
+        val median = quantile(unloaded, 0.5)
+        // A dip may fill most of a second.
+        val level = if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS)
+        for (k in i until end) open[k] = level
+        before = level
+        i = end
+    }
+    return open
+}
+
+private fun highest(current: Series, time: Double): Double {
+    var i = (current.firstAtOrAfter(time - LAG_SECONDS) - 1).coerceAtLeast(0)
+    var high = 0.0
+    while (i < current.size && current.x[i] <= time + LATEST_SECONDS) high = max(high, current.y[i++])
+    return high
+}
+
+private fun lowest(amperes: DoubleArray, from: Int, until: Int) = (from until until).minOf { amperes[it] }
+
+private fun readsWithin(current: Series, from: Double, to: Double): Int {
+    var reads = 0
+    for (i in current.firstAtOrAfter(from) until current.size) {
+        if (current.x[i] > to) break
+        if (i > 0 && current.y[i] != current.y[i - 1]) reads++
+    }
+    return reads
+}
+
+private const val LAG_SECONDS = 0.15
+private const val LATEST_SECONDS = 0.35
+private const val LEAST_VOLTS = 0.5
+private const val LONGEST_SECONDS = 2.0
+private const val LEAST_READS = 2
+
+/** With a higher current, a battery that sags more than in proportion explains a dip, too. */
+private const val MOST_AMPERES = 100.0
+private const val UNSEEN_AMPERES = 85.0
+private const val LEAST_OHMS = 0.010
+private const val MOST_OHMS = 0.100
+private const val SECOND = 1.0
+
+/** By how much a battery without a load falls within a second at most. */
+private const val SLOWEST_VOLTS = 0.2
