@@ -215,7 +215,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         // A motor that is known by its id alone may drive the robot, and a robot that pushes another is not jammed.
         if (part[0].part.all { word -> word in DEVICE_WORDS || word.all { it in '0'..'9' } }) return null
-        if (part.any { it.quantity == Quantity.POSITION && it.isTarget || it.isTarget && it.quantity == Quantity.NONE }) return null
+        if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
         val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
@@ -286,7 +286,9 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
                 val full = when (outputs[at].quantity) {
                     // At its limit, a current takes about a quarter of the output.
                     Quantity.CURRENT -> 4 * maxOf(amperesOf(all[0]), amperesOf(all[2]))
+
                     Quantity.VOLTAGE -> 12.0
+
                     else -> fullOf(all[0])
                 }
                 fun side(output: Int) = Side(scaled(all[output].heldAt(times), 1 / full), all[output + 1].heldAt(times))
@@ -304,7 +306,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         val measured = named("acceleration") ?: return null
         val isTank = modules.isEmpty()
         val sides = parts.filter { part ->
-            part.part.any { it in DRIVE_WORDS } && part.part.count { it in CORNERS } == 1 && part.quantity == Quantity.VELOCITY && !part.isTarget
+            part.part.any { it in DRIVE_WORDS } && part.part.count { it in CORNERS } == 1 && part.quantity == Quantity.VELOCITY &&
+                !part.isTarget
         }
         if (isTank && sides.size != 2) return null
         if (isTank && sides.any { it.unit != "m/s" && it.unit.isNotEmpty() }) return null
@@ -331,12 +334,11 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun scaled(values: DoubleArray, scale: Double) = DoubleArray(values.size) { values[it] * scale }
 
     /** A figure of the whole log, as a sample at its start. */
-    private fun once(times: DoubleArray, value: Double?) =
-        if (value == null || times.isEmpty()) {
-            Series(DoubleArray(0), DoubleArray(0))
-        } else {
-            Series(doubleArrayOf(times[0]), doubleArrayOf(value))
-        }
+    private fun once(times: DoubleArray, value: Double?) = if (value == null || times.isEmpty()) {
+        Series(DoubleArray(0), DoubleArray(0))
+    } else {
+        Series(doubleArrayOf(times[0]), doubleArrayOf(value))
+    }
 
     private companion object {
         const val SHOWN = 4

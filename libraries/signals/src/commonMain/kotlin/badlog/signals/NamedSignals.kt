@@ -8,8 +8,8 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
-import badlog.signals.pose.PlannedPath
 import badlog.signals.derived.Following
+import badlog.signals.pose.PlannedPath
 import badlog.signals.vocabulary.FRACTION
 import badlog.signals.vocabulary.SignalTopic
 import kotlin.math.abs

@@ -17,12 +17,12 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             val used = i > 0 && maxOf(fallWithin(pressure, i, USE_SECONDS), pressure.y[i - 1] - pressure.y[i]) > USE_PSI
             if (used || runs[i] != 0.0) since = i + 1
             val first = if (since < i) indexBefore(pressure.x, i, LOSS_SECONDS, since) else i
-            val middle = indexBefore(pressure.x, i, LOSS_SECONDS / 2, first)
             if (pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
                 Double.NaN
             } else {
-                // A leak goes on all the time; a slow cylinder does not.
-                minOf(lossOver(pressure, first, middle), lossOver(pressure, middle, i))
+                // A leak goes on all the time; cylinders, of which small ones take hardly more than sensors err, do not.
+                val ends = IntArray(PARTS + 1) { part -> indexBefore(pressure.x, i, LOSS_SECONDS * (PARTS - part) / PARTS, first) }
+                DoubleArray(PARTS) { part -> lossOver(pressure, ends[part], ends[part + 1]) }.apply { sort() }[SECOND_LOWEST]
             }
         },
     )
@@ -56,7 +56,8 @@ fun airGain(pressure: Series, compressor: Series): Series {
 
 private fun lossOver(pressure: Series, from: Int, to: Int): Double {
     val seconds = pressure.x[to] - pressure.x[from]
-    return if (seconds > 0) (ends(pressure, from - AVERAGED / 2, from + AVERAGED / 2) - ends(pressure, to - AVERAGED, to)) / seconds else 0.0
+    val fall = ends(pressure, from - AVERAGED / 2, from + AVERAGED / 2) - ends(pressure, to - AVERAGED, to)
+    return if (seconds > 0) fall / seconds else 0.0
 }
 
 private fun fallWithin(pressure: Series, at: Int, seconds: Double) = pressure.y[indexBefore(pressure.x, at, seconds)] - pressure.y[at]
@@ -68,6 +69,8 @@ private fun ends(pressure: Series, from: Int, to: Int): Double {
 }
 
 private const val LOSS_SECONDS = 4.0
+private const val PARTS = 4
+private const val SECOND_LOWEST = 1
 private const val RUN_SECONDS = 8.0
 private const val USE_SECONDS = 0.15
 private const val USE_PSI = 2.5

@@ -30,7 +30,9 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
             lowest(amperes, from, to) < MOST_AMPERES && (from until to).maxOf { dropped[it] } > UNSEEN_AMPERES * resistance
         val until = if (end < times.size) times[end] else times[end - 1]
         val isDip = until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size
-        if (isDip && readsWithin(current, times[i], until) >= LEAST_READS && isMoreThanUnseen(i, end)) {
+        // A load that begins with the dip explains more than a sensor that lags shows of it.
+        val isLoad = i > 0 && (i until end).maxOf { amperes[it] } > amperes[i - 1] + LOAD_AMPERES
+        if (isDip && !isLoad && readsWithin(current, times[i], until) >= LEAST_READS && isMoreThanUnseen(i, end)) {
             for (k in i until end) explained[k] = dropped[k]
         }
         i = end
@@ -106,6 +108,7 @@ private const val LEAST_READS = 2
 /** With a higher current, a battery that sags more than in proportion explains a dip, too. */
 private const val MOST_AMPERES = 100.0
 private const val UNSEEN_AMPERES = 85.0
+private const val LOAD_AMPERES = 40.0
 private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0
