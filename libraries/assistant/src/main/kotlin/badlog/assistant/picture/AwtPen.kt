@@ -16,7 +16,7 @@ import java.awt.geom.Ellipse2D
 import java.awt.geom.Path2D
 import java.awt.geom.Rectangle2D
 
-/** Draws with Java's own graphics: an assistant accepts PNG only, and Skia would be 30 MB more to load. */
+/** Draws with Java's own graphics: an assistant accepts PNG only, and Skia would be 14 MB more to load. */
 internal class AwtPen(private val graphics: Graphics2D) : Pen {
     override val density: Double get() = 1.0
 
