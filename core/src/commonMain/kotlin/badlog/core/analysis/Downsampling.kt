@@ -24,6 +24,8 @@ public class Downsampling(private val series: Series) {
 
     private fun fillOrdered(from: Double, to: Double, into: PixelColumns) {
         val y = series.y
+        // Each read of a lazy property makes an object in JavaScript, which would be three for each column.
+        val pyramid = pyramid
         val end = endOf(to)
         var start = series.firstAtOrAfter(from)
         for (column in 0 until into.count) {
