@@ -1,12 +1,12 @@
 package badlog.cli.doctor
 
-import badlog.cli.command.cacheFolder
 import badlog.cli.computer.Computer
 import badlog.cli.text.counted
 import badlog.cli.text.sizeText
 import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.RobotAddress
 import badlog.fetch.answering
+import badlog.files.UserFolders
 import badlog.terminal.browserCommand
 import java.io.IOException
 import java.io.UncheckedIOException
@@ -94,7 +94,7 @@ internal class Checkup(private val computer: Computer, private val addresses: Li
 
     /** Returns the answers to questions, where they are not in the folder of all that is cached. */
     private fun answers(): CheckFinding? {
-        val answers = cacheFolder(computer.system, computer.user, computer.variable)
+        val answers = UserFolders.ofSystem(computer.system, computer.user, computer.variable).answers
         return if (answers.startsWith(computer.folders.cache)) null else folder("answers", answers, "safe to delete")
     }
 

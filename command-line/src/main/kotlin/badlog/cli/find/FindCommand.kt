@@ -7,10 +7,10 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
-import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
+import badlog.files.UserFolders
 import badlog.report.Find
 import badlog.report.FindJson
 import badlog.report.FindResult
@@ -47,7 +47,8 @@ internal class FindCommand :
 
     override val words: List<String> get() = super.words + question
 
-    override fun makeTask(): Task = FindTask(paths, question, virtual.definitions, if (isFresh) null else cacheFolder(), xTopic, isJson)
+    override fun makeTask(): Task =
+        FindTask(paths, question, virtual.definitions, if (isFresh) null else UserFolders.ofSystem().answers, xTopic, isJson)
 }
 
 /**

@@ -1,5 +1,6 @@
 package badlog.cli.info
 
+import badlog.catalog.examine.UndefinedTopic
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
@@ -15,7 +16,6 @@ import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
 import badlog.report.NamedTopics
-import badlog.report.UndefinedTopic
 import badlog.report.undefinedTexts
 import badlog.signals.signalTopicsOf
 import badlog.signals.withSignals

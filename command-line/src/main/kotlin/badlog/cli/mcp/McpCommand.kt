@@ -3,10 +3,10 @@ package badlog.cli.mcp
 import badlog.cli.command.ExitCode
 import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
-import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.part.McpService
 import badlog.cli.part.PartLoader
+import badlog.files.UserFolders
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.types.path
@@ -44,7 +44,7 @@ internal class McpTask(private val folder: Path, private val parts: PartLoader, 
         System.setOut(System.err)
         try {
             return parts.call("mcp", McpService::class.java, console) {
-                it.serve(folder, cacheFolder(), input, console.bytes, console::warn)
+                it.serve(folder, UserFolders.ofSystem().answers, input, console.bytes, console::warn)
             }
         } finally {
             System.setOut(before)

@@ -4,9 +4,9 @@ import badlog.cli.command.LogCommand
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
-import badlog.cli.command.cacheFolder
 import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
+import badlog.files.UserFolders
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
@@ -59,7 +59,7 @@ internal class ReportCommand :
             search.search(hooks, virtual.definitions),
             form,
             folder?.let { PagesPlan(it, isForced, field) },
-            if (isFresh) null else cacheFolder(),
+            if (isFresh) null else UserFolders.ofSystem().answers,
             xTopic,
             station,
         )

@@ -3,7 +3,6 @@ package badlog.cli.sql
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Task
-import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.lake.refreshed
 import badlog.cli.part.LakeCache
@@ -13,6 +12,7 @@ import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlSession
 import badlog.cli.text.counted
 import badlog.cli.text.wrapped
+import badlog.files.UserFolders
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -53,7 +53,7 @@ internal class SqlTask(
             )
             return null to ExitCode.NOTHING
         }
-        val lake = LakeCache(cacheFolder(), service.layoutVersion).lakeOf(folder)
+        val lake = LakeCache(UserFolders.ofSystem().answers, service.layoutVersion).lakeOf(folder)
         val report = refreshed(service, lake, listOf(folder), logs, console, waits = true)
         val missing = report.logs.filter { it.message != null && !it.isNoLog }
         for (log in missing) console.warn(log.message.orEmpty())

@@ -8,13 +8,13 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
-import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.search.HookOptions
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
 import badlog.cli.topic.OnlyOption
 import badlog.cli.topic.TopicChoice
+import badlog.files.UserFolders
 import badlog.report.table.MatchTable
 import badlog.report.table.TableRow
 import badlog.report.table.TableRowJson
@@ -63,7 +63,7 @@ internal class TableCommand :
         if (values.isEmpty() && hooks.runners.isEmpty() && only.choice.isAll) {
             throw UsageError("name a column: --value EXPRESSION, --only PATTERN or --hook COMMAND")
         }
-        val cache = if (isFresh) null else cacheFolder()
+        val cache = if (isFresh) null else UserFolders.ofSystem().answers
         return TableTask(
             paths,
             only.choice,

@@ -5,12 +5,12 @@ import badlog.cli.Badlog
 import badlog.cli.Ended
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
-import badlog.cli.command.cacheFolder
 import badlog.cli.console.Console
 import badlog.cli.inFolder
 import badlog.cli.part.LakeCache
 import badlog.cli.part.SeasonService
 import badlog.cli.with
+import badlog.files.UserFolders
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -83,7 +83,7 @@ class SqlCommandSpec : FunSpec({
         inFolder { folder ->
             folder.with("a.bag", BAG)
             badlog("sql", folder, "SELECT 1")
-            val lake = LakeCache(cacheFolder(), ServiceLoader.load(SeasonService::class.java).first().layoutVersion).lakeOf(folder)
+            val lake = LakeCache(UserFolders.ofSystem().answers, ServiceLoader.load(SeasonService::class.java).first().layoutVersion).lakeOf(folder)
             FileChannel.open(lake / ".lock", WRITE).use { channel ->
                 val lock = channel.lock()
                 val out = ByteArrayOutputStream()

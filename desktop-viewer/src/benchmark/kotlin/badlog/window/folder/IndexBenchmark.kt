@@ -1,8 +1,6 @@
 package badlog.window.folder
 
 import badlog.files.FolderScan
-import badlog.window.folder.index.IndexCache
-import badlog.window.folder.index.Indexing
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.cancelAndJoin
 import kotlinx.coroutines.delay
@@ -53,7 +51,7 @@ private fun measure(name: String, folder: Path, home: Path) = runBlocking {
     val cpu = ManagementFactory.getPlatformMXBean(com.sun.management.OperatingSystemMXBean::class.java)
     val cpuBefore = cpu.processCpuTime
     val began = TimeSource.Monotonic.markNow()
-    val indexing = Indexing(folder, IndexCache(home, folder))
+    val indexing = Indexing(folder, home)
     val job = launch(Dispatchers.Default) { indexing.run() }
     while (!indexing.hasLooked || indexing.queue.state().waiting > 0) delay(1)
     val took = began.elapsedNow().toString(DurationUnit.MILLISECONDS)

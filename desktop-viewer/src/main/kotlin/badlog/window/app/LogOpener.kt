@@ -1,8 +1,8 @@
 package badlog.window.app
 
+import badlog.catalog.folder.LogEntry
 import badlog.window.files.FileChoice
 import badlog.window.folder.Library
-import badlog.window.folder.index.LogEntry
 import badlog.window.log.RecordingLoader
 import badlog.window.task.Notices
 import java.nio.file.Files
@@ -18,7 +18,7 @@ internal class LogOpener(
     /** Shows the log of [entry], or says why it cannot be shown. */
     fun open(entry: LogEntry) {
         library.select(entry.file)
-        if (entry.trouble == null) loader.open(entry.file) else notices.complain("${entry.fileName}: ${entry.trouble}")
+        if (entry.summary.trouble == null) loader.open(entry.file) else notices.complain("${entry.fileName}: ${entry.summary.trouble}")
     }
 
     /** Shows the log [steps] below the selected one in the list. */

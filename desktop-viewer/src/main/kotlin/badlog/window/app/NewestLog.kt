@@ -1,8 +1,8 @@
 package badlog.window.app
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.catalog.folder.IndexQueue
 import badlog.window.folder.Library
-import badlog.window.folder.index.IndexQueue
 import badlog.window.log.CurrentRecording
 import badlog.window.log.RecordingLoader
 import badlog.window.task.Notices

@@ -3,6 +3,7 @@ package badlog.window.app
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.catalog.folder.LogEntry
 import badlog.fetch.KnownHosts
 import badlog.fetch.RobotAddress
 import badlog.files.UserFolders
@@ -22,7 +23,6 @@ import badlog.window.files.sayNoLog
 import badlog.window.findings.LogFindings
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
-import badlog.window.folder.index.LogEntry
 import badlog.window.formula.FormulaStore
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.graphCommands
@@ -83,7 +83,7 @@ internal class Viewer(
     val tasks = LongTasks(scope, notices)
     val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
     val panels = WindowPanels()
-    val library = Library(scope, folders.cache, settings)
+    val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
     val view = AxisView()
     val board = GraphBoard()

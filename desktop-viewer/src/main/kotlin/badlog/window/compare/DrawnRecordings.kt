@@ -1,7 +1,6 @@
 package badlog.window.compare
 
 import androidx.compose.ui.graphics.Color
-import badlog.window.folder.index.MatchFacts
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Palette
 
@@ -18,7 +17,7 @@ internal data class DrawnRecording(val recording: OpenRecording, val offset: Dou
  * file name if names would be equal.
  */
 internal fun namesOf(recordings: List<OpenRecording>): List<String> {
-    val facts = recordings.map { MatchFacts.of(it.view.recording.values, it.file.fileName.toString(), it.match) }
+    val facts = recordings.map { it.match.orNamed(it.file.fileName.toString()) }
     val isOneEvent = facts.mapNotNull { it.event }.distinct().size <= 1
     val names = recordings.mapIndexed { i, recording -> facts[i].match?.takeIf { isOneEvent } ?: recording.label }
     val isDistinct = names.distinct().size == names.size

@@ -1,5 +1,6 @@
 package badlog.window.export
 
+import badlog.catalog.Content
 import badlog.files.FolderScan
 import badlog.files.reading
 import badlog.viewer.choices.board.Board
@@ -9,7 +10,6 @@ import badlog.window.files.FileChoice
 import badlog.window.files.askToWrite
 import badlog.window.files.sayNoLog
 import badlog.window.folder.Library
-import badlog.window.folder.index.Content
 import badlog.window.formula.FormulaStore
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -51,7 +51,7 @@ internal class PageSaver(
     fun savePagesOfFolder() {
         val top = library.state.folder ?: return
         val folder = files.folder("Export the pages of all logs into", top) ?: return
-        val others = library.state.entries.filter { it.content == Content.NO_LOG }.mapTo(HashSet()) { it.file }
+        val others = library.state.entries.filter { it.summary.content == Content.NO_LOG }.mapTo(HashSet()) { it.file }
         save("Saving the pages of all logs") { pageJobs(logsIn(top).filter { it !in others }, folder) }
     }
 

@@ -1,8 +1,6 @@
 package badlog.window.folder
 
-import badlog.window.folder.index.IndexCache
-import badlog.window.folder.index.IndexQueue
-import badlog.window.folder.index.Indexing
+import badlog.catalog.folder.IndexQueue
 import badlog.window.settings.SettingsStore
 import badlog.window.state.StateHolder
 import kotlinx.coroutines.CoroutineScope
@@ -44,7 +42,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
         close()
         change { opening(path) }
         settings.change { opened(path.toString()) }
-        val started = Indexing(path, IndexCache(cache, path))
+        val started = Indexing(path, cache)
         indexing = started
         job = scope.launch {
             // Data still being written to the cache of a folder must be available when that is opened again.

@@ -1,6 +1,6 @@
 package badlog.window.folder
 
-import badlog.window.folder.index.LogEntry
+import badlog.catalog.folder.LogEntry
 import java.nio.file.Path
 
 /**

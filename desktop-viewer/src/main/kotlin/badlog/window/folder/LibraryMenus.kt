@@ -26,9 +26,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.catalog.folder.LogEntry
 import badlog.files.NaturalOrder
 import badlog.viewer.shown.search.Query
-import badlog.window.folder.index.LogEntry
 import badlog.window.menu.MenuBox
 import badlog.window.menu.MenuLine
 import badlog.window.settings.SettingsStore
@@ -130,7 +130,7 @@ internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
 private fun PreviewChoice(entries: List<LogEntry>, settings: SettingsStore, onSelected: () -> Unit) {
     var filter by remember { mutableStateOf("") }
     val names = remember(entries) {
-        entries.flatMapTo(HashSet()) { entry -> entry.topics.map { it.name } }.sortedWith(NaturalOrder)
+        entries.flatMapTo(HashSet()) { entry -> entry.summary.topics.map { it.name } }.sortedWith(NaturalOrder)
     }
     val shown = remember(names, filter) { names.filter(Query(filter)::matches) }
     // A menu measures its content before it knows its size, which a lazy list needs to know.

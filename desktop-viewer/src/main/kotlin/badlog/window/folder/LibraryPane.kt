@@ -34,7 +34,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.window.folder.index.LogEntry
+import badlog.catalog.folder.LogEntry
 import badlog.window.robot.RobotBar
 import badlog.window.robot.RobotLink
 import badlog.window.settings.SettingsStore

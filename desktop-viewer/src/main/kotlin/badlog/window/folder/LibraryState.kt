@@ -1,11 +1,11 @@
 package badlog.window.folder
 
+import badlog.catalog.Content
+import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
 import badlog.files.LogName
 import badlog.files.NaturalOrder
 import badlog.viewer.shown.search.Query
-import badlog.window.folder.index.Content
-import badlog.window.folder.index.LogEntry
 import java.nio.file.Path
 
 /**
@@ -80,7 +80,7 @@ internal data class LibraryState(
     }
 
     private companion object {
-        val AGE: Comparator<LogEntry> = compareBy({ it.date.second }, { it.source.modified })
+        val AGE: Comparator<LogEntry> = compareBy({ it.summary.date.second }, { it.source.modified })
     }
 }
 
@@ -111,13 +111,13 @@ internal data class Listing(
     val visible: List<LogEntry> by lazy {
         val query = Query(filter)
         entries
-            .filter { it.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
+            .filter { it.summary.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
             .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
             .sortedWith(order())
     }
 
     /** The number of logs, listed or not. */
-    val size: Int by lazy { entries.count { it.content != Content.NO_LOG } }
+    val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
 
     /** Sorted by [column]; the other way round when that is so already. */
     fun sorted(column: LogColumn): Listing = if (column == this.column) {
@@ -132,7 +132,7 @@ internal data class Listing(
         val present = if (isDescending) column.order.reversed() else column.order
         return compareBy<LogEntry> { !column.has(it) }
             .then { a, b -> if (column.has(a)) present.compare(a, b) else 0 }
-            .thenByDescending { it.date.second }
+            .thenByDescending { it.summary.date.second }
             .thenByDescending { it.source.modified }
             .thenBy(NaturalOrder) { it.fileName }
             .thenBy { it.file }
@@ -140,8 +140,8 @@ internal data class Listing(
 }
 
 private fun searchText(entry: LogEntry, folder: Path?): String = buildString {
-    for (fact in with(entry.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
+    for (fact in with(entry.summary.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
     for (rule in entry.found?.rules.orEmpty()) append(rule.name).append('\n')
-    append(dateText(entry.date)).append('\n').append(entry.date.time).append('\n')
+    append(dateText(entry.summary.date)).append('\n').append(entry.summary.date.time).append('\n')
     append(if (folder != null && entry.file.startsWith(folder)) folder.relativize(entry.file) else entry.file)
 }

@@ -1,8 +1,8 @@
 package badlog.window.folder
 
+import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
 import badlog.files.NaturalOrder
-import badlog.window.folder.index.LogEntry
 
 /**
  * The columns of the table of logs.
@@ -27,33 +27,33 @@ internal enum class LogColumn(
     EVENT(
         "Event",
         160,
-        compareBy(NaturalOrder) { it.match.event.orEmpty() },
-        has = { it.match.event != null },
-        text = { it.match.event },
+        compareBy(NaturalOrder) { it.summary.match.event.orEmpty() },
+        has = { it.summary.match.event != null },
+        text = { it.summary.match.event },
     ),
     TYPE(
         "Type",
         104,
-        compareBy(NaturalOrder) { it.match.type.orEmpty() },
-        has = { it.match.type != null },
-        text = { it.match.type },
+        compareBy(NaturalOrder) { it.summary.match.type.orEmpty() },
+        has = { it.summary.match.type != null },
+        text = { it.summary.match.type },
     ),
     NUMBER(
         "Match",
         64,
-        compareBy(NaturalOrder) { it.match.number.orEmpty() },
+        compareBy(NaturalOrder) { it.summary.match.number.orEmpty() },
         isNumber = true,
-        has = { it.match.number != null },
-        text = { it.match.number },
+        has = { it.summary.match.number != null },
+        text = { it.summary.match.number },
     ),
     ALLIANCE(
         "Alliance",
         72,
-        compareBy(NaturalOrder) { it.match.alliance.orEmpty() },
-        has = { it.match.alliance != null },
-        text = { it.match.alliance },
+        compareBy(NaturalOrder) { it.summary.match.alliance.orEmpty() },
+        has = { it.summary.match.alliance != null },
+        text = { it.summary.match.alliance },
     ),
-    DATE("Date", 164, compareBy { it.date.second }, beginsDescending = true, text = { dateText(it.date) }),
+    DATE("Date", 164, compareBy { it.summary.date.second }, beginsDescending = true, text = { dateText(it.summary.date) }),
     FINDINGS(
         "Findings",
         190,
@@ -69,19 +69,19 @@ internal enum class LogColumn(
     DURATION(
         "Duration",
         80,
-        compareBy { it.duration ?: 0.0 },
+        compareBy { it.summary.duration ?: 0.0 },
         isNumber = true,
         beginsDescending = true,
-        has = { it.duration != null },
+        has = { it.summary.duration != null },
         text = ::durationText,
     ),
     SAMPLES(
         "Samples",
         96,
-        compareBy { it.samples },
+        compareBy { it.summary.samples },
         isNumber = true,
         beginsDescending = true,
-        text = { "%,d".format(ENGLISH, it.samples) },
+        text = { "%,d".format(ENGLISH, it.summary.samples) },
     ),
     SIZE(
         "Size",
@@ -94,18 +94,18 @@ internal enum class LogColumn(
     BATTERY(
         "Battery min",
         100,
-        compareBy { it.batteryMinimum ?: 0.0 },
+        compareBy { it.summary.batteryMinimum ?: 0.0 },
         isNumber = true,
-        has = { it.batteryMinimum != null },
+        has = { it.summary.batteryMinimum != null },
         text = ::batteryText,
     ),
     PROBLEMS(
         "Problems",
         104,
-        compareBy({ !it.isReadable }, { it.problems.errors }, { it.problems.warnings }),
+        compareBy({ !it.isReadable }, { it.summary.problems.errors }, { it.summary.problems.warnings }),
         isNumber = true,
         beginsDescending = true,
-        has = { !it.isReadable || it.problems.errors + it.problems.warnings > 0 },
+        has = { !it.isReadable || it.summary.problems.errors + it.summary.problems.warnings > 0 },
         text = ::problemText,
     ),
     FILE("File", 240, compareBy(NaturalOrder) { it.file.toString() }, text = { it.fileName }),

@@ -38,7 +38,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.window.folder.index.LogEntry
+import badlog.catalog.folder.LogEntry
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
@@ -78,7 +78,7 @@ internal fun LogRow(
                 AllianceMark(entry)
                 ProblemBadge(entry)
             }
-            Tip("${entry.file}\n${dateText(entry.date)} ${entry.date.source.saying}") {
+            Tip("${entry.file}\n${dateText(entry.summary.date)} ${entry.summary.date.source.saying}") {
                 Text(
                     rowFacts(entry, palette),
                     color = palette.muted,
@@ -105,12 +105,12 @@ private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = build
     val color = if (entry.isGray) palette.muted else palette.text
     val weight = if (entry.isGray) FontWeight.Normal else FontWeight.SemiBold
     withStyle(SpanStyle(color, fontWeight = weight)) { append(entry.title) }
-    if (entry.match.match != null) entry.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
+    if (entry.summary.match.match != null) entry.summary.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
 }
 
 private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
-    append(dateText(entry.date))
-    val saying = entry.content.saying
+    append(dateText(entry.summary.date))
+    val saying = entry.summary.content.saying
     if (saying.isNotEmpty()) {
         append(" · $saying")
         return@buildAnnotatedString
@@ -124,7 +124,7 @@ private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = build
 
 /** Returns red if the robot came near a brownout, otherwise [usual]. */
 internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color =
-    if ((entry.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
+    if ((entry.summary.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
 
 /** Returns the background of a row. */
 internal fun rowColor(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {
@@ -156,12 +156,12 @@ internal fun CheckBox(description: String, isChecked: Boolean, onCheck: () -> Un
 @Composable
 internal fun AllianceMark(entry: LogEntry) {
     val palette = LocalPalette.current
-    val color = when (entry.match.alliance) {
+    val color = when (entry.summary.match.alliance) {
         "Red" -> if (palette.isDark) Color(0xFFFF6B60) else Color(0xFFD0342C)
         "Blue" -> if (palette.isDark) Color(0xFF5AA9FF) else Color(0xFF1F66D0)
         else -> return
     }
-    Tip("${entry.match.alliance} alliance") { Box(Modifier.size(8.dp).background(color, CircleShape)) }
+    Tip("${entry.summary.match.alliance} alliance") { Box(Modifier.size(8.dp).background(color, CircleShape)) }
 }
 
 /** The number of problems that matter; empty if none does. */
@@ -169,7 +169,7 @@ internal fun AllianceMark(entry: LogEntry) {
 internal fun ProblemBadge(entry: LogEntry) {
     val text = problemText(entry) ?: return
     val palette = LocalPalette.current
-    val isError = entry.problems.errors > 0 || !entry.isReadable
+    val isError = entry.summary.problems.errors > 0 || !entry.isReadable
     val color = if (isError) palette.error else palette.warning
     Tip(problemSentence(entry)) {
         Row(

@@ -37,7 +37,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.window.folder.index.LogEntry
+import badlog.catalog.folder.LogEntry
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.KeepInSight

@@ -1,10 +1,12 @@
 package badlog.window.folder
 
+import badlog.catalog.LogDate
+import badlog.catalog.folder.LogEntry
+import badlog.catalog.secondsOf
 import badlog.viewer.text.NO_NUMBER
 import badlog.viewer.text.minutesText
-import badlog.window.folder.index.LogDate
-import badlog.window.folder.index.LogEntry
-import badlog.window.folder.index.secondsOf
+import java.time.LocalDateTime
+import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 import java.util.Locale
 
@@ -21,8 +23,8 @@ internal fun dateText(date: LogDate): String = DATE.format(date.time)
 
 /** Returns `2:47`; null when it is not known. */
 internal fun durationText(entry: LogEntry): String? {
-    val duration = entry.duration ?: return null
-    val seconds = secondsOf(duration, entry.xUnit) ?: return "%.4g %s".format(ENGLISH, duration, entry.xUnit)
+    val duration = entry.summary.duration ?: return null
+    val seconds = secondsOf(duration, entry.summary.xUnit) ?: return "%.4g %s".format(ENGLISH, duration, entry.summary.xUnit)
     if (!(seconds < 1e9)) return null
     if (seconds < 10) return "%.1f s".format(ENGLISH, seconds)
     return minutesText(seconds, decimals = 0)
@@ -38,16 +40,16 @@ internal fun sizeText(bytes: Long): String = when {
 
 /** Returns `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was. */
 internal fun batteryText(entry: LogEntry): String? =
-    entry.batteryMinimum?.let { "%.2f V".format(ENGLISH, kotlin.math.floor(it * 100 + 1e-6) / 100) }
+    entry.summary.batteryMinimum?.let { "%.2f V".format(ENGLISH, kotlin.math.floor(it * 100 + 1e-6) / 100) }
 
 /** Returns the number of problems that matter; null if there are none. */
 internal fun problemText(entry: LogEntry): String? = when {
     !entry.isReadable -> "unreadable"
-    else -> (entry.problems.errors + entry.problems.warnings).takeIf { it > 0 }?.toString()
+    else -> (entry.summary.problems.errors + entry.summary.problems.warnings).takeIf { it > 0 }?.toString()
 }
 
 /** Returns the problems in words, for a tip. */
-internal fun problemSentence(entry: LogEntry): String = entry.trouble ?: with(entry.problems) {
+internal fun problemSentence(entry: LogEntry): String = entry.summary.trouble ?: with(entry.summary.problems) {
     listOfNotNull(
         counted(errors, "error", "errors"),
         counted(warnings, "warning", "warnings"),
@@ -72,3 +74,6 @@ internal fun foundText(entry: LogEntry): String? {
 /** Returns everything that the rules found, one per line; empty for nothing. */
 internal fun foundLines(entry: LogEntry): String =
     entry.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }
+
+/** The time on a clock on the wall. */
+internal val LogDate.time: LocalDateTime get() = LocalDateTime.ofEpochSecond(second, 0, ZoneOffset.UTC)

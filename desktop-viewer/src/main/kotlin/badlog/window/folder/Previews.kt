@@ -7,10 +7,10 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.PointMode
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import badlog.catalog.PreviewLine
+import badlog.catalog.TopicSummary
+import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.Span
-import badlog.window.folder.index.LogEntry
-import badlog.window.folder.index.PreviewLine
-import badlog.window.folder.index.TopicSummary
 
 /**
  * The topic that each of [entries] previews: the one called [name], or else its battery voltage. All are drawn to the same
@@ -21,7 +21,7 @@ internal class Previews(entries: List<LogEntry>, private val name: String?) {
     val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
 
     /** Returns what [entry] previews; null when it has no such topic. */
-    fun of(entry: LogEntry): TopicSummary? = (name ?: entry.batteryTopic)?.let(entry::topic)
+    fun of(entry: LogEntry): TopicSummary? = (name ?: entry.summary.batteryTopic)?.let(entry.summary::topic)
 }
 
 /** Wide enough for nearly all of [topics]: a single log with a wild value must not flatten the others. */

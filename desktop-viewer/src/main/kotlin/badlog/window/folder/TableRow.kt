@@ -37,8 +37,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
-import badlog.window.folder.index.LogEntry
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
@@ -176,7 +176,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
         val range = previews.range
         val topic = remember(entry, previews) { previews.of(entry) }
         if (entry.isGray) {
-            Text(entry.content.saying, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            Text(entry.summary.content.saying, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         } else if (range != null && topic != null) {
             PreviewCurve(topic, range, palette.accent, Modifier.fillMaxWidth().height(20.dp))
         }
@@ -185,7 +185,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 
 private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
     // A log without a match has its name where people look first; a small window shows no other column of names.
-    column == LogColumn.EVENT && entry.match.event == null && entry.match.number == null -> entry.fileName
+    column == LogColumn.EVENT && entry.summary.match.event == null && entry.summary.match.number == null -> entry.fileName
 
     column != LogColumn.FILE -> column.text(entry).orEmpty()
 
@@ -200,7 +200,7 @@ private fun cellColor(entry: LogEntry, column: LogColumn, palette: Palette): Col
         column == LogColumn.BATTERY -> batteryColor(entry, palette, usual)
         column == LogColumn.FINDINGS -> foundColor(entry, palette, usual)
         column != LogColumn.PROBLEMS -> usual
-        entry.problems.errors > 0 || !entry.isReadable -> palette.error
+        entry.summary.problems.errors > 0 || !entry.isReadable -> palette.error
         else -> palette.warning
     }
 }

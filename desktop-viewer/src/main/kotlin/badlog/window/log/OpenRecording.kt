@@ -14,13 +14,16 @@ import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.RobotBesideStation
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.matchOf
+import badlog.signals.over
+import badlog.signals.overItsTime
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
-import badlog.signals.vocabulary.LoggedMatch
+import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.board.Board
@@ -30,9 +33,6 @@ import badlog.viewer.choices.board.standardBoard
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
 import badlog.viewer.choices.range.Viewport
-import badlog.viewer.draw.axis.over
-import badlog.viewer.draw.axis.overItsTime
-import badlog.viewer.draw.axis.timeColumn
 import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
@@ -82,7 +82,7 @@ internal class OpenRecording(
     val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
 
     /** What match it is of. */
-    val match: LoggedMatch by lazy { vocabulary.matchOf(read.recording) }
+    val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording) }
 
     private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
 

@@ -1,11 +1,12 @@
 package badlog.window.sidebar
 
+import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.matchTitle
 import badlog.core.analysis.statisticsOf
 import badlog.core.recording.PathName
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
-import badlog.window.folder.index.LogEntry
+import badlog.window.folder.time
 import badlog.window.log.OpenRecording
 import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
@@ -84,15 +85,15 @@ private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
 
 /** Returns each of [logs], the newest first, with the statistics of all its topics that are known without reading it again. */
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
-    logs.filter { it.isReadable && it.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
+    logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
-            label = with(log.match) { matchTitle(event, type, number) } ?: log.fileName,
-            date = sortableText(log.date.time),
+            label = with(log.summary.match) { matchTitle(event, type, number) } ?: log.fileName,
+            date = sortableText(log.summary.date.time),
             path = log.file,
-            statistics = log.topics.associate { it.name to it.statistics },
-            units = log.topics.associate { it.name to it.unit },
-            xUnit = log.xUnit,
+            statistics = log.summary.topics.associate { it.name to it.statistics },
+            units = log.summary.topics.associate { it.name to it.unit },
+            xUnit = log.summary.xUnit,
         )
     }
 
-private val NEWEST_FIRST = compareByDescending<LogEntry> { it.date.second }.thenBy { it.file }
+private val NEWEST_FIRST = compareByDescending<LogEntry> { it.summary.date.second }.thenBy { it.file }

@@ -41,12 +41,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.catalog.folder.LogEntry
 import badlog.files.writeAtomically
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.statistics.Statistic
 import badlog.window.files.FileChoice
 import badlog.window.files.askToWrite
-import badlog.window.folder.index.LogEntry
 import badlog.window.log.OpenRecording
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
@@ -84,7 +84,7 @@ internal fun StatisticsTable(
 ) {
     LaunchedEffect(Unit) {
         // An empty table would not show what it is for.
-        val battery = entries.firstNotNullOfOrNull { it.batteryTopic }
+        val battery = entries.firstNotNullOfOrNull { it.summary.batteryTopic }
         if (battery != null && statistics.state.topics.isEmpty()) {
             statistics.change { toggled(battery) }
         }

@@ -1,12 +1,12 @@
 package badlog.window.export
 
+import badlog.catalog.folder.loggedTopic
 import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.core.recording.Value
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.viewer.shown.table.CsvDraft
-import badlog.window.loggedTopic
 import badlog.window.wpilogRecording
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

@@ -18,13 +18,13 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.put
+import badlog.catalog.folder.putSamples
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.app.libraryCommands
-import badlog.window.folder.index.bag
-import badlog.window.folder.index.put
-import badlog.window.folder.index.putSamples
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec

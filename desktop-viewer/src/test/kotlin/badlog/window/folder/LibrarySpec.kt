@@ -1,16 +1,18 @@
 package badlog.window.folder
 
+import badlog.catalog.Content
+import badlog.catalog.folder.FolderStore
+import badlog.catalog.folder.IndexQueue
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.matchValues
+import badlog.catalog.folder.put
+import badlog.catalog.folder.putSamples
+import badlog.catalog.folder.samples
 import badlog.core.recording.Severity
+import badlog.exporter.BADLOG_VERSION
+import badlog.files.LogFile
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
-import badlog.window.folder.index.Content
-import badlog.window.folder.index.IndexCache
-import badlog.window.folder.index.IndexQueue
-import badlog.window.folder.index.bag
-import badlog.window.folder.index.matchValues
-import badlog.window.folder.index.put
-import badlog.window.folder.index.putSamples
-import badlog.window.folder.index.samples
 import badlog.window.layout.FolderLayouts
 import badlog.window.layout.Layout
 import badlog.window.layout.LayoutComparison
@@ -63,8 +65,8 @@ class LibrarySpec : FunSpec({
             folder.put("new folder/second.bag", bag(200))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("first.bag", "second.bag") }
             Files.writeString(first, "9999,5.5,1\n".repeat(50), StandardOpenOption.APPEND)
-            eventually(longest) { viewer.library.state.entries.single { it.fileName == "first.bag" }.samples shouldBe 450 }
-            viewer.library.state.entries.single { it.fileName == "first.bag" }.batteryMinimum shouldBe 5.5
+            eventually(longest) { viewer.library.state.entries.single { it.fileName == "first.bag" }.summary.samples shouldBe 450 }
+            viewer.library.state.entries.single { it.fileName == "first.bag" }.summary.batteryMinimum shouldBe 5.5
             Files.move(first, folder.resolve("third.bag"))
             eventually(longest) { names(viewer) shouldContainExactlyInAnyOrder listOf("third.bag", "second.bag") }
             Files.delete(folder.resolve("third.bag"))
@@ -132,13 +134,13 @@ class LibrarySpec : FunSpec({
         val home = tempdir().toPath()
         val file = folder.put("a.bag", bag(100))
         watching(folder, newViewer(home)) { viewer -> eventually(longest) { names(viewer).size shouldBe 1 } }
-        eventually(longest) { Files.list(home).use { files -> files.filter { "$it".endsWith(".index") }.count() } shouldBe 1 }
+        eventually(longest) { FolderStore(folder, home.resolve("answers"), BADLOG_VERSION)[LogFile.of(file)].shouldNotBeNull() }
         // The same size at the same time with other content: who reads it, knows.
         val written = Files.getLastModifiedTime(file)
         Files.writeString(file, Files.readString(file).replace("System/Battery Voltage", "System/Cattery Voltage"))
         Files.setLastModifiedTime(file, written)
         watching(folder, newViewer(home)) { viewer ->
-            eventually(longest) { viewer.library.state.entries.single().topics.map { it.name } shouldContain "System/Battery Voltage" }
+            eventually(longest) { viewer.library.state.entries.single().summary.topics.map { it.name } shouldContain "System/Battery Voltage" }
         }
     }
 
@@ -151,7 +153,7 @@ class LibrarySpec : FunSpec({
         watching(folder, newViewer(home)) { viewer ->
             eventually(longest) { found(viewer)["qualification-42.bag"] shouldBe Severity.ERROR }
         }
-        fun kept() = IndexCache(home, folder).load().find { it.fileName == "qualification-42.bag" }?.found?.worst
+        fun kept() = FolderStore(folder, home.resolve("answers"), BADLOG_VERSION)[LogFile.of(folder.resolve("qualification-42.bag"))]?.found?.worst
         eventually(longest) { kept() shouldBe Severity.ERROR }
     }
 
@@ -177,10 +179,10 @@ class LibrarySpec : FunSpec({
                     listOf("random.bag", "half.bag.gz", "none.bag.gz", "empty.bag", "inside.bag")
             }
             val entries = viewer.library.state.entries.associateBy { it.fileName }
-            entries.getValue("random.bag").trouble.shouldNotBeNull()
-            entries.getValue("half.bag.gz").content shouldBe Content.SOMETHING
+            entries.getValue("random.bag").summary.trouble.shouldNotBeNull()
+            entries.getValue("half.bag.gz").summary.content shouldBe Content.SOMETHING
             entries.getValue("empty.bag").isGray shouldBe true
-            entries.getValue("inside.bag").content shouldBe Content.SOMETHING
+            entries.getValue("inside.bag").summary.content shouldBe Content.SOMETHING
         }
     }
 

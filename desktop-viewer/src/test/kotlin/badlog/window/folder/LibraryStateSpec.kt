@@ -1,9 +1,9 @@
 package badlog.window.folder
 
-import badlog.window.folder.index.Content
-import badlog.window.folder.index.LogEntry
-import badlog.window.folder.index.MatchFacts
-import badlog.window.folder.index.entry
+import badlog.catalog.Content
+import badlog.catalog.folder.LogEntry
+import badlog.catalog.folder.entry
+import badlog.signals.match.MatchOfLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -21,8 +21,8 @@ import io.kotest.property.checkAll
 class LibraryStateSpec : FunSpec({
     fun names(state: LibraryState) = state.visible.map { it.fileName }
 
-    val match9 = entry("a.bag", MatchFacts("Mill Creek Regional", "Qualification", "9", "Red"), 300)
-    val match10 = entry("b.bag", MatchFacts("Mill Creek Regional", "Qualification", "10", "Blue"), 200)
+    val match9 = entry("a.bag", MatchOfLog("Mill Creek Regional", "Qualification", "9", "Red"), 300)
+    val match10 = entry("b.bag", MatchOfLog("Mill Creek Regional", "Qualification", "10", "Blue"), 200)
     val bench = entry("day2/bench.csv", second = 100)
     val reboot = entry("reboot.bag", second = 400, content = Content.NO_SAMPLES)
     val foreign = entry("groceries.csv", content = Content.NO_LOG)
@@ -31,7 +31,7 @@ class LibraryStateSpec : FunSpec({
     val anyEntry = arbitrary {
         val number = Arb.int(1..99).orNull().bind()?.toString()
         val name = Arb.string(1..8).bind().filter { it.isLetterOrDigit() }
-        entry("${name}x.bag", MatchFacts(number = number), Arb.int(0..5).bind().toLong(), batteryMinimum = number?.toDouble())
+        entry("${name}x.bag", MatchOfLog(number = number), Arb.int(0..5).bind().toLong(), batteryMinimum = number?.toDouble())
     }
 
     test("the newest stands at the top, and what is not a log does not stand there") {

@@ -1,13 +1,13 @@
 package badlog.window.formula
 
 import androidx.compose.ui.text.AnnotatedString
+import badlog.catalog.folder.loggedTopic
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.defaultBoard
 import badlog.window.bagOf
 import badlog.window.layout.fitted
-import badlog.window.loggedTopic
 import badlog.window.recordingOf
 import badlog.window.sidebar.statisticsRow
 import badlog.window.theme.Palette

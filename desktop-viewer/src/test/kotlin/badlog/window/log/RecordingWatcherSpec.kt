@@ -1,12 +1,12 @@
 package badlog.window.log
 
+import badlog.catalog.folder.loggedTopic
+import badlog.catalog.folder.wpilogOf
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
 import badlog.window.bagOf
 import badlog.window.graph.viewerOf
-import badlog.window.loggedTopic
 import badlog.window.recordingOf
-import badlog.window.wpilogOf
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -1,7 +1,7 @@
 package badlog.window.screen
 
+import badlog.catalog.folder.putSamples
 import badlog.window.compare.Alignment
-import badlog.window.folder.index.putSamples
 import badlog.window.sidebar.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

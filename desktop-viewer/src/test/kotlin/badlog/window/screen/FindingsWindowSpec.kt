@@ -1,6 +1,6 @@
 package badlog.window.screen
 
-import badlog.window.folder.index.putSamples
+import badlog.catalog.folder.putSamples
 import badlog.window.sidebar.InspectorTab
 import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec

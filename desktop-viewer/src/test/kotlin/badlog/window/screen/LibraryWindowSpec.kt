@@ -1,9 +1,9 @@
 package badlog.window.screen
 
-import badlog.window.folder.index.bag
-import badlog.window.folder.index.put
-import badlog.window.folder.index.putSamples
-import badlog.window.folder.index.samples
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.put
+import badlog.catalog.folder.putSamples
+import badlog.catalog.folder.samples
 import badlog.window.sidebar.MainView
 import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec

@@ -1,7 +1,7 @@
 package badlog.window.screen
 
-import badlog.window.folder.index.putSamples
-import badlog.window.folder.index.samples
+import badlog.catalog.folder.putSamples
+import badlog.catalog.folder.samples
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import io.kotest.core.spec.style.FunSpec

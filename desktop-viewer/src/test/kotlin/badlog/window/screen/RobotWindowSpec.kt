@@ -1,9 +1,9 @@
 package badlog.window.screen
 
+import badlog.catalog.folder.putSamples
+import badlog.catalog.folder.samples
 import badlog.fetch.DriverStation
 import badlog.fetch.FakeRobot
-import badlog.window.folder.index.putSamples
-import badlog.window.folder.index.samples
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.nio.file.Files

@@ -1,6 +1,6 @@
 package badlog.window.screen
 
-import badlog.window.folder.index.putSamples
+import badlog.catalog.folder.putSamples
 import badlog.window.sidebar.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -1,8 +1,8 @@
 package badlog.window.screen
 
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.put
 import badlog.window.bagOf
-import badlog.window.folder.index.bag
-import badlog.window.folder.index.put
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir

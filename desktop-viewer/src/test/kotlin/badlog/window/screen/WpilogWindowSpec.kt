@@ -1,10 +1,10 @@
 package badlog.window.screen
 
+import badlog.catalog.folder.loggedTexts
+import badlog.catalog.folder.loggedTopic
+import badlog.catalog.folder.wpilogOf
 import badlog.core.recording.Value
 import badlog.formats.wpilog.largeLog
-import badlog.window.loggedTexts
-import badlog.window.loggedTopic
-import badlog.window.wpilogOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe

@@ -7,13 +7,13 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.put
+import badlog.catalog.folder.samples
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
-import badlog.window.folder.index.bag
-import badlog.window.folder.index.put
-import badlog.window.folder.index.samples
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -3,8 +3,8 @@ package badlog.exporter
 import badlog.files.UnreadableFileException
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
 import badlog.viewer.choices.board.FolderLayout
 import java.nio.file.Path
 

@@ -1,9 +1,8 @@
 package badlog.fetch
 
-import badlog.core.analysis.matchTitle
 import badlog.files.LogName
-import badlog.files.matchInName
-import badlog.signals.vocabulary.LoggedMatch
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.matchInName
 
 /**
  * Where a log goes in the folder of fetched logs.
@@ -15,14 +14,11 @@ import badlog.signals.vocabulary.LoggedMatch
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
     companion object {
         /** Returns the place of a log of [match] that is called [name] on the robot. */
-        fun of(name: String, match: LoggedMatch?): LogPlace {
-            val named = matchInName(name)
-            val event = match?.event ?: named.event
-            val number = match?.number ?: named.number
-            val type = match?.type ?: named.type.takeIf { number == named.number }
+        fun of(name: String, match: MatchOfLog?): LogPlace {
+            val both = (match ?: MatchOfLog()).orNamed(name)
             val stem = LogName.of(name).stem
-            val called = if (number == null || number == named.number) stem else "$stem ${type ?: "Match"} $number"
-            return LogPlace(event?.let(::safeName), safeName(called + name.drop(stem.length)), matchTitle(event, type, number))
+            val called = both.match?.takeIf { both.number != matchInName(name).number }?.let { "$stem $it" } ?: stem
+            return LogPlace(both.event?.let(::safeName), safeName(called + name.drop(stem.length)), both.title)
         }
     }
 }

@@ -10,7 +10,7 @@ import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.signals.vocabulary.matchOf
+import badlog.signals.match.matchOf
 import org.apache.sshd.sftp.common.SftpConstants
 import org.apache.sshd.sftp.common.SftpException
 import java.nio.file.Files

@@ -15,8 +15,12 @@ import java.nio.file.Path
  *
  * @property file the file or folder.
  */
-public class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
+public open class UnreadableFileException(public val file: Path, override val message: String, cause: Throwable? = null) :
     IOException(message, cause)
+
+/** Thrown if a file does not fit into memory. */
+public class TooLargeFileException internal constructor(file: Path, message: String, cause: Throwable) :
+    UnreadableFileException(file, message, cause)
 
 /**
  * Thrown if a file cannot be written. The message is one sentence for the user: what, where, and what to do.

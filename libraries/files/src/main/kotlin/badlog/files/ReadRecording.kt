@@ -57,12 +57,7 @@ public fun readRecording(
 private fun withinMemory(file: Path, read: () -> Recording): Recording = try {
     read()
 } catch (e: OutOfMemoryError) {
-    val megabytes = Runtime.getRuntime().maxMemory() shr 20
-    throw UnreadableFileException(
-        file,
-        "$file does not fit into the $megabytes MB of memory that this program may use; set JAVA_OPTS to a larger -Xmx, such as -Xmx8g.",
-        e,
-    )
+    throw TooLargeFileException(file, "$file $TOO_LARGE", e)
 }
 
 private fun read(

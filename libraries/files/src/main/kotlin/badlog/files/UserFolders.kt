@@ -9,6 +9,9 @@ import java.nio.file.Path
  * @property cache the folder of cached results, which may be deleted at any time.
  */
 public class UserFolders(public val settings: Path, public val cache: Path) {
+    /** The folder of what is known of logs, which all programs share. */
+    public val answers: Path get() = cache.resolve("answers")
+
     public companion object {
         /** Returns the folders that the system intends for this: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
         public fun ofSystem(

@@ -1,11 +1,10 @@
 package badlog.report
 
+import badlog.catalog.store.CachedResult
+import badlog.catalog.store.ResultCache
 import badlog.files.FolderRun
 import badlog.files.LogFile
 import badlog.report.hook.withShutdownHook
-
-/** A result for a file; [isLasting] says whether it stays valid until the file changes. */
-internal class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
  * Does [work], which receives a number of cores, on those of [files] that are not in [cache], and passes all results in the order of

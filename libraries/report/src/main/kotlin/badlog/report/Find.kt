@@ -1,5 +1,11 @@
 package badlog.report
 
+import badlog.catalog.examine.LogContent
+import badlog.catalog.examine.LruCache
+import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.store.CachedResult
+import badlog.catalog.store.ResultCache
+import badlog.exporter.BADLOG_VERSION
 import badlog.expression.Answer
 import badlog.expression.ExpressionError
 import badlog.expression.ParsedQuestion
@@ -68,7 +74,7 @@ class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val key = "find\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
+        val key = "$BADLOG_VERSION\nfind\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
         val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
@@ -93,11 +99,14 @@ class Find(
 
     private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
-        return LogContent.examined(file, virtualTopics, usedSignals, xTopic, named, cores, work = ::ask)
+        return LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, named, cores, work = ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
-        is LogContent.None -> CachedResult(Stored(null, Reply.Unreadable(content.message, content.isNoLog)), content.isNoLog)
+        is LogContent.None -> CachedResult(
+            Stored(null, Reply.Unreadable(content.why.message, content.why.isLasting)),
+            content.why.isLasting,
+        )
 
         is LogContent.Log -> {
             val (isWanted, mistake) = clauses.condition?.let { holdsFor(content.recording.values, it) } ?: (true to null)

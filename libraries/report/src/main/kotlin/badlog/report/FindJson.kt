@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.catalog.examine.UndefinedTopic
 import badlog.core.analysis.Span
 import badlog.expression.ExpressionError
 import badlog.expression.Quantity

@@ -1,5 +1,8 @@
 package badlog.report
 
+import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.store.QuantitySerializer
+import badlog.catalog.store.SpanSerializer
 import badlog.core.analysis.Span
 import badlog.expression.Outcome
 import badlog.expression.Quantity

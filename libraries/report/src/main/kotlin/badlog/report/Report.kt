@@ -1,30 +1,30 @@
 package badlog.report
 
+import badlog.catalog.examine.ExaminedLog
+import badlog.catalog.examine.LogContent
+import badlog.catalog.examine.RuleExamination
+import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.store.CachedResult
 import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
+import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderRun
 import badlog.files.LogFile
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding
-import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.comparison.compared
-import badlog.rules.comparison.figuresOf
 import badlog.rules.incident.incidentsIn
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
 import badlog.rules.number.LogFigures
-import badlog.rules.number.toText
-import badlog.rules.toJson
 import badlog.rules.worstFirst
-import badlog.signals.LogShape
-import badlog.signals.vocabulary.matchOf
-import kotlinx.serialization.Serializable
+import badlog.signals.overItsTime
 import java.nio.file.Path
-import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Runs rules, and hooks of the user, over many logs.
@@ -34,7 +34,7 @@ import java.util.concurrent.ConcurrentHashMap
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none. Results of hooks are not
  *   cached, because their dependencies are unknown.
- * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
+ * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
  * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
  *   threads; such findings are not cached.
  */
@@ -46,26 +46,9 @@ class Report(
     private val xTopic: String? = null,
     private val beside: ((LogFile, LogView) -> LogView)? = null,
 ) {
-    private val isComparing = rules.comparisons.isNotEmpty()
-    private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
-    private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
-
-    @Serializable
-    internal class Stored(
-        val title: String?,
-        val findings: List<
-            @Serializable(with = FindingSerializer::class)
-            Finding,
-            >,
-        @Serializable(with = RuleOutcomesSerializer::class)
-        val asked: List<RuleOutcome>,
-        val unreadable: String?,
-        val isNoLog: Boolean = false,
-        val isSalvaged: Boolean = false,
-        val undefined: List<UndefinedTopic> = emptyList(),
-        val matchType: String? = null,
-        val figureNames: String = "",
-        val figureValues: String = "",
+    private val examination = RuleExamination(
+        rules,
+        (virtualTopics + listOfNotNull(xTopic?.let { "x $it" })).joinToString("\n"),
     )
 
     /**
@@ -81,10 +64,9 @@ class Report(
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
         each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },
     ): ReportResult {
-        val question = "report $isComparing\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${rules.toJson()}"
-        val examined = ArrayList<Stored>(files.size)
+        val examined = ArrayList<ExaminedLog>(files.size)
         val steps = if (hooks.isEmpty()) 1 else 2
-        runCached(files, cache?.takeIf { beside == null }?.let { ResultCache(it, question, Stored.serializer()) }, ::examine) { _, stored ->
+        runCached(files, cache?.takeIf { beside == null }?.let { examination.storedIn(it, BADLOG_VERSION) }, ::examine) { _, stored ->
             examined += stored
             progress(examined.size, files.size * steps)
         }
@@ -104,14 +86,18 @@ class Report(
     }
 
     /** Passes each of [files], which were [examined], to [each] with the results and findings of the hooks. */
-    private fun withHooks(files: List<LogFile>, examined: List<Stored>, each: (LogFile, List<Pair<HookOutcome, List<Finding>>>) -> Unit) {
+    private fun withHooks(
+        files: List<LogFile>,
+        examined: List<ExaminedLog>,
+        each: (LogFile, List<Pair<HookOutcome, List<Finding>>>) -> Unit,
+    ) {
         if (hooks.isEmpty()) return files.forEach { each(it, emptyList()) }
         val unreadable = files.zip(examined).filter { (_, stored) -> stored.unreadable != null }.mapTo(HashSet()) { (file, _) -> file }
         val run = { file: LogFile, cores: Int ->
             if (file in unreadable) {
                 emptyList()
             } else {
-                LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores) { content ->
+                LogContent.examined(file, virtualTopics, rules.signals, { it.overX(file) }, cores = cores) { content ->
                     if (content !is LogContent.Log) return@examined emptyList()
                     hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
                 }
@@ -122,7 +108,7 @@ class Report(
 
     private fun reportOf(
         file: LogFile,
-        stored: Stored,
+        stored: ExaminedLog,
         skipped: List<SkippedRule>,
         figures: LogFigures,
         differences: LogDifferences,
@@ -146,40 +132,14 @@ class Report(
         )
     }
 
-    private fun examine(file: LogFile, cores: Int): CachedResult<Stored> =
-        LogContent.examined(file, virtualTopics, rules.signals, xTopic, cores = cores, beside = beside ?: { _, view -> view }) {
-            examine(file, it)
-        }
+    private fun examine(file: LogFile, cores: Int): CachedResult<ExaminedLog> = LogContent.examined(
+        file,
+        virtualTopics,
+        rules.signals,
+        { it.overX(file) },
+        cores = cores,
+        beside = beside ?: { _, view -> view },
+    ) { examination.of(it, file.name) }
 
-    private fun examine(file: LogFile, content: LogContent): CachedResult<Stored> = when (content) {
-        is LogContent.None -> CachedResult(Stored(null, emptyList(), emptyList(), content.message, content.isNoLog), content.isNoLog)
-
-        is LogContent.Log -> {
-            val findings = ArrayList<Finding>()
-            val asked = ArrayList<RuleOutcome>()
-            for (rule in programs[LogShape.of(content.view)].run(content.view, file.name)) {
-                findings += rule.findings
-                asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
-            }
-            val figures = if (isComparing) figuresOf(content.view, rules.signals).toText() else NO_FIGURES
-            val stored = Stored(
-                title = content.view.title,
-                findings = findings,
-                asked = alike.computeIfAbsent(asked) { asked },
-                unreadable = null,
-                isSalvaged = content.recording.isSalvaged,
-                undefined = content.undefined,
-                matchType = rules.signals.matchOf(content.recording).type,
-                figureNames = figures.names,
-                figureValues = figures.values,
-            )
-            CachedResult(stored, isLasting = true)
-        }
-    }
-
-    private companion object {
-        // A limit, because each holds all names of its logs several times.
-        const val MAX_PROGRAMS = 16
-        val NO_FIGURES = LogFigures.NONE.toText()
-    }
+    private fun Recording.overX(file: LogFile) = if (xTopic == null) overItsTime() else withX(xTopic, file.path)
 }

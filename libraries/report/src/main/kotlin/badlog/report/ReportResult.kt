@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.catalog.examine.UndefinedTopic
 import badlog.core.recording.Severity
 import badlog.files.LogFile
 import badlog.rules.Finding

@@ -1,19 +1,10 @@
 package badlog.report
 
-import badlog.report.cache.Shared
+import badlog.catalog.examine.RuleOutcome
 import badlog.rules.Rule
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
-import kotlinx.serialization.Serializable
-import kotlinx.serialization.builtins.ListSerializer
 import java.util.IdentityHashMap
-
-/** The outcome of [rule] for a log: why it was skipped, and what seems to be wrong with it; both null if it ran. */
-@Serializable
-internal data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null)
-
-/** The outcomes of all rules are usually the same for all logs of a team. */
-internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))
 
 /** Determines which of [rules] were skipped. A list shared by many logs is examined once. Not thread-safe. */
 internal class SkippedRules(private val rules: RuleSet) {

@@ -3,10 +3,14 @@ package badlog.report
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
+import badlog.files.UnreadableFileException
 import java.nio.file.Path
 
 /** Thrown if a log does not have the requested topic. The message is one sentence for the user. */
-class TopicException internal constructor(override val message: String) : Exception(message)
+class TopicException internal constructor(file: Path, message: String) : UnreadableFileException(file, message)
+
+/** Returns this recording with the topic [name] as its x axis, unless it is null; see [withX]. */
+internal fun Recording.withAnyX(name: String?, file: Path): Recording = if (name == null) this else withX(name, file)
 
 /**
  * Returns this recording with the topic [name] as its x axis, which plain CSV does not name.
@@ -17,7 +21,7 @@ class TopicException internal constructor(override val message: String) : Except
 fun Recording.withX(name: String, file: Path): Recording {
     if (!format.hasRows) {
         val what = if (format == RecordingFormat.WPILOG) "a WPILOG" else "a Driver Station log"
-        throw TopicException("$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
+        throw TopicException(file, "$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
     }
     val chosen = topicCalled(name, file) { "for the x axis" }
     return copy(topics = topics.map { it.asX(it === chosen) })
@@ -30,7 +34,7 @@ fun Recording.withX(name: String, file: Path): Recording {
  */
 fun Recording.topicCalled(name: String, file: Path, purpose: () -> String): Topic =
     topics.find { it.name == name } ?: topics.singleOrNull { it.name.equals(name, ignoreCase = true) }
-        ?: throw TopicException("$file has no topic “$name” ${purpose()}; its topics are ${listed(topics.map { it.name })}.")
+        ?: throw TopicException(file, "$file has no topic “$name” ${purpose()}; its topics are ${listed(topics.map { it.name })}.")
 
 private fun Topic.asX(isX: Boolean): Topic {
     if (isX == X_AXIS in attributes) return this

@@ -20,9 +20,9 @@ import badlog.signals.PLAN_DISTANCE
 import badlog.signals.ScaledSignal
 import badlog.signals.TIME
 import badlog.signals.derivedSignalsOf
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopic
-import badlog.signals.vocabulary.matchOf
 
 /**
  * The result of a rule for a log.

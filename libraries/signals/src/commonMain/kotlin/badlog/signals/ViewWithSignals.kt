@@ -4,9 +4,9 @@ import badlog.core.analysis.LogView
 import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.signals.Signals
 import badlog.expression.withVirtualTopics
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
 
 /** Returns this view with its match and the times when the robot was enabled, found by [vocabulary], whatever the names of its topics. */
 fun LogView.withSignals(vocabulary: SignalVocabulary): LogView =

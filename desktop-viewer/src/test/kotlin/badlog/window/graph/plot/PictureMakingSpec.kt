@@ -1,5 +1,6 @@
 package badlog.window.graph.plot
 
+import badlog.catalog.folder.loggedTopic
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.axis.AxisSide
@@ -8,7 +9,6 @@ import badlog.window.graph.bagOf
 import badlog.window.graph.readingOf
 import badlog.window.graph.recordingOf
 import badlog.window.log.OpenRecording
-import badlog.window.loggedTopic
 import badlog.window.theme.Palette
 import badlog.window.wpilogRecording
 import io.kotest.core.spec.style.FunSpec

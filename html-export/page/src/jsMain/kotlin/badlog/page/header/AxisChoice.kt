@@ -6,8 +6,8 @@ import badlog.page.dom.LocalStorage
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
-import badlog.viewer.draw.axis.over
-import badlog.viewer.draw.axis.timeColumn
+import badlog.signals.over
+import badlog.signals.timeColumn
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 

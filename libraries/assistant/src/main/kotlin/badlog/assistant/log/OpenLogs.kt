@@ -15,11 +15,11 @@ import badlog.core.recording.Topic
 import badlog.files.LogFile
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.signals.overItsTime
 import badlog.signals.signalTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
-import badlog.viewer.draw.axis.overItsTime
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject

@@ -1,6 +1,12 @@
 package badlog.report.table
 
+import badlog.catalog.examine.LogContent
+import badlog.catalog.examine.LruCache
+import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.store.CachedResult
+import badlog.catalog.store.ResultCache
 import badlog.core.recording.NumberSinks
+import badlog.exporter.BADLOG_VERSION
 import badlog.expression.ExpressionError
 import badlog.expression.Outcome
 import badlog.expression.ParsedQuestion
@@ -8,20 +14,16 @@ import badlog.expression.Question
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.files.LogFile
-import badlog.report.CachedResult
 import badlog.report.HookFailure
-import badlog.report.LogContent
-import badlog.report.LruCache
 import badlog.report.NamedTopics
 import badlog.report.Reply
-import badlog.report.ResultCache
-import badlog.report.UndefinedTopic
 import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.report.notAsked
 import badlog.report.runCached
+import badlog.report.withAnyX
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
@@ -105,6 +107,7 @@ class MatchTable(
         val rows = ArrayList<TableRow>(files.size)
         val parts =
             listOf(
+                BADLOG_VERSION,
                 "table",
                 xTopic.orEmpty(),
                 condition.orEmpty(),
@@ -114,7 +117,7 @@ class MatchTable(
                 only.map { it.text }
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
         runCached(files, known, { file, cores ->
-            LogContent.examined(file, virtualTopics, usedSignals, xTopic, sinks, cores, work = ::ask)
+            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores, work = ::ask)
         }) { file, stored ->
             rows += rowOf(file, stored)
             progress(rows.size, files.size)
@@ -144,7 +147,11 @@ class MatchTable(
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
-        is LogContent.None -> CachedResult(Stored(null, unreadable = content.message, isNoLog = content.isNoLog), content.isNoLog)
+        is LogContent.None -> CachedResult(
+            Stored(null, unreadable = content.why.message, isNoLog = content.why.isLasting),
+            content.why.isLasting,
+        )
+
         is LogContent.Log -> CachedResult(ask(content), isLasting = true)
     }
 

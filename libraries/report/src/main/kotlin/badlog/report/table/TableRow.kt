@@ -1,9 +1,9 @@
 package badlog.report.table
 
+import badlog.catalog.examine.UndefinedTopic
 import badlog.files.LogFile
 import badlog.report.HookFailure
 import badlog.report.Reply
-import badlog.report.UndefinedTopic
 import kotlinx.serialization.Serializable
 
 /**

@@ -23,10 +23,10 @@ import badlog.rules.number.united
 import badlog.signals.LogShape
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
 import badlog.signals.withSignals
 import kotlin.math.abs
 import kotlin.math.floor

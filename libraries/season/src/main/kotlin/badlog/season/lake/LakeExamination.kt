@@ -1,9 +1,9 @@
 package badlog.season.lake
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.ProblemKind
-import badlog.files.UnreadableFileException
-import badlog.files.readRecording
+import badlog.files.ReadResult
+import badlog.files.orNotRead
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.rules.Finding
 import badlog.rules.RuleProgram
@@ -38,23 +38,24 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
      * Reads [file] on [cores] cores, which is the log [source] or a copy of it, and writes its files into [folder], where the lake calls
      * it [log]. Whatever fails, fails for this log alone, but for a full disk.
      */
-    fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog = try {
-        val recording = readRecording(file, LOG_FORMATS, cores = cores, name = source.file)
-        val problem = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (problem != null) {
-            ExaminedLog.None(problem.message, isNoLog = true)
-        } else {
-            val view = LogView.of(recording).withSignals(rules.signals)
-            ExaminedLog.Written(write(view, programFor(view).run(view, source.file).flatMap { it.findings }.toList(), source, log, folder))
-        }
-    } catch (e: UnreadableFileException) {
-        ExaminedLog.None(e.message, isNoLog = false)
+    fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
+        orNotRead({ Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
+            when (val read = readLog(file, LOG_FORMATS, cores = cores, name = source.file)) {
+                is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
+
+                is ReadResult.Read -> {
+                    val view = LogView.of(read.recording).withSignals(rules.signals)
+                    val findings = programFor(view).run(view, source.file).flatMap { it.findings }.toList()
+                    unlessDiskIsFull { ExaminedLog.Written(write(view, findings, source, log, folder)) }
+                }
+            }
+        }.getOrThrow()
+
+    /** A full disk concerns all logs. */
+    private fun unlessDiskIsFull(write: () -> ExaminedLog): Result<ExaminedLog> = try {
+        Result.success(write())
     } catch (e: SQLException) {
-        // A full disk concerns all logs.
-        if (IO_ERROR in e.message.orEmpty()) throw e
-        ExaminedLog.None("This is a bug in badlog (${e.message}); report it, with the file if you may share it.", isNoLog = false)
-    } catch (_: OutOfMemoryError) {
-        ExaminedLog.None("It is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.", isNoLog = false)
+        if (IO_ERROR in e.message.orEmpty()) Result.failure(e) else throw e
     }
 
     private fun write(view: LogView, findings: List<Finding>, source: LogSource, log: String, folder: Path): LakeEntry {

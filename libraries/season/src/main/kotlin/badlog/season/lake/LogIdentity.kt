@@ -1,16 +1,14 @@
 package badlog.season.lake
 
-import badlog.core.analysis.meant
 import badlog.core.recording.Recording
-import badlog.files.dateInName
-import badlog.files.dateInText
-import badlog.files.matchInName
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.START_VALUE
 import badlog.signals.clock.loggedStart
+import badlog.signals.match.dateInName
+import badlog.signals.match.dateInText
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
-import java.time.Instant
+import java.time.LocalDateTime
 import java.time.ZoneOffset
 
 /**
@@ -35,20 +33,19 @@ internal class LogIdentity private constructor(
     companion object {
         /** Returns the identity of [recording], which was read from a file called [name], using the names in [signals]. */
         fun of(name: String, recording: Recording, signals: SignalVocabulary): LogIdentity {
-            val logged = signals.matchOf(recording)
-            val named = matchInName(name)
+            val match = signals.matchOf(recording).orNamed(name)
             val clock = ClockedLog(name, recording, signals)
             val zero = if (clock.hasClock) clock.start else null
             val start = zero?.let { if (clock.first.isNaN()) it else it + clock.first } ?: loggedStart(recording)
-            val number = logged.number ?: named.number
-            val date = start?.let { Instant.ofEpochMilli((it * 1000).toLong()).atZone(ZoneOffset.UTC).toLocalDateTime() }
-                ?: recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) } ?: dateInName(name)?.time
+            val second = start?.toLong() ?: recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) }
+                ?: dateInName(name)?.second
+            val year = second?.let { LocalDateTime.ofEpochSecond(it, 0, ZoneOffset.UTC).year }
             return LogIdentity(
-                Partition(date?.year, logged.event ?: named.event),
-                logged.type ?: named.type,
-                number?.let { NUMBER.find(it) }?.value?.toInt(),
-                logged.title,
-                recording.values.meant("alliance"),
+                Partition(year, match.event),
+                match.type,
+                match.number?.let { NUMBER.find(it) }?.value?.toInt(),
+                match.title,
+                match.alliance,
                 zero,
                 start,
             )

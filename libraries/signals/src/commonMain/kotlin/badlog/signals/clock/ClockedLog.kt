@@ -3,8 +3,9 @@ package badlog.signals.clock
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.recording.Recording
+import badlog.signals.match.daysTo
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.vocabulary.matchOf
 import badlog.signals.withSignals
 
 /**
@@ -60,15 +61,11 @@ private val LOGGED = Regex("(\\d{4})-(\\d{2})-(\\d{2})[ T](\\d{2}):(\\d{2}):(\\d
 private fun secondsOf(parts: List<String>): Double? {
     val (year, month, day, hour, minute) = parts.subList(1, 6).map { it.toInt() }
     val second = parts[6].toDouble()
-    if (month !in 1..12 || day !in 1..31 || hour > 23 || minute > 59 || second >= 60 || year !in YEARS) return null
-    // Counting years from March puts the leap day at the end.
-    val marchYear = if (month > 2) year else year - 1
-    val dayOfYear = (153 * (if (month > 2) month - 3 else month + 9) + 2) / 5 + day - 1
-    val days = marchYear * 365 + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_TO_1970
+    if (hour > 23 || minute > 59 || second >= 60 || year !in YEARS) return null
+    val days = daysTo(year, month, day) ?: return null
     return days * DAY + hour * 3600 + minute * 60 + second
 }
 
 /** A robot's clock starts at about 1970 until something sets it. */
 private val YEARS = 2000..2199
-private const val DAYS_TO_1970 = 719468
 private const val DAY = 86400.0

@@ -1,7 +1,8 @@
 package badlog.viewer.draw.path
 
 import badlog.core.analysis.LogView
-import badlog.core.analysis.meant
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.allianceIn
 import badlog.signals.pose.Trail
 import kotlin.math.PI
 
@@ -26,7 +27,7 @@ enum class FieldOrigin(val label: String) {
     /** Returns the flip that maps the poses of [view] onto [field] with blue origin; null if they already have it. */
     fun flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
         val values = view.recording.values
-        val isRed = this == RED || (this == AUTO && values.meant(*ALLIANCES)?.startsWith("red", ignoreCase = true) == true)
+        val isRed = this == RED || (this == AUTO && allianceIn(values) == MatchOfLog.RED)
         if (!isRed) return null
         val year = values.firstOrNull { it.name == "Start Time" }?.text?.take(YEAR_DIGITS)?.toIntOrNull()
         return FieldFlip(isMirrored = year in MIRRORED_YEARS, field)
@@ -34,8 +35,6 @@ enum class FieldOrigin(val label: String) {
 
     internal companion object {
         fun of(key: String?): FieldOrigin? = entries.find { it.key == key }
-
-        private val ALLIANCES = arrayOf("alliance", "alliance color", "alliance colour", "alliance station")
 
         /** The fields of these years have mirror symmetry; all others since 2020, rotational symmetry. */
         private val MIRRORED_YEARS = 2023..2024

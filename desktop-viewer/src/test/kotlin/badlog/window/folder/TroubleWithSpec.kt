@@ -1,0 +1,18 @@
+package badlog.window.folder
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.string.shouldContain
+import java.io.IOException
+import java.nio.file.AccessDeniedException
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+
+class TroubleWithSpec : FunSpec({
+    val folder = Path.of("/logs")
+
+    test("a folder that may not be read is not taken for a drive that is gone") {
+        troubleWith(folder, AccessDeniedException("/logs")) shouldContain "permission denied"
+        troubleWith(folder, NoSuchFileException("/logs")) shouldContain "There is no folder /logs"
+        troubleWith(folder, IOException("x")) shouldContain "is its drive connected?"
+    }
+})

@@ -1,0 +1,46 @@
+package badlog.catalog.examine
+
+import badlog.catalog.store.FindingSerializer
+import badlog.catalog.store.Shared
+import badlog.rules.Finding
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.builtins.ListSerializer
+
+/**
+ * What rules say of a log, as it is stored.
+ *
+ * @property title the match, from its values; null if they do not have it, or the file cannot be read.
+ * @property findings what they found, in the order of the rules.
+ * @property asked the outcome of each rule.
+ * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.
+ * @property isNoLog whether it is [unreadable] because it is something other than a log.
+ * @property isSalvaged whether data of the log is lost.
+ * @property undefined the virtual topics that could not be calculated.
+ * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
+ * @property figureNames the names of its figures, see [badlog.rules.number.FigureText].
+ * @property figureValues their values, likewise.
+ */
+@Serializable
+class ExaminedLog(
+    val title: String?,
+    val findings: List<
+        @Serializable(with = FindingSerializer::class)
+        Finding,
+        >,
+    @Serializable(with = RuleOutcomesSerializer::class)
+    val asked: List<RuleOutcome>,
+    val unreadable: String?,
+    val isNoLog: Boolean = false,
+    val isSalvaged: Boolean = false,
+    val undefined: List<UndefinedTopic> = emptyList(),
+    val matchType: String? = null,
+    val figureNames: String = "",
+    val figureValues: String = "",
+)
+
+/** The outcome of [rule] for a log: why it was skipped, and what seems to be wrong with it; both null if it ran. */
+@Serializable
+data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null)
+
+/** The outcomes of all rules are usually the same for all logs of a team. */
+internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))

@@ -1,0 +1,65 @@
+package badlog.catalog.examine
+
+import badlog.core.analysis.LogView
+import badlog.core.recording.NumberSinks
+import badlog.core.recording.Recording
+import badlog.files.LogFile
+import badlog.files.ReadResult
+import badlog.files.orNotRead
+import badlog.files.readLog
+import badlog.formats.LOG_FORMATS
+import badlog.signals.overItsTime
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
+
+/** The content of a file. */
+sealed interface LogContent {
+    /**
+     * A log.
+     *
+     * @property recording the content of the file.
+     * @property view what can be asked about, including virtual topics.
+     * @property undefined the virtual topics that cannot be calculated.
+     */
+    class Log(val recording: Recording, val view: LogView, val undefined: List<UndefinedTopic>) : LogContent
+
+    /**
+     * No content to ask about.
+     *
+     * @property why why.
+     */
+    class None(val why: ReadResult.NotRead) : LogContent
+
+    companion object {
+        /**
+         * Returns the result of [work] for [file], read on [cores] cores with the topics of [definitions], which may name [signals].
+         * [withX] names an x axis, where the log may not have one, [sinks] decides which numbers are needed, and [beside] adds another log
+         * to its view. A failure affects only this file: [work] then receives a [None] that describes it.
+         *
+         * @throws InterruptedException if the thread was interrupted.
+         */
+        fun <R> examined(
+            file: LogFile,
+            definitions: List<String>,
+            signals: SignalVocabulary,
+            withX: (Recording) -> Recording = { it.overItsTime() },
+            sinks: NumberSinks = NumberSinks.RECORDING,
+            cores: Int = 1,
+            beside: (LogFile, LogView) -> LogView = { _, view -> view },
+            work: (LogContent) -> R,
+        ): R = orNotRead({ work(None(it)) }) {
+            work(
+                when (val read = readLog(file.path, LOG_FORMATS, sinks = sinks, cores = cores)) {
+                    is ReadResult.NotRead -> None(read)
+
+                    is ReadResult.Read -> {
+                        val view = LogView.of(withX(read.recording)).withSignals(signals)
+                        val with = beside(file, view).withVirtualTopics(definitions, signals)
+                        Log(read.recording, with.view, with.errors.map { UndefinedTopic(it) })
+                    }
+                },
+            )
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package badlog.catalog.examine
+
+import badlog.catalog.store.CachedResult
+import badlog.catalog.store.ResultCache
+import badlog.rules.Finding
+import badlog.rules.RuleProgram
+import badlog.rules.RuleSet
+import badlog.rules.comparison.figuresOf
+import badlog.rules.number.LogFigures
+import badlog.rules.number.toText
+import badlog.rules.toJson
+import badlog.signals.LogShape
+import badlog.signals.match.matchOf
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * Runs [rules] over one log after another; the window's folder and the report do it in the same way, so that each reads what the other has
+ * stored. Thread-safe.
+ *
+ * @param with what else affects the results, as a text: virtual topics and the x axis; empty for nothing.
+ */
+class RuleExamination(private val rules: RuleSet, private val with: String = "") {
+    private val isComparing = rules.comparisons.isNotEmpty()
+    private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
+    private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
+
+    /** Returns what is stored in [folder] by the [version] of the program. */
+    fun storedIn(folder: Path, version: String): ResultCache<ExaminedLog> =
+        ResultCache(folder, "$version\nreport $isComparing\n$with\n${rules.toJson()}", ExaminedLog.serializer())
+
+    /**
+     * Returns what the rules say of [content], the file called [name].
+     *
+     * @param checkpoint called repeatedly; an exception from it stops the work and is passed on.
+     */
+    fun of(content: LogContent, name: String, checkpoint: () -> Unit = {}): CachedResult<ExaminedLog> = when (content) {
+        is LogContent.None -> {
+            val none = ExaminedLog(null, emptyList(), emptyList(), content.why.message, content.why.isLasting)
+            CachedResult(none, content.why.isLasting)
+        }
+
+        is LogContent.Log -> CachedResult(of(content, name, checkpoint), isLasting = true)
+    }
+
+    private fun of(log: LogContent.Log, name: String, checkpoint: () -> Unit): ExaminedLog {
+        val findings = ArrayList<Finding>()
+        val asked = ArrayList<RuleOutcome>()
+        for (rule in programs[LogShape.of(log.view)].run(log.view, name)) {
+            checkpoint()
+            findings += rule.findings
+            asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
+        }
+        val figures = if (isComparing) figuresOf(log.view, rules.signals).toText() else NO_FIGURES
+        return ExaminedLog(
+            title = log.view.title,
+            findings = findings,
+            asked = alike.computeIfAbsent(asked) { asked },
+            unreadable = null,
+            isSalvaged = log.recording.isSalvaged,
+            undefined = log.undefined,
+            matchType = rules.signals.matchOf(log.recording).type,
+            figureNames = figures.names,
+            figureValues = figures.values,
+        )
+    }
+
+    private companion object {
+        // A limit, because each holds all names of its logs several times.
+        const val MAX_PROGRAMS = 16
+        val NO_FIGURES = LogFigures.NONE.toText()
+    }
+}

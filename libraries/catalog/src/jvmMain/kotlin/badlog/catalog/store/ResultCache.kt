@@ -1,0 +1,153 @@
+package badlog.catalog.store
+
+import badlog.files.LogFile
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption
+import java.util.zip.CRC32
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
+
+/** A result for a file; [isLasting] says whether it stays valid until the file changes. */
+class CachedResult<out R>(val result: R, val isLasting: Boolean)
+
+/**
+ * The results of a question for many files, stored in one file in [folder], which may be deleted at any time. A damaged file, or
+ * one of another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
+ *
+ * @param question the question, with everything that affects the results, the version of the program, too; a different one has a
+ * different file.
+ * @param pause the time that [saveNowAndThen] waits between saves.
+ */
+class ResultCache<R : Any>(
+    private val folder: Path,
+    question: String,
+    results: KSerializer<R>,
+    private val pause: Duration = DEFAULT_PAUSE,
+) {
+    private val asked = "$VERSION\n$question"
+    private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it, 0).toString(HEX)}-${it.size}$SUFFIX") }
+    private val serializer = Kept.serializer(results)
+    private val known = LinkedHashMap<String, Entry<R>>()
+
+    /** Those of them that this program has found itself; another one may have stored the others anew meanwhile. */
+    private val own = HashSet<String>()
+    private var isChanged = false
+    private var saved = TimeSource.Monotonic.markNow()
+
+    @Serializable
+    private class Entry<R>(val path: String, val size: Long, val modified: Long, val result: R)
+
+    // Two questions may have files with the same name.
+    @Serializable
+    private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
+
+    init {
+        addStored()
+    }
+
+    /** Returns the cached result for [file] in its current state, or null. */
+    @Synchronized
+    operator fun get(file: LogFile): R? = known[keyOf(file)]?.takeIf { it.size == file.size && it.modified == file.modified }?.result
+
+    @Synchronized
+    operator fun set(file: LogFile, result: R) {
+        val key = keyOf(file)
+        // Moved to the end, so that the oldest are first.
+        known.remove(key)
+        known[key] = Entry(key, file.size, file.modified, result)
+        own += key
+        isChanged = true
+    }
+
+    /** Saves everything, unless that was done recently. */
+    @Synchronized
+    fun saveNowAndThen() {
+        if (saved.elapsedNow() >= pause) save()
+    }
+
+    /** Saves everything. */
+    @Synchronized
+    fun save() {
+        if (!isChanged) return
+        // A file that an interrupted thread writes is closed at once.
+        val wasInterrupted = Thread.interrupted()
+        write()
+        if (wasInterrupted) Thread.currentThread().interrupt()
+        isChanged = false
+        saved = TimeSource.Monotonic.markNow()
+    }
+
+    private fun write() {
+        addStored()
+        while (known.size > MAX_FILES) known.remove(known.keys.first())
+        try {
+            Files.createDirectories(folder)
+            val body = CompactWriter().write(serializer, Kept(asked, known.values.toList()))
+            val draft = Files.createTempFile(folder, PREFIX, ".draft")
+            try {
+                Files.newOutputStream(draft).use {
+                    it.write(ByteBuffer.allocate(CHECK_BYTES).putLong(checkOf(body, 0)).array())
+                    it.write(body)
+                }
+                Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
+            } finally {
+                Files.deleteIfExists(draft)
+            }
+            dropOldest()
+        } catch (_: IOException) {
+            return
+        } catch (_: OutOfMemoryError) {
+            // Nothing is lost: the logs can be read again next time.
+            return
+        }
+    }
+
+    private fun addStored() {
+        val stored = try {
+            read()
+        } catch (_: IOException) {
+            return
+        } catch (_: RuntimeException) {
+            // Another badlog of the same version wrote it.
+            return
+        }
+        for (entry in stored) if (entry.path !in own) known[entry.path] = entry
+    }
+
+    private fun read(): List<Entry<R>> {
+        if (Files.notExists(file) || Files.size(file) > MAX_BYTES) return emptyList()
+        val bytes = Files.readAllBytes(file)
+        if (bytes.size < CHECK_BYTES || ByteBuffer.wrap(bytes).getLong() != checkOf(bytes, CHECK_BYTES)) return emptyList()
+        val kept = CompactReader(bytes, CHECK_BYTES).read(serializer)
+        return if (kept.asked == asked) kept.entries else emptyList()
+    }
+
+    /** Limits the number of stored questions. */
+    private fun dropOldest() {
+        val files = Files.newDirectoryStream(folder, "$PREFIX*$SUFFIX").use { it.toList() }
+        files.sortedByDescending { Files.getLastModifiedTime(it) }.drop(MAX_QUESTIONS).forEach(Files::deleteIfExists)
+    }
+
+    private companion object {
+        /** Increase it if the same file and question may have a different result than before. */
+        const val VERSION = 16
+        val DEFAULT_PAUSE = 10.seconds
+        const val PREFIX = "report-"
+        const val SUFFIX = ".cache"
+        const val HEX = 16
+        const val CHECK_BYTES = 8
+        const val MAX_FILES = 20_000
+        const val MAX_BYTES = 1L shl 28
+        const val MAX_QUESTIONS = 100
+        fun keyOf(file: LogFile) = file.path.toAbsolutePath().normalize().toString()
+
+        /** Reveals damage. */
+        fun checkOf(bytes: ByteArray, from: Int): Long = CRC32().apply { update(bytes, from, bytes.size - from) }.value
+    }
+}

@@ -1,0 +1,67 @@
+package badlog.catalog.store
+
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import badlog.expression.Quantity
+import badlog.rules.Finding
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
+
+/** [Span], [Quantity] and [Finding] in the form stored in a cache: their own modules do not depend on a serialization library. */
+object SpanSerializer : KSerializer<Span> {
+    @Serializable
+    private class Stored(val from: Double, val to: Double)
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Span) =
+        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.from, value.to))
+
+    override fun deserialize(decoder: Decoder): Span = decoder.decodeSerializableValue(Stored.serializer()).let { Span(it.from, it.to) }
+}
+
+object QuantitySerializer : KSerializer<Quantity> {
+    @Serializable
+    private class Stored(val name: String, val value: Double, val unit: String, val time: Double)
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Quantity) =
+        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.name, value.value, value.unit, value.time))
+
+    override fun deserialize(decoder: Decoder): Quantity =
+        decoder.decodeSerializableValue(Stored.serializer()).let { Quantity(it.name, it.value, it.unit, it.time) }
+}
+
+object FindingSerializer : KSerializer<Finding> {
+    @Serializable
+    private class Stored(
+        val rule: String,
+        val severity: Severity,
+        val topic: String?,
+        val text: String,
+        val time: Double,
+        val spans: List<
+            @Serializable(with = SpanSerializer::class)
+            Span,
+            >,
+        val spanCount: Int,
+        val timeUnit: String,
+        val isOfHook: Boolean,
+        val evidence: List<String>,
+        val next: String,
+    )
+
+    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+
+    override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
+        Stored.serializer(),
+        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) },
+    )
+
+    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer())
+        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) }
+}

@@ -1,0 +1,99 @@
+package badlog.catalog.store
+
+import badlog.files.LogFile
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.builtins.ListSerializer
+import kotlinx.serialization.builtins.serializer
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.hours
+
+@Serializable
+private enum class Color { RED, BLUE }
+
+@Serializable
+private sealed interface Shape {
+    @Serializable
+    class Round(val radius: Double) : Shape
+
+    @Serializable
+    object None : Shape
+}
+
+@Serializable
+private data class Names(val of: String, val names: List<String?>, val more: Pair<Int, Long> = 1 to 2L)
+
+private object NamesSerializer : Shared<Names>(Names.serializer())
+
+@Serializable
+private class Kept(
+    val text: String?,
+    val number: Double,
+    val color: Color,
+    val isTrue: Boolean,
+    val shapes: List<Shape>,
+    @Serializable(with = NamesSerializer::class) val names: Names,
+)
+
+class ResultCacheSpec : FunSpec({
+    val file = LogFile(Path.of("1.bag"), 10, 20)
+
+    fun cacheIn(folder: Path, pause: Duration) = ResultCache(folder.resolve("cache"), "q", String.serializer(), pause)
+
+    test("results are saved while others are still under way, but not every time") {
+        for ((pause, kept) in listOf(Duration.ZERO to "found", 1.hours to null)) {
+            val folder = tempdir().toPath()
+            cacheIn(folder, pause).run {
+                set(file, "found")
+                saveNowAndThen()
+            }
+            cacheIn(folder, pause)[file] shouldBe kept
+        }
+    }
+
+    test("stored results come back, and equal ones are stored once") {
+        val serializer = ListSerializer(Kept.serializer())
+        val names = Names("x".repeat(5000), List(500) { if (it == 7) null else "name $it" }, -5 to Long.MIN_VALUE)
+        fun kept(i: Int) = Kept("ä $i".takeIf { i > 0 }, i / 3.0, Color.BLUE, i % 2 == 0, listOf(Shape.Round(Double.NaN), Shape.None), names.copy())
+        val one = CompactWriter().write(serializer, listOf(kept(0)))
+        val all = CompactWriter().write(serializer, List(1000, ::kept))
+        (all.size - one.size) shouldBeLessThan 50 * 1000
+        val read = CompactReader(byteArrayOf(1, 2) + all, 2).read(serializer)
+        read.size shouldBe 1000
+        read.forEachIndexed { i, kept ->
+            kept.text shouldBe kept(i).text
+            kept.number shouldBe i / 3.0
+            kept.color shouldBe Color.BLUE
+            kept.isTrue shouldBe (i % 2 == 0)
+            (kept.shapes[0] as Shape.Round).radius.isNaN() shouldBe true
+            kept.shapes[1] shouldBe Shape.None
+            kept.names shouldBe names
+            (kept.names === read[0].names) shouldBe true
+        }
+    }
+
+    test("a damaged cache, and one of another question, are ignored") {
+        val folder = tempdir().toPath()
+        cacheIn(folder, Duration.ZERO).run {
+            set(file, "found")
+            save()
+        }
+        val kept = Files.list(folder.resolve("cache")).use { it.toList() }.single()
+        val whole = Files.readAllBytes(kept)
+        for (place in whole.indices) {
+            Files.write(kept, whole.copyOf().also { it[place] = (it[place] + 1).toByte() })
+            cacheIn(folder, Duration.ZERO)[file] shouldBe null
+        }
+        for (size in whole.indices) {
+            Files.write(kept, whole.copyOf(size))
+            cacheIn(folder, Duration.ZERO)[file] shouldBe null
+        }
+        Files.write(kept, whole)
+        cacheIn(folder, Duration.ZERO)[file] shouldBe "found"
+    }
+})

@@ -1,0 +1,46 @@
+package badlog.catalog.folder
+
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** A bag of [rows] rows at 50 Hz, in which the voltage falls from 12 V to 8 V; [values] as names and texts. */
+internal fun bag(
+    rows: Int = 200,
+    values: Map<String, String> = emptyMap(),
+    voltage: (row: Int) -> Double = { 12 - 4.0 * it / rows },
+    isEnabled: Boolean = true,
+): String = buildString {
+    val named = values.entries.joinToString(",") { """{"name":"${it.key}","value":"${it.value}"}""" }
+    append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"System/Battery Voltage","unit":"V","attrs":[]},""")
+    append("""{"name":"Enabled","unit":"ul","attrs":[]}],"values":[$named]}""").append('\n')
+    append("Time,System/Battery Voltage,Enabled\n")
+    for (row in 0 until rows) appendLine("${row * 0.02},${voltage(row)},${if (isEnabled) 1 else 0}")
+}
+
+/** The values of qualification [number] at the Mill Creek Regional. */
+internal fun matchValues(number: Int, alliance: String = "Red") = mapOf(
+    "Event Name" to "Mill Creek Regional",
+    "Match Type" to "Qualification",
+    "Match Number" to "$number",
+    "Alliance" to alliance,
+    "Start Time" to "2024-03-16T%02d:00:00".format(8 + number % 12),
+)
+
+/** Puts a file with [text] into this folder. */
+internal fun Path.put(name: String, text: String): Path {
+    val file = resolve(name)
+    Files.createDirectories(file.parent)
+    return Files.writeString(file, text)
+}
+
+/** The folder of the project's samples. */
+internal val samples: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+    .map { it.resolve("samples") }
+    .first { Files.exists(it.resolve("practice.bag")) }
+
+/** Copies the project's samples into this folder. */
+internal fun Path.putSamples() {
+    for (name in listOf("elevator-bench.csv", "practice.bag", "qualification-42.bag", "qualification-57.bag.gz")) {
+        Files.copy(samples.resolve(name), resolve(name))
+    }
+}

@@ -1,0 +1,37 @@
+package badlog.catalog.folder
+
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.core.recording.Value
+import badlog.formats.wpilog.WpilogWriter
+import java.io.ByteArrayOutputStream
+
+/** A topic of numbers as a WPILOG has it: each of [samples] a time in s and what was logged then. */
+internal fun loggedTopic(name: String, vararg samples: Pair<Double, Double>, unit: String = "V"): Topic = Topic(
+    name,
+    unit,
+    emptyList(),
+    DoubleArray(samples.size) { samples[it].second },
+    TextColumn.EMPTY,
+    CellCounts(samples.size, 0, 0, 0, 0, 0),
+    DoubleArray(samples.size) { samples[it].first },
+    "double",
+)
+
+/** A topic of texts likewise. */
+internal fun loggedTexts(name: String, vararg samples: Pair<Double, String>): Topic {
+    val texts = samples.map { it.second }.distinct()
+    val column = TextColumn(IntArray(samples.size) { it }, IntArray(samples.size) { texts.indexOf(samples[it].second) }, texts)
+    val counts = CellCounts(0, 0, 0, samples.size, 0, 1)
+    return Topic(name, Topic.UNITLESS, emptyList(), DoubleArray(0), column, counts, DoubleArray(samples.size) { samples[it].first }, "string")
+}
+
+/** The bytes of a WPILOG of [topics] and [values]. */
+internal fun wpilogOf(topics: List<Topic>, values: List<Value> = emptyList()): ByteArray {
+    val out = ByteArrayOutputStream()
+    WpilogWriter(Recording(RecordingFormat.WPILOG, null, values, topics, 0, emptyList())).write { bytes, size -> out.write(bytes, 0, size) }
+    return out.toByteArray()
+}

@@ -1,0 +1,15 @@
+package badlog.report
+
+import badlog.catalog.examine.UndefinedTopic
+
+/**
+ * Returns the messages about the virtual topics in [undefined], listed per log: one for each definition, with all details
+ * if it failed for every log.
+ */
+fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
+    val ofDefinition = undefined.flatten().groupBy { it.definition }
+    return ofDefinition.map { (definition, errors) ->
+        val worst = errors.find { !it.isMissing } ?: errors[0]
+        if (errors.size == undefined.size) worst.pointed else "“$definition” is not in ${count(errors.size, "log")}: ${worst.message}"
+    }
+}

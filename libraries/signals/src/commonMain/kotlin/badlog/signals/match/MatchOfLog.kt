@@ -1,0 +1,87 @@
+package badlog.signals.match
+
+import badlog.core.analysis.isMeant
+import badlog.core.analysis.matchTitle
+import badlog.core.analysis.meant
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.core.recording.Value
+import badlog.expression.signalOf
+import badlog.expression.signals.Vocabulary
+import badlog.signals.vocabulary.EVENT_NAME
+import badlog.signals.vocabulary.MATCH_NUMBER
+import badlog.signals.vocabulary.MATCH_TYPE
+import badlog.signals.vocabulary.SignalTopics
+import badlog.signals.vocabulary.SignalVocabulary
+
+/**
+ * The match that a log is of. Each property is null if unknown.
+ *
+ * @property event the event, such as `Mill Creek Regional`.
+ * @property type the type, such as `Qualification`.
+ * @property number the number of the match; usually digits, but `2-1` for the first match of the second semifinal.
+ * @property alliance `Red` or `Blue` if it can be recognized, otherwise as logged.
+ */
+data class MatchOfLog(val event: String? = null, val type: String? = null, val number: String? = null, val alliance: String? = null) {
+    /** The match within its event: `Qualification 42`; null without a number. */
+    val match: String? get() = number?.let { "${type ?: "Match"} $it" }
+
+    /** Its name for people, with the event; null unless there is an event or a number. */
+    val title: String? get() = matchTitle(event, type, number)
+
+    /** Returns the same, where it is unknown as in the file's name [fileName]. */
+    fun orNamed(fileName: String): MatchOfLog {
+        val named = matchInName(fileName)
+        return MatchOfLog(
+            event = event ?: named.event,
+            type = type ?: named.type.takeIf { number == null || number == named.number },
+            number = number ?: named.number,
+            alliance = alliance,
+        )
+    }
+
+    companion object {
+        /** The red [alliance]. */
+        const val RED: String = "Red"
+
+        /** The blue [alliance]. */
+        const val BLUE: String = "Blue"
+    }
+}
+
+/** Returns the match that [recording] is of, from its values, or else from its topics, found by this vocabulary. */
+fun SignalVocabulary.matchOf(recording: Recording): MatchOfLog {
+    val empty = recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+    val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
+    fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
+    fun value(signal: String): String? {
+        val patterns = find(signal)?.topics.orEmpty().map { it.pattern }
+        return recording.values.firstOrNull { value -> isMeant(value.text) && patterns.any { it.matches(value.name) } }?.text?.trim()
+    }
+    val values = recording.values
+    return MatchOfLog(
+        event = values.meant("event name", "event") ?: value(EVENT_NAME) ?: topic(EVENT_NAME)?.let(::lastText),
+        type = values.meant("match type") ?: value(MATCH_TYPE) ?: topic(MATCH_TYPE)?.let(::typeIn),
+        number = values.meant("match number", "match") ?: value(MATCH_NUMBER) ?: topic(MATCH_NUMBER)?.let(::lastNumber)?.toString(),
+        alliance = allianceIn(values),
+    )
+}
+
+/** Returns the alliance in the header [values] of a log: `Red` or `Blue` if it can be recognized, otherwise as logged; null if none has it. */
+fun allianceIn(values: List<Value>): String? {
+    val text = values.meant("alliance", "alliance color", "alliance colour", "alliance station") ?: return null
+    return listOf(MatchOfLog.RED, MatchOfLog.BLUE).find { text.startsWith(it, ignoreCase = true) } ?: text
+}
+
+// Until the field reports the match, robots log that it is unknown.
+private fun lastText(topic: Topic): String? {
+    val texts = topic.texts
+    return (texts.size - 1 downTo 0).firstNotNullOfOrNull { i -> texts.dictionary[texts.ids[i]].trim().takeIf(::isMeant) }
+}
+
+private fun lastNumber(topic: Topic): Int? = topic.samples.lastOrNull { it.isFinite() && it >= 1 }?.toInt()
+
+private fun typeIn(topic: Topic): String? = lastText(topic) ?: lastNumber(topic)?.let { TYPES.getOrNull(it - 1) }
+
+private val TYPES = listOf("Practice", "Qualification", "Elimination")

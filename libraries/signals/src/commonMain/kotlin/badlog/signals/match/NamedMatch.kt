@@ -1,0 +1,38 @@
+package badlog.signals.match
+
+private val TYPES = listOf(
+    "Qualification" to "qualification|qualifier|quals?|qm|q",
+    "Quarterfinal" to "quarterfinals?|qf",
+    "Semifinal" to "semifinals?|semis?|sf",
+    "Final" to "finals?|f",
+    "Elimination" to "eliminations?|elims?|e",
+    "Playoff" to "playoffs?",
+    "Practice" to "practice|prac|pm|p",
+    null to "match|m",
+)
+
+private val MATCH = Regex(
+    "(?<![A-Za-z0-9])(${TYPES.joinToString("|") { it.second }})[-_. #]?0*(\\d{1,3})(?:-?m0*(\\d{1,2}))?(?![A-Za-z0-9])",
+    RegexOption.IGNORE_CASE,
+)
+
+/** A single word between the date and the match, as in the names of WPILib's logs: `FRC_20240316_104107_MILLC_Q42`. */
+private val EVENT = Regex("[-_. ]+([A-Za-z][A-Za-z0-9]{2,})[-_. ]+")
+
+/** Returns what the name of a file says about the match, such as `qualification-42.bag`, `Q42.bag` and `ohcl_sf2m1.csv`. */
+fun matchInName(fileName: String): MatchOfLog {
+    val date = dateInName(fileName)
+    // The digits of a date do not belong to a match, so a match is searched for after it first.
+    val afterDate = date?.let { it.range.last + 1 } ?: 0
+    val found = MATCH.find(fileName, afterDate)
+        ?: MATCH.find(date?.let { fileName.substring(0, it.range.first) } ?: return MatchOfLog())
+        ?: return MatchOfLog()
+    val (word, number, second) = found.destructured
+    val type = TYPES.first { (_, words) -> Regex(words, RegexOption.IGNORE_CASE).matches(word) }.first
+    val event = if (date == null || found.range.first < afterDate) {
+        null
+    } else {
+        EVENT.matchEntire(fileName.substring(afterDate, found.range.first))?.groupValues?.get(1)
+    }
+    return MatchOfLog(event, type, if (second.isEmpty()) number else "$number-$second")
+}

@@ -1,0 +1,19 @@
+package badlog.signals.vocabulary
+
+/** The signals that are needed for every log, whatever the question. */
+internal val OF_EVERY_LOG: Set<String> get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS)
+
+/** The signal of the event's name. */
+internal const val EVENT_NAME: String = "event name"
+
+/** The signal of the match's type. */
+internal const val MATCH_TYPE: String = "match type"
+
+/** The signal of the match's number. */
+internal const val MATCH_NUMBER: String = "match number"
+
+/** The signal that holds while the robot is enabled. */
+internal const val ROBOT_ENABLED: String = "robot enabled"
+
+/** The signal that holds while the robot is in autonomous mode. */
+internal const val ROBOT_AUTONOMOUS: String = "robot autonomous"

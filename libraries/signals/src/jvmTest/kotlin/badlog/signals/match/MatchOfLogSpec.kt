@@ -1,0 +1,39 @@
+package badlog.signals.match
+
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Value
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class MatchOfLogSpec : FunSpec({
+    fun of(values: List<Value>, name: String): MatchOfLog {
+        val recording = Recording(RecordingFormat.BAG, null, values, emptyList(), 0, emptyList())
+        return RuleSet.BUILT_IN.signals.matchOf(recording).orNamed(name)
+    }
+
+    test("values show event, type, number and alliance") {
+        val values = listOf(
+            Value("FMS/Event_Name", "OHCL"),
+            Value("Match Type", "Qualification"),
+            Value("MATCH NUMBER", "42"),
+            Value("Alliance Station", "Red2"),
+        )
+        of(values, "any.bag") shouldBe MatchOfLog("OHCL", "Qualification", "42", "Red")
+    }
+
+    test("what the driver station gives without a field means nothing") {
+        val values = listOf(Value("Event Name", " "), Value("Match Type", "None"), Value("Match Number", "0"))
+        of(values, "practice.bag") shouldBe MatchOfLog()
+    }
+
+    test("a type in the name is not put to a number of the values") {
+        of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchOfLog(number = "5")
+    }
+
+    test("an alliance that is neither red nor blue is as logged") {
+        of(listOf(Value("Alliance", "Green")), "any.bag").alliance shouldBe "Green"
+    }
+})
