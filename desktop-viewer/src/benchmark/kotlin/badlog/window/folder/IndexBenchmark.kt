@@ -57,7 +57,7 @@ private fun measure(name: String, folder: Path, home: Path) = runBlocking {
     val took = began.elapsedNow().toString(DurationUnit.MILLISECONDS)
     val entries = indexing.queue.state().entries
     val cpuMillis = (cpu.processCpuTime - cpuBefore) / 1_000_000
-    println("$name: ${entries.size} logs, ${entries.sumOf { it.topics.size }} topics in $took, $cpuMillis ms of processor time")
+    println("$name: ${entries.size} logs, ${entries.sumOf { it.summary.topics.size }} topics in $took, $cpuMillis ms of processor time")
     println("  most memory of the process so far: ${peakMegabytes()} MB")
     measureFindings(indexing)
     job.cancelAndJoin()
