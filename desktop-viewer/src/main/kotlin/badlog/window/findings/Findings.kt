@@ -6,6 +6,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.rules.worstFirst
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
 import badlog.viewer.shown.search.searchedText
@@ -63,6 +64,9 @@ internal class FindingList(
 
     /** The findings by their places on x. */
     val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })
+
+    /** The order in which keys go through them. */
+    val order: FindingOrder by lazy { FindingOrder(timeline, incidents) }
 
     /** Returns the start of the place of [finding] nearest to [x]. */
     fun placeNear(finding: Finding, x: Double): Double = timeline.places.filter { it.finding === finding }

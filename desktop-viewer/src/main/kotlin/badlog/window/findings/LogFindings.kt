@@ -116,10 +116,10 @@ internal class LogFindings(
         state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
     }
 
-    /** Goes [steps] places of findings forward from the last one, or else from the cursor. */
+    /** Goes [steps] findings forward, see [badlog.viewer.shown.finding.FindingOrder]. */
     fun step(steps: Int) {
-        val next = state.list?.timeline?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
-        goTo(next.finding, next.span.from)
+        val next = state.list?.order?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
+        goTo(next.place.finding, next.place.span.from)
     }
 
     private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)

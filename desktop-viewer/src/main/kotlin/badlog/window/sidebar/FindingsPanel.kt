@@ -95,9 +95,11 @@ internal fun FindingsPanel(
         // The height of its details is known only after layout.
         withFrameNanos { }
         val visible = state.layoutInfo.visibleItemsInfo
-        // Somebody who goes to a finding of an incident keeps reading the incident.
-        val isRead = visible.any { line -> found.incidents.getOrNull(line.index)?.let { selected in it.causes + it.effects } == true }
-        if (!isRead) showWhole(state, found.findings.indexOf(selected) + found.incidents.size)
+        val row = found.findings.indexOf(selected) + found.incidents.size
+        // Somebody who goes to a finding of an incident reads the incident, unless it was chosen among the findings below.
+        val incident = found.incidents.indexOfFirst { selected in it.causes + it.effects }
+        val isRead = visible.any { it.index == incident || (incident >= 0 && it.index == row) }
+        if (!isRead) showWhole(state, if (incident >= 0) incident else row)
     }
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {

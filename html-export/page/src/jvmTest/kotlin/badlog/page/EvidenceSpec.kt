@@ -14,6 +14,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.By
+import org.openqa.selenium.Keys
 
 /** From a finding to its reason: what shows it is on one screen. */
 internal class EvidenceSpec : PageSpec({
@@ -139,6 +140,20 @@ internal class EvidenceSpec : PageSpec({
             texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 55 s."
             texts(".event-readout").single() shouldContain "Low: Down to 1 V at 55 s."
             texts("#evidence .incident-next").single() shouldBe "Next: Look at the battery."
+        }
+    }
+
+    browserTest("N opens an incident as a whole: its name, its severity, and what happened from its cause on") {
+        onPage(match) {
+            awaitRules()
+            press("n")
+            val told = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
+            told.first() shouldContain "Likely cause"
+            texts(".incident p").first() shouldContain told.first()
+            texts("#evidence .severity") shouldBe texts(".incident .severity").take(1)
+            texts("#spoken").single() shouldContain " s: "
+            press(Keys.ARROW_RIGHT)
+            texts("#spoken").single() shouldContain " V"
         }
     }
 

@@ -134,13 +134,13 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("findings at one time are gone through one by one") {
+    browserTest("findings of one instant are one step") {
         val twins = listOf("A", "B").map { finding(it, Severity.NOTE, it, 3.0, NEVER) }
         onPage(pageWith(twins)) {
             press("n")
             element(".finding[aria-current]").text shouldContain "A"
             press("n")
-            element(".finding[aria-current]").text shouldContain "B"
+            element(".finding[aria-current]").text shouldContain "A"
             press("0")
             graph("Angle").hover(0.301)
             graph("Angle").label shouldBe "note · A: A (and 1 more)"

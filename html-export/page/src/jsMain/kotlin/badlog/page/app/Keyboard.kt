@@ -26,6 +26,7 @@ internal class Keyboard(
     private val formulas: FormulaDialog,
     private val help: HelpOverlay,
     private val video: VideoPanel,
+    private val live: LiveRegion,
 ) {
     init {
         document.addEventListener("keydown", { press(it.unsafeCast<KeyboardEvent>()) })
@@ -62,8 +63,8 @@ internal class Keyboard(
         Action.PAN_RIGHT -> scene.range.change { panned(Action.PAN_SHARE) }
         Action.CURSOR_VALUES -> values.toggle()
         Action.NEW_FORMULA -> formulas.open()
-        Action.NEXT_FINDING -> findings.step(1)
-        Action.PREVIOUS_FINDING -> findings.step(-1)
+        Action.NEXT_FINDING -> goToFinding(1)
+        Action.PREVIOUS_FINDING -> goToFinding(-1)
         Action.PREVIOUS_FRAME -> video.step(-1)
         Action.NEXT_FRAME -> video.step(1)
         Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO -> board.perform(action)
@@ -73,6 +74,12 @@ internal class Keyboard(
         val now = scene.range.now
         scene.cursor.step(count, (now.from + now.to) / 2)
         scene.cursor.now.moving?.let { scene.range.change { revealing(it) } }
+        live.tellCursor()
+    }
+
+    private fun goToFinding(steps: Int) {
+        findings.step(steps)
+        live.tellFinding()
     }
 
     private fun escape() {

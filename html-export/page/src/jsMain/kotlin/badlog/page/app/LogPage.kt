@@ -109,6 +109,7 @@ internal class LogPage(
     private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
+    private val live = LiveRegion(scene, ::linesShown)
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
     private val notes = NoteList(scene)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
@@ -156,13 +157,14 @@ internal class LogPage(
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
         appendChild(scene.notice.element)
+        appendChild(live.element)
     }
 
     init {
         nothingFound.isHidden = true
         board.onChange(values::refresh)
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video, live)
     }
 
     /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */
@@ -306,8 +308,8 @@ internal class LogPage(
         navigation.list()
     }
 
-    private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?) {
-        evidence.show(place, incident)
+    private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
+        evidence.show(place, incident, isWhole)
         values.refresh()
         if (evidence.cards.isEmpty()) showAnyGraph()
     }

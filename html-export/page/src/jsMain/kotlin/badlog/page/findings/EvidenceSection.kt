@@ -66,7 +66,7 @@ internal class EvidenceSection(
                 addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence"
             }
         }
-        text = add("p", "evidence-text")
+        text = add("div")
         next = add("p", "evidence-text incident-next")
         body = add("div", "folder-body")
         offers = add("div", "evidence-offers")
@@ -76,16 +76,22 @@ internal class EvidenceSection(
     /** The cards of the graphs that it shows. */
     val cards: List<GraphCard> get() = drawn
 
-    /** Shows what was found at [place]; if it is part of [incident], also all evidence of that. */
-    fun show(place: FindingPlace<Finding>, incident: Incident?) {
+    /**
+     * Shows what was found at [place]; if it is part of [incident], also all evidence of that; and if that [isWhole], what happened from its
+     * cause on.
+     */
+    fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val finding = place.finding
         val places = scene.findings.placesOf(finding)
-        severity.className = "severity is-${finding.word}"
-        severity.showText(finding.word)
-        heading.showText(finding.rule)
-        steps.isHidden = places.size < 2
+        val whole = incident.takeIf { isWhole }
+        val word = (whole?.severity ?: finding.severity).word
+        severity.className = "severity is-$word"
+        severity.showText(word)
+        heading.showText(whole?.name ?: finding.rule)
+        steps.isHidden = whole != null || places.size < 2
         number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
-        text.showText(finding.textAt(place.span))
+        text.textContent = ""
+        for (sentence in whole?.sentences?.map { it.text } ?: listOf(finding.textAt(place.span))) text.add("p", "evidence-text", sentence)
         val advice = incident.nextOf(finding)
         next.isHidden = advice.isEmpty()
         next.showText("Next: $advice")

@@ -13,6 +13,7 @@ import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
@@ -27,17 +28,18 @@ import org.w3c.dom.HTMLElement
  * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; at first a few of those that
  * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
- * @param onVisit called when a person goes to a place, with the incident if it is part of one.
+ * @param onVisit called when a person goes to a place, with the incident if it is part of one, and whether all of that was meant.
  * @param onPin called when a person wants to keep the graphs that show a finding.
  */
 internal class FindingList(
     private val scene: Scene,
-    private val onVisit: (FindingPlace<Finding>, Incident?) -> Unit,
+    private val onVisit: (FindingPlace<Finding>, Incident?, isWhole: Boolean) -> Unit,
     private val onPin: (Finding, Incident?) -> Unit,
 ) {
     private var all = emptyList<Finding>()
     private var haystacks = emptyList<String>()
     private var incidents = emptyList<Incident>()
+    private var order = FindingOrder(scene.findings, incidents)
     private var query = Query("")
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
@@ -99,6 +101,7 @@ internal class FindingList(
         this.incidents = incidents
         isSearching = false
         all = scene.findings.worstFirst
+        order = FindingOrder(scene.findings, incidents)
         haystacks = all.map { it.searchedText }
         element.classList.toggle("has-spans", all.any { it.end > it.time })
         val (wrong, lacking) = skippedRules.partition { it.isMistake }
@@ -140,9 +143,9 @@ internal class FindingList(
         list(if (isOnPaper) PAGE else FEW)
     }
 
-    /** Goes to the next finding after the cursor, or to the one before it if [steps] is negative. */
+    /** Goes to the next finding, or to the previous one if [steps] is negative, see [FindingOrder]. */
     fun step(steps: Int) {
-        scene.findings.beside(current, scene.cursor.x, steps)?.let { visit(it) }
+        order.beside(current, scene.cursor.x, steps)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
@@ -175,7 +178,7 @@ internal class FindingList(
         val shown = incidents.filter { query.findsFound(it.searchedText) }
         for (incident in shown) {
             val pin = { onPin(incident.sentences.first().finding, incident) }
-            val row = incidentRow(incident, decimals, pin) { visit(firstPlaceOf(it), incident) }
+            val row = incidentRow(incident, decimals, pin) { finding, isWhole -> visit(firstPlaceOf(finding), incident, isWhole) }
             incidentRows[incident] = row
             incidentList.appendChild(row)
         }
@@ -227,13 +230,13 @@ internal class FindingList(
 
     private fun incidentOf(finding: Finding): Incident? = incidents.find { finding in it }
 
-    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding)) {
+    private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding), isWhole: Boolean = false) {
         scene.visited = place
         scene.zoomTo(place.span.from, place.span.to)
         val index = unmentioned.indexOf(place.finding)
         if (index >= listed) list(index + 1)
         mark()
-        onVisit(place, incident)
+        onVisit(place, incident, isWhole)
     }
 
     private fun mark() {

@@ -16,9 +16,9 @@ import org.w3c.dom.HTMLElement
  * what to look at next.
  *
  * @param pin called when a person wants to keep the graphs that show it.
- * @param go called when a person wants to see the place of a finding.
+ * @param go called when a person wants to see the place of a finding, or of the whole incident, which begins there.
  */
-internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go: (Finding) -> Unit): HTMLElement =
+internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go: (Finding, isWhole: Boolean) -> Unit): HTMLElement =
     element("li", "incident") {
         val word = incident.severity.name.lowercase()
         add("span", "severity is-$word", word)
@@ -27,7 +27,7 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
                 add("p") {
                     val finding = sentence.finding
                     if (finding.isPlaced) {
-                        addButton("event-go", fixedText(finding.time, decimals), "Zoom to it") { go(finding) }
+                        addButton("event-go", fixedText(finding.time, decimals), "Zoom to it") { go(finding, false) }
                     } else {
                         add("span", "finding-whole", "whole log")
                     }
@@ -38,6 +38,6 @@ internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go:
         }
         addIconButton("pin", Icon.PIN, "Add its graphs to the board", pin)
         incident.sentences.map { it.finding }.firstOrNull { it.isPlaced }?.let { first ->
-            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(first) })
+            addEventListener("click", { if (it.target.asDynamic().closest("button") == null) go(first, true) })
         }
     }

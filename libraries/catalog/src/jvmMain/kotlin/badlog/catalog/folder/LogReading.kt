@@ -55,7 +55,7 @@ class LogReading(private val store: FolderStore) {
         val entry = LogEntry(file, summary)
         onSummary(entry)
         val log = content?.takeIf { runsRules && !entry.isGray } ?: return entry
-        return entry.copy(found = examined(file, log, checkpoint))
+        return entry.copy(found = store.rulesFor(file.path).found(file) ?: examined(file, log, checkpoint))
     }
 
     /** Returns what the rules find in [file]: as stored, or else by reading it again. */

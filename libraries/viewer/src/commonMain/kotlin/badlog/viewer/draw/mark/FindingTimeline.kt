@@ -77,19 +77,4 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
             .minWithOrNull(compareBy({ abs(it.span.from - x) }, { -it.severity.ordinal }))
         return if (nearest != null) nearest.finding else at(x, reach / 2).firstOrNull()
     }
-
-    /**
-     * Returns the place [steps] after that of [current] that begins at [x], if the cursor is still there; otherwise the first after
-     * x, or, for a negative number, the last before it. Not beyond the last or first place; null if there are none. An x that is
-     * NaN is not a place.
-     */
-    fun beside(current: F?, x: Double, steps: Int): FindingPlace<F>? {
-        val index = places.indexOfFirst { it.finding == current && it.span.from == x }
-        val next = when {
-            index >= 0 -> index + steps
-            steps > 0 -> steps - 1 + if (x.isNaN()) 0 else places.count { it.span.from <= x }
-            else -> steps + if (x.isNaN()) places.size else places.count { it.span.from < x }
-        }
-        return places.getOrNull(next.coerceIn(0, maxOf(0, places.size - 1)))
-    }
 }

@@ -35,20 +35,6 @@ class FindingTimelineSpec : FunSpec({
         timeline.count(Severity.ERROR) shouldBe 2
     }
 
-    test("steps go from place to place, from the previous one or otherwise the cursor, and stop at the ends") {
-        fun step(steps: Int, from: Finding?, x: Double) = timeline.beside(from, x, steps)?.let { "${it.finding.name} ${it.span.from.toInt()}" }
-        step(1, null, Double.NaN) shouldBe "Early 21"
-        step(-1, null, Double.NaN) shouldBe "Late 81"
-        step(1, early, 21.0) shouldBe "Middle 51"
-        step(1, early, 60.0) shouldBe "Late 81"
-        step(-1, early, 60.0) shouldBe "Middle 51"
-        step(1, null, 40.0) shouldBe "Middle 51"
-        step(-1, early, 40.0) shouldBe "Early 21"
-        step(1, late, 81.0) shouldBe "Late 81"
-        step(-1, null, 5.0) shouldBe "Early 21"
-        timelineOf(listOf(whole)).beside(null, 1.0, 1) shouldBe null
-    }
-
     test("within a finding, steps go from the place at the cursor or otherwise its first, and stop at the ends") {
         fun step(steps: Int, x: Double) = timeline.within(early, x, steps)?.span?.from
         step(1, 21.0) shouldBe 60.0

@@ -1,0 +1,29 @@
+package badlog.page.app
+
+import badlog.core.analysis.GraphSeries
+import badlog.page.dom.element
+import badlog.page.dom.showText
+import badlog.page.view.Scene
+import badlog.page.view.findingText
+import badlog.viewer.shown.cursor.spokenAt
+import org.w3c.dom.HTMLElement
+
+/** Tells screen readers where a key has moved the cursor, and what is there; nobody else sees it. */
+internal class LiveRegion(private val scene: Scene, private val lines: () -> List<GraphSeries>) {
+    val element: HTMLElement = element("div", "spoken") {
+        id = "spoken"
+        setAttribute("role", "status")
+    }
+
+    /** Tells the place of the cursor that keys move, and the values there. */
+    fun tellCursor() {
+        val x = scene.cursor.now.moving ?: return
+        element.showText(spokenAt(lines(), x, scene.xText(x)))
+    }
+
+    /** Tells the finding at the cursor. */
+    fun tellFinding() {
+        val x = scene.cursor.now.pinned ?: return
+        element.showText("${scene.xText(x)}: ${findingText(scene.findingsAt(x), x)}")
+    }
+}

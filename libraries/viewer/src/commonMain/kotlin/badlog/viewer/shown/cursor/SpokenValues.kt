@@ -1,0 +1,19 @@
+package badlog.viewer.shown.cursor
+
+import badlog.core.analysis.GraphSeries
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
+
+/**
+ * Returns what a screen reader says when a key has moved a cursor to [x], which is [place] as a text: the first values of [lines] there, as
+ * many as anybody listens to.
+ */
+fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {
+    val values = lines.take(MOST_SPOKEN).mapNotNull { line ->
+        val text = line.textOf(line.indexAt(x)) { withUnit(roundedText(it), line.unit) }
+        if (text.isEmpty()) null else "${line.name} $text"
+    }
+    return (listOf(place) + values).joinToString(", ")
+}
+
+private const val MOST_SPOKEN = 4

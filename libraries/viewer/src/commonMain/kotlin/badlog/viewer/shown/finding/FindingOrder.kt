@@ -1,0 +1,48 @@
+package badlog.viewer.shown.finding
+
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.draw.mark.FindingTimeline
+
+/**
+ * A step of a person who goes through the findings with a key.
+ *
+ * @property place where it leads.
+ * @property incident the incident that begins there; null if the finding belongs to none.
+ */
+class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?)
+
+/**
+ * The order in which keys go through the findings of [timeline]: first the [incidents], as they are listed, then what belongs to none, in
+ * the order of time. What begins at one instant is one step, to the worst of it.
+ */
+class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: List<Incident>) {
+    private val ofIncidents = incidents.mapNotNull { incident ->
+        val first = (listOf(incident.first) + incident.sentences.map { it.finding }).firstOrNull { it.places.isNotEmpty() }
+        first?.let { FindingStep(FindingPlace(it, it.severity, it.places[0]), incident) }
+    }
+    private val others = timeline.places.filter { place -> incidents.none { place.finding in it } }
+        .groupBy { it.span.from }.values
+        .map { ofInstant -> FindingStep(ofInstant.maxBy { it.severity }, incident = null) }
+    private val all = ofIncidents + others
+
+    /**
+     * Returns the step that is [steps] after the one to [current], if the cursor is still at its place [x]. Otherwise the first step; after
+     * incidents, or where there are none, the next one after x, or the last one before it for a negative number. Not beyond the last or
+     * first step; null if there are none. An x that is NaN is not a place.
+     */
+    fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
+        val index = all.indexOfFirst { step -> if (step.incident == null) isAt(step, current, x) else current != null && current in step.incident }
+        val next = when {
+            index >= 0 -> index + steps
+            x.isNaN() || (current == null && ofIncidents.isNotEmpty()) -> if (steps > 0) steps - 1 else all.size + steps
+            steps > 0 -> ofIncidents.size + others.count { it.place.span.from <= x } + steps - 1
+            else -> ofIncidents.size + others.count { it.place.span.from < x } + steps
+        }
+        return all.getOrNull(next.coerceIn(0, maxOf(0, all.size - 1)))
+    }
+
+    private fun isAt(step: FindingStep, current: Finding?, x: Double) =
+        current != null && step.place.span.from == x && current.places.any { it.from == x }
+}
