@@ -40,14 +40,55 @@ internal fun actionCommands(
 ): List<Command> = Action.entries.map { action ->
     Command(action) {
         when (action) {
+            Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
+
+            Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
+
+            Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
+
+            Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
+
+            Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
+
+            Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
+
+            Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
+
+            Action.SHOW_ALL -> view.change { reset() }
+
+            Action.PREVIOUS_VIEW -> view.change { back() }
+
+            Action.NEXT_VIEW -> view.change { forward() }
+
+            Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
+
+            Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
+
+            Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
+
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
+
             Action.NEW_FORMULA -> formulas.write()
+
             Action.NEXT_FINDING -> stepFinding(1, findings, panels)
+
             Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
+
             Action.PREVIOUS_FRAME -> video.step(-1)
+
             Action.NEXT_FRAME -> video.step(1)
-            in BOARD_ACTIONS -> arrange(action, board)
-            else -> move(action, current, view)
+
+            Action.UNDO -> board.undo()
+
+            Action.REDO -> board.redo()
+
+            Action.PIN -> board.current?.let { if (board.isEvidence(it.id)) board.keep(it.id) else board.change { without(it.id) } }
+
+            Action.MOVE_UP -> board.current?.let { moveGraph(it.id, -1, board) }
+
+            Action.MOVE_DOWN -> board.current?.let { moveGraph(it.id, 1, board) }
+
+            Action.NEXT_HEIGHT -> board.current?.let { board.change { resized(it.id, GraphHeight.of(it.height).next.pixels) } }
         }
     }
 }
@@ -59,41 +100,10 @@ private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels)
     panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 }
 
-private val BOARD_ACTIONS = setOf(Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO)
-
-/** Performs [action] on the graphs, or on the one that keys apply to. */
-private fun arrange(action: Action, board: GraphBoard) {
-    if (action == Action.UNDO) return board.undo()
-    if (action == Action.REDO) return board.redo()
-    val graph = board.current ?: return
-    when (action) {
-        Action.PIN -> if (board.isEvidence(graph.id)) board.keep(graph.id) else board.change { without(graph.id) }
-
-        Action.NEXT_HEIGHT -> board.change { resized(graph.id, GraphHeight.of(graph.height).next.pixels) }
-
-        else -> {
-            board.change { moved(graph.id, if (action == Action.MOVE_UP) -1 else 1) }
-            if (board.inSight?.contains(graph.id) == false) board.goTo(graph.id)
-        }
-    }
-}
-
-/** Performs [action] on the cursor and the visible range. */
-private fun move(action: Action, current: CurrentRecording, view: AxisView) = when (action) {
-    Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
-    Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
-    Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
-    Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
-    Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
-    Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
-    Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
-    Action.SHOW_ALL -> view.change { reset() }
-    Action.PREVIOUS_VIEW -> view.change { back() }
-    Action.NEXT_VIEW -> view.change { forward() }
-    Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
-    Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
-    Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
-    else -> Unit
+/** Moves graph [id] by [places], up if negative; it stays in sight. */
+private fun moveGraph(id: Int, places: Int, board: GraphBoard) {
+    board.change { moved(id, places) }
+    if (board.inSight?.contains(id) == false) board.goTo(id)
 }
 
 /** Returns the keys for the window's parts. */
