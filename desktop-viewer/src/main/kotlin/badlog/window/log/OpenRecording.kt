@@ -14,6 +14,7 @@ import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.RobotBesideStation
+import badlog.signals.clock.secondsPerX
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchOf
 import badlog.signals.over
@@ -163,7 +164,7 @@ internal class OpenRecording(
      * Returns what a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them.
      */
     fun xyPlot(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
-        xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field) { signal(it)?.line }
+        xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field, view.secondsPerX) { signal(it)?.line }
 
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]

@@ -6,6 +6,7 @@ import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.pen.PageImage
 import badlog.page.view.Scene
+import badlog.signals.clock.secondsPerX
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.draw.color.LINE_COLORS
@@ -45,7 +46,9 @@ internal class XyGraph(
 
     private val plot: XyPlot? by lazy {
         val flip = look().origin.flipIn(scene.view, scene.field)
-        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics), flip, scene.field) { scene.board.lines[it] }
+        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics), flip, scene.field, scene.view.secondsPerX) {
+            scene.board.lines[it]
+        }
     }
     private val departure by lazy { plot?.departure(scene.view) }
     private val values = ArrayList<HTMLElement>()

@@ -30,6 +30,6 @@ fun LogView.enabledEdges(): List<EnabledEdge> {
 }
 
 /** The number of seconds per unit of x; what is not a unit of time counts as a second. */
-internal val LogView.secondsPerX: Double get() = Units.secondsIn(xAxis.unit) ?: 1.0
+val LogView.secondsPerX: Double get() = Units.secondsIn(xAxis.unit) ?: 1.0
 
 private const val MAX_EDGES = 200

@@ -107,7 +107,7 @@ class XyDrawing(
         }
     }
 
-    /** Draws the result: where the robot left its plan with the text of [departed], or the fitted line through the samples with its values. */
+    /** Draws rings where the pose was reset; and the result: where the robot left its plan with the text of [departed], or the fitted line through the samples with its values. */
     fun notes(visible: Span, departure: Departure?, departed: (Departure) -> String) = clipped {
         plot.lineFit(visible)?.let { fit ->
             fun at(value: Double) = fit.offset + fit.slope * value
@@ -116,6 +116,10 @@ class XyDrawing(
             note(plot.textOf(fit), width, 0.0, colors[Shade.TEXT])
         }
         val trail = plot.driven?.trail
+        if (trail != null && plot.isField) {
+            val ends = placed(trail.resetsIn(visible))
+            for (i in 0 until ends.size step 2) pen.ring(ends.values[i], ends.values[i + 1], RESET * density, colors[Shade.MUTED], LINE * density)
+        }
         if (trail != null && departure != null) {
             val left = x.placeOf(trail.x[departure.index])
             val top = y.placeOf(trail.y[departure.index])
@@ -173,6 +177,7 @@ class XyDrawing(
         const val DOT = 4.0
         const val SECOND = 5.0
         const val RING = 9.0
+        const val RESET = 4.0
         const val WALL = 3.0
         const val FAINT = 0.25
         const val FILL = 0.25

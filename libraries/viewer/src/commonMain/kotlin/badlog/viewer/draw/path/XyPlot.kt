@@ -114,6 +114,7 @@ class XyPlot internal constructor(
  *
  * @param modules the modules of the robot whose path it is.
  * @param flip maps poses onto [field]; null to leave them as logged.
+ * @param secondsPerX the length of the unit of x, in s: a robot that is faster than robots are has had its pose reset.
  * @param line finds a line by its name.
  */
 fun xyPlotOf(
@@ -122,12 +123,14 @@ fun xyPlotOf(
     modules: List<SwerveModules> = emptyList(),
     flip: FieldFlip? = null,
     field: Field = Field.PLAIN,
+    secondsPerX: Double = 1.0,
     line: (String) -> GraphSeries?,
 ): XyPlot? {
     val shown = poses.filter { it.x in lines && it.y in lines }
     if (shown.isEmpty()) return plainPlot(lines.mapNotNull { name -> line(name)?.takeIf { it.states == null } })
     val names = shortNames(shown.map { it.list ?: it.name })
     fun trail(x: GraphSeries, y: GraphSeries, pose: Pose) = trailOf(x.data, y.data, pose.meters).let { flip?.trail(it) ?: it }
+        .let { if (pose.role == PoseRole.DRIVEN) it.brokenAtResets(secondsPerX) else it }
     val traces = shown.mapIndexedNotNull { i, pose ->
         val x = line(pose.x) ?: return@mapIndexedNotNull null
         val y = line(pose.y) ?: return@mapIndexedNotNull null

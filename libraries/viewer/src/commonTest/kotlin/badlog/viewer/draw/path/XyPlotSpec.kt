@@ -41,6 +41,17 @@ class XyPlotSpec : FunSpec({
         driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
     }
 
+    test("a reset of the pose is a gap in the path, not a drive across the field, and a correction is none") {
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(0.02, 2.1, 3.0), Triple(0.04, 9.0, 5.0), Triple(0.06, 9.1, 5.0), Triple(0.08, 9.5, 5.0)))
+        val driven = view.plot("Pose/translation/x", "Pose/translation/y")!!.driven!!
+        driven.trail.x.map { "$it" } shouldBe listOf(2.0, 2.1, Double.NaN, 9.0, 9.1, 9.5).map { "$it" }
+        driven.trail.resetsIn(Span(0.0, 1.0)).toList() shouldBe listOf(2.1, 3.0, 9.0, 5.0)
+        driven.trail.resetsIn(Span(0.05, 1.0)).toList() shouldBe emptyList()
+        // The cursor reads the new place from its time on, and the old one until then.
+        driven.textAt(0.04, isField = true) shouldBe "9.00, 5.00 m · 90°"
+        driven.textAt(0.039, isField = true) shouldBe "2.10, 3.00 m · 90°"
+    }
+
     test("poses from vision are drawn first, and the driven path last") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
         val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 1.0)) })

@@ -1,0 +1,48 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Span
+import badlog.signals.pose.Trail
+import kotlin.math.hypot
+
+/**
+ * Returns this path of a robot with a gap wherever its pose was reset, instead of a drive across the field: a sample without a place, at the
+ * time of the first place after it. The path itself if it never was.
+ *
+ * @param secondsPerX the length of its unit of time, in s.
+ */
+internal fun Trail.brokenAtResets(secondsPerX: Double): Trail {
+    val resets = (1 until size).filter { isReset(it, secondsPerX) }
+    if (resets.isEmpty()) return this
+    val from = IntArray(size + resets.size)
+    var next = 0
+    for (i in 0 until size) {
+        if (next < resets.size && resets[next] == i) from[i + next++] = GAP
+        from[i + next] = i
+    }
+    fun broken(values: DoubleArray) = DoubleArray(from.size) { if (from[it] == GAP) Double.NaN else values[from[it]] }
+    return Trail(DoubleArray(from.size) { times[if (from[it] == GAP) from[it + 1] else from[it]] }, broken(x), broken(y))
+}
+
+/** Returns the last place before each gap of this path in [visible] and the first one after it, alternating x and y. */
+internal fun Trail.resetsIn(visible: Span): DoubleArray {
+    val places = ArrayList<Double>()
+    for (i in maxOf(1, startOf(visible)) until minOf(size - 1, endOf(visible))) {
+        if (isPlace(i) || times[i] != times[i + 1] || !isPlace(i - 1) || !isPlace(i + 1)) continue
+        places += listOf(x[i - 1], y[i - 1], x[i + 1], y[i + 1])
+    }
+    return places.toDoubleArray()
+}
+
+private fun Trail.isReset(index: Int, secondsPerX: Double): Boolean {
+    if (!isPlace(index) || !isPlace(index - 1)) return false
+    val seconds = (times[index] - times[index - 1]) * secondsPerX
+    return hypot(x[index] - x[index - 1], y[index] - y[index - 1]) > MOST_CORRECTED + FASTEST * maxOf(0.0, seconds)
+}
+
+private const val GAP = -1
+
+/** Faster than any robot, in m/s. */
+private const val FASTEST = 8.0
+
+/** Cameras correct a pose by less, in m. */
+private const val MOST_CORRECTED = 0.75
