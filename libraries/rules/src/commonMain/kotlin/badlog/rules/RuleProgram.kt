@@ -19,6 +19,7 @@ import badlog.signals.NamedSignal
 import badlog.signals.PLAN_DISTANCE
 import badlog.signals.ScaledSignal
 import badlog.signals.TIME
+import badlog.signals.derived.busDeviceIn
 import badlog.signals.derivedSignalsOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopic
@@ -101,9 +102,14 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             if (path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(path)
         }
         for ((name, isSingle) in DERIVED_NAMES) {
-            if (!isSingle || name in found || rules.signals.find(name) != null) continue
+            if (!isSingle || name in found) continue
             val own = derived.find { it.name == name }
-            if (own == null) lacking[name] = Signal(name, SignalKind.NUMBER) else found[name] = NamedSignal.of(name, own)
+            if (own == null) {
+                if (rules.signals.find(name) == null) lacking[name] = Signal(name, SignalKind.NUMBER)
+            } else {
+                found[name] = NamedSignal.of(name, own)
+                lacking -= name
+            }
         }
         val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
@@ -175,7 +181,9 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
                 Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
             }
         }
-        val topics = signals.of(each.signal)
+        // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals that are
+        // calculated know of both.
+        val topics = signals.of(each.signal).filter { each.with.isEmpty() || busDeviceIn(it.topic) == null }
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
         return pairs.mapNotNull { (topic, other) ->
             val bound = linkedMapOf(TOPIC to NamedSignal.of(TOPIC, listOf(topic)))

@@ -9,6 +9,7 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignals
+import badlog.signals.derived.busDeviceIn
 import badlog.signals.vocabulary.FRACTION
 
 /**
@@ -21,17 +22,19 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     private val match = view.title ?: file
     private val samples = NamedSamples(log, view)
 
-    /** The topics in which each rule has found something. */
+    /** What each rule has found something in: devices of the CAN bus, or else topics. */
     private val found = HashMap<String, Set<String?>>()
 
     /** Returns the result of [step]. */
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
-        val findings = step.questions.filter { it.topic !in known }.flatMap { find(rule, it) }
-        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { it.topic }
+        val findings = step.questions.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
+        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { subjectOf(it.topic) }
         return AskedRule(rule, findings, step.refusal)
     }
+
+    private fun subjectOf(topic: String?) = topic?.let(::busDeviceIn) ?: topic
 
     private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)

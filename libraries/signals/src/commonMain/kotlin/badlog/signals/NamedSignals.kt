@@ -86,6 +86,9 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     /** How the channels of the power distribution changed: one list, for all of them. */
     internal val channelChanges = HashMap<String, List<Double?>>()
 
+    /** What devices move that are known by their ids alone; made once. */
+    internal var busMotion: BusMotion? = null
+
     /** Returns the samples of the topic [name] as they were logged. */
     internal fun raw(name: String): Series = log.series(name)
 

@@ -9,7 +9,7 @@ import kotlin.math.abs
  * end of the way. 0 while nothing contradicts. [times] are those of both arrays.
  */
 fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray): Series {
-    val range = quantile(position, 0.98) - quantile(position, 0.02)
+    val range = quantile(position, 0.995) - quantile(position, 0.005)
     val errors = DoubleArray(times.size)
     var low = 0.0
     var high = 0.0
@@ -33,5 +33,18 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray)
     return Series(times, errors)
 }
 
+/**
+ * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the position
+ * that comes with the switch may be an old one.
+ */
+fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {
+    var since = 0
+    return DoubleArray(times.size) { i ->
+        if (pressed[i] != 1.0) since = i + 1
+        if (i - since >= OLD_SAMPLES) 1.0 else 0.0
+    }
+}
+
+private const val OLD_SAMPLES = 3
 private const val JUMP_SECONDS = 0.1
 private const val JUMP_SHARE = 0.12
