@@ -143,6 +143,7 @@ class Report(
             hookFailures = outcomes.mapNotNull { (hook, _) -> hook.failure?.let { HookFailure(hook.hook, it.message) } },
             figures = figures,
             differences = differences,
+            ran = stored.asked.size - skipped.size,
         )
     }
 
@@ -159,7 +160,7 @@ class Report(
             val asked = ArrayList<RuleOutcome>()
             for (rule in programs[LogShape.of(content.view)].run(content.view, file.name)) {
                 findings += rule.findings
-                asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
+                asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
             }
             val figures = if (isComparing) figuresOf(content.view, rules.signals).toText() else NO_FIGURES
             val stored = Stored(

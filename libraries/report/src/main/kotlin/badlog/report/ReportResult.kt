@@ -3,6 +3,7 @@ package badlog.report
 import badlog.core.recording.Severity
 import badlog.files.LogFile
 import badlog.rules.Finding
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.incident.Incident
@@ -51,7 +52,11 @@ class LogReport internal constructor(
     val hookFailures: List<HookFailure>,
     val figures: LogFigures = LogFigures.NONE,
     val differences: LogDifferences = LogDifferences.NONE,
-)
+    private val ran: Int = 0,
+) {
+    /** What rules could not look at. */
+    val notLookedAt: NotLookedAt get() = NotLookedAt(ran, skipped)
+}
 
 /**
  * A hook that failed for a log.

@@ -10,7 +10,7 @@ import java.util.IdentityHashMap
 
 /** The outcome of [rule] for a log: why it was skipped, and what seems to be wrong with it; both null if it ran. */
 @Serializable
-internal data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null)
+internal data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null, val lacking: String? = null)
 
 /** The outcomes of all rules are usually the same for all logs of a team. */
 internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))
@@ -50,6 +50,6 @@ internal class SkippedRules(private val rules: RuleSet) {
         // A rule that can run for one log is valid; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }
-        return SkippedRule(rule.name, logs, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn)
+        return SkippedRule(rule.name, logs, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn, first.lacking)
     }
 }

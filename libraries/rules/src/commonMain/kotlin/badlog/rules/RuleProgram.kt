@@ -40,11 +40,12 @@ class AskedRule internal constructor(val rule: Rule, val findings: List<Finding>
  * @property message the reason, such as "no topic is called “Arm”".
  * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
  * otherwise null.
+ * @property lacking the signal that the log has no topic for; null for another reason.
  */
-class Refusal internal constructor(val message: String, val mistake: String? = null) {
+class Refusal internal constructor(val message: String, val mistake: String? = null, val lacking: String? = null) {
     /** Returns [rule] as skipped for this reason in [logs] logs. */
     fun of(rule: Rule, logs: Int): SkippedRule =
-        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn)
+        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn, lacking)
 }
 
 /** [rules] prepared for all logs with an equal [shape]. Thread-safe. */
@@ -161,7 +162,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             is TopicsOfSignal -> turnsOf(each)
         }
         if (turns == null) return step(rule, listOf(parsed(rule, null)))
-        if (turns.isEmpty()) return Step(rule, emptyList(), Refusal(whyNone(checkNotNull(rule.each))))
+        if (turns.isEmpty()) return Step(rule, emptyList(), Refusal(whyNone(checkNotNull(rule.each)), lacking = lackingFor(checkNotNull(rule.each))))
         val parsedOf = HashMap<List<Signal>, Parsed>()
         return step(
             rule,
@@ -205,6 +206,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         }
     }
 
+    /** Returns the first signal that [each] needs and the log lacks; null for one that is calculated, since its name says little. */
+    private fun lackingFor(each: TopicChoice): String? =
+        (each as? TopicsOfSignal)?.let { listOf(it.signal) + it.with }?.find { it !in DERIVED_NAMES && signals.of(it).isEmpty() }
+
     private fun step(rule: Rule, parsed: List<Parsed>): Step {
         val questions = parsed.filterIsInstance<Question>()
         val refusals = parsed.filterIsInstance<Refused>().map { it.refusal }
@@ -227,7 +232,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val lacked = lacking.find { it.name in expression.topics }
         return when {
             lacked === DEVIATION -> Refused(Refusal(NO_PLAN))
-            lacked != null -> Refused(Refusal("no topic for the signal “${lacked.name}”"))
+            lacked != null -> Refused(Refusal("no topic for the signal “${lacked.name}”", lacking = lacked.name.takeIf { it !in DERIVED_NAMES }))
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
             expression.type.isCondition -> question(rule, expression, turn)
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))

@@ -65,10 +65,10 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
         return if (best.distinct().size == best.size) best.map { drive[it] } else null
     }
 
-    private companion object {
+    companion object {
         const val STEP_SECONDS = 0.02
 
         /** A log of an hour is judged by its first half hour. */
-        const val MOST_STEPS = 90_000
+        private const val MOST_STEPS = 90_000
     }
 }

@@ -17,10 +17,11 @@ import badlog.signals.derived.heldSpeeds
 import badlog.signals.derived.longPressed
 import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.quantile
+import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
 import badlog.signals.derived.stall
-import badlog.signals.derived.switchError
+import badlog.signals.derived.strayed
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
 import kotlin.math.sign
@@ -110,20 +111,26 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
 
     private fun friction(motor: BusDevice) =
         derived("side friction", "", motor, BusSignal.CURRENT, BusSignal.VELOCITY, BusSignal.SUPPLY_CURRENT) { motion ->
-            val sides = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }?.map { side ->
-                val current = motion.valuesOf(side, BusSignal.CURRENT)
-                val output = motion.valuesOf(side, BusSignal.OUTPUT)
-                // Some controllers give no sign with the current.
-                Side(DoubleArray(current.size) { abs(current[it]) * sign(output[it]) }, motion.valuesOf(side, BusSignal.VELOCITY))
-            }
-            val full = sides?.maxOf { side -> quantile(DoubleArray(side.output.size) { abs(side.output[it]) }, 0.99) } ?: 0.0
-            val friction = if (full > 1) sides?.map { Side(scaled(it.output, 0.25 / full), it.speed) } else null
-            once(motion.times, friction?.let { (one, other) -> sideFriction(motion.times, one, other) })
+            val sides = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }?.map { motion.sideOf(it) }
+            once(motion.times, sides?.let { (one, other) -> sideFriction(motion.times, one, other) })
         }
+
+    /** Returns the force of [motor], -1 to 1, and its speed: by its current, or by its output if the current has no sign. */
+    private fun BusMotion.sideOf(motor: BusDevice): Side {
+        val output = valuesOf(motor, BusSignal.OUTPUT)
+        val current = valuesOf(motor, BusSignal.CURRENT)
+        val speed = valuesOf(motor, BusSignal.VELOCITY)
+        val most = quantile(DoubleArray(current.size) { abs(current[it]) }, 0.99)
+        if (current.none { it < -0.1 * most }) return Side(output, speed)
+        // Some give the sign of the torque, others only tell driving from braking. At its limit, a current takes about a quarter of the output.
+        val isTorque = correlation(current, output) > 0.3
+        val full = 4 * most.coerceAtLeast(1.0)
+        return Side(DoubleArray(current.size) { current[it] / full * if (isTorque) 1.0 else sign(output[it]) }, speed)
+    }
 
     private fun jam(motor: BusDevice) = derived("stall", "", motor, BusSignal.VELOCITY, BusSignal.CURRENT) { motion ->
         // What holds a place stands still under load.
-        val holds = BusSignal.REFERENCE in motor && isPlace(motor, motion)
+        val holds = if (BusSignal.REFERENCE in motor) isPlace(motor, motion) else BusSignal.ABSOLUTE in motor
         if (holds || !motion.isOfMechanism(motor)) {
             NOTHING
         } else {
@@ -135,7 +142,9 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         if (!motion.isOfMechanism(motor)) return@derived NOTHING
         val speed = motion.valuesOf(motor, BusSignal.VELOCITY)
         val held = heldSpeeds(motion.times, speed, motion.valuesOf(motor, BusSignal.OUTPUT))
-        Following(motion.times, held, speed, motion.isEnabled).swing()
+        val swing = Following(motion.times, held, speed, motion.isEnabled).swing()
+        // One that oscillates does so whenever it holds its speed.
+        if (swing.y.count { it > SWING_PERCENT } * BusMotion.STEP_SECONDS < SWING_SECONDS) NOTHING else swing
     }
 
     private fun switch(motor: BusDevice): DerivedSignal? {
@@ -145,7 +154,10 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         return DerivedSignal("switch error", "%", motor.label, listOf(position, topic)) { samples ->
             val place = samples.raw(position)
             val switch = samples.raw(topic).heldAt(place.x)
-            switchError(place.x, place.y, longPressed(place.x, DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }))
+            // A motor that is too weak to move may not have gone as far as it should.
+            val wanted = motor.topic(BusSignal.REFERENCE)?.let { samples.raw(it).y } ?: place.y
+            val range = maxOf(rangeOf(wanted), rangeOf(place.y))
+            strayed(place.x, place.y, longPressed(place.x, DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }), range)
         }
     }
 
@@ -200,6 +212,8 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
 
         /** The correlation of current and voltage if the current is most of what the battery gives. */
         const val EXPLAINED = -0.5
+        const val SWING_PERCENT = 3.0
+        const val SWING_SECONDS = 4.0
         const val JAM_AMPERES = 12.0
         val NOTHING = Series(DoubleArray(0), DoubleArray(0))
         val NOWHERE = Following(DoubleArray(0), DoubleArray(0), DoubleArray(0), BooleanArray(0))

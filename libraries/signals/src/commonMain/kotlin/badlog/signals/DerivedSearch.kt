@@ -25,7 +25,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "module angle error" to false, "module speed share" to false, "coupling error" to false, "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
     "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
-    "channel change" to false, "device silent" to false, "total current" to true,
+    "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */

@@ -1,8 +1,10 @@
 package badlog.signals
 
 import badlog.core.analysis.Series
+import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
 import badlog.signals.derived.Side
+import badlog.signals.derived.frozenWhileTurning
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.quantile
 import badlog.signals.derived.scaled
@@ -13,6 +15,33 @@ import kotlin.math.abs
 /** What can be calculated of the two sides of a tank drive. */
 internal fun sideSignals(robot: RobotParts): List<DerivedSignal> {
     val drive = robot.sides
+    fun of(side: String, vararg quantities: Quantity) = quantities.firstNotNullOfOrNull { quantity ->
+        drive.find { side in it.part && it.quantity == quantity }
+    }
+    val frozen = listOf("left" to "right", "right" to "left").mapNotNull { (side, other) ->
+        val own = of(side, Quantity.POSITION)
+        val turned = of(other, Quantity.POSITION)
+        val output = of(side, Quantity.OUTPUT, Quantity.VOLTAGE)
+        if (own == null || turned == null || output == null || of(side, Quantity.CURRENT) != null) null else sideFrozen(own, turned, output)
+    }
+    return frozen + frictions(drive)
+}
+
+/** Whether a side stands still though it is driven and the other side moves, where no current tells an encoder from a blocked side. */
+private fun sideFrozen(own: PartTopic, other: PartTopic, output: PartTopic): DerivedSignal {
+    val topics = listOf(own, output, other).map { it.signal.name }
+    return DerivedSignal("side frozen", "", own.label, topics) { samples ->
+        val (moved, driven, turned) = topics.map(samples::raw)
+        val frozen = frozenWhileTurning(moved.x, turned.heldAt(moved.x), moved.y, samples.enabledAt(moved.x))
+        val outputs = driven.heldAt(moved.x)
+        val least = DRIVEN * if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven)
+        Series(moved.x, DoubleArray(moved.size) { if (abs(outputs[it]) > least) frozen.y[it] else 0.0 })
+    }
+}
+
+private const val DRIVEN = 0.15
+
+private fun frictions(drive: List<PartTopic>): List<DerivedSignal> {
     fun of(side: String, vararg quantities: Quantity) = quantities.firstNotNullOfOrNull { quantity ->
         drive.find { side in it.part && it.quantity == quantity }
     }

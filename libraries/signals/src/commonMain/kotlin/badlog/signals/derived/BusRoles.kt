@@ -53,16 +53,18 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
         tops[one] < 1.5 * tops[other] && tops[other] < 1.5 * tops[one] && correlation(sizes[one], sizes[other]) > ALIKE
 
     private fun turnsAgainst(one: Int, other: Int): Boolean {
-        val moving = speeds[one].indices.filter { sizes[one][it] > 0.1 * tops[one] && sizes[other][it] > 0.1 * tops[other] }
+        val moving = speeds[one].indices.filter { minOf(sizes[one][it] / tops[one], sizes[other][it] / tops[other]) > MOVING }
         val against = moving.count { speeds[one][it] * speeds[other][it] < 0 }
         val back = moving.count { speeds[one][it] < 0 }
-        return minOf(against, moving.size - against, back, moving.size - back) > 0.02 * moving.size
+        return minOf(against, moving.size - against, back, moving.size - back) > TURNS * moving.size
     }
 
     private companion object {
-        const val SAME_SPEED = 0.9985
-        const val SAME_PLACE = 0.999
+        const val SAME_SPEED = 0.9997
+        const val SAME_PLACE = 0.9997
         const val ALIKE = 0.6
+        const val MOVING = 0.04
+        const val TURNS = 0.004
     }
 }
 

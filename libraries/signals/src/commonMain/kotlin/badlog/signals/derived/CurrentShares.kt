@@ -19,6 +19,6 @@ fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: Bo
     }
 }
 
-private const val ALIKE = 1.3
+private const val ALIKE = 1.2
 private const val LEAST_SAMPLES = 500
 private const val LEAST_AMPERES = 2.0

@@ -4,12 +4,11 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of the mechanism's range: how far it moves while
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
  * the switch stays [pressed], or how far it jumps at the moment at which the switch closes, which code does that takes this for the
  * end of the way. 0 while nothing contradicts. [times] are those of both arrays.
  */
-fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray): Series {
-    val range = quantile(position, 0.995) - quantile(position, 0.005)
+fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)
     var low = 0.0
     var high = 0.0
@@ -32,6 +31,18 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray)
     }
     return Series(times, errors)
 }
+
+/**
+ * Returns how far a mechanism is from where its limit switch was first [pressed] while it is pressed again, in percent of its [range]; 0
+ * while it is not. Devices do not set their positions by themselves.
+ */
+fun strayed(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double): Series {
+    val home = pressed.indexOfFirst { it == 1.0 }.let { if (it < 0) 0.0 else position[it] }
+    return Series(times, DoubleArray(times.size) { if (pressed[it] == 1.0 && range > 0) 100 * abs(position[it] - home) / range else 0.0 })
+}
+
+/** Returns how far a mechanism goes that was at [places], but for moments. */
+internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - quantile(places, 0.005)
 
 /**
  * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the position

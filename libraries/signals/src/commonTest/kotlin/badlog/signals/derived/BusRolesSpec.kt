@@ -10,7 +10,7 @@ class BusRolesSpec : FunSpec({
     val times = timesFor(60)
 
     /** Sides of a robot that drives to and fro, and turns now and then. */
-    fun side(sign: Int) = times.of { 50 * swing(it) + sign * 25 * swing(it, 7.0) }
+    fun side(sign: Int) = times.of { 50 * swing(it) + sign * 15 * swing(it, 7.0) }
     val roller = times.of { if (it % 9 < 4) 80.0 else 0.0 }
 
     fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) =
@@ -35,8 +35,8 @@ class BusRolesSpec : FunSpec({
     }
 
     test("four motors that run alike drive a swerve, not the four that have absolute encoders") {
-        fun wheel(at: Int) = times.of { abs(50 * swing(it)) + at * swing(it, 1.3) }
-        fun steer(at: Int) = times.of { 60 * swing(it, 3.1) + at * swing(it, 1.7) }
+        fun wheel(at: Int) = times.of { abs(50 * swing(it)) + 8 * at * swing(it, 1.3) }
+        fun steer(at: Int) = times.of { 60 * swing(it, 3.1) + 8 * at * swing(it, 1.7) }
         val found = roles(List(4) { wheel(it) } + List(4) { steer(it) } + listOf(roller), encoded = listOf(4, 5, 6, 7))
         found.drive shouldContainExactly listOf(0, 1, 2, 3)
         found.steering.toSet() shouldBe setOf(4, 5, 6, 7)
