@@ -127,7 +127,11 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val joined = ArrayList<Span>()
         for (span in spans) {
             val last = joined.lastOrNull()
-            if (last != null && span.from - last.to in 0.0..JOINED_SECONDS) joined[joined.lastIndex] = Span(last.from, maxOf(last.to, span.to)) else joined += span
+            if (last != null && span.from >= last.to && span.from - last.to < JOINED_SECONDS) {
+                joined[joined.lastIndex] = Span(last.from, maxOf(last.to, span.to))
+            } else {
+                joined += span
+            }
         }
         return joined
     }

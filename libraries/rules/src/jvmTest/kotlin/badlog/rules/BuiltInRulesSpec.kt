@@ -57,13 +57,7 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "25" }
     },
-    "Side stands still" to {
-        for (side in listOf("Left", "Right")) {
-            number("Drivetrain/$side Position") { TestMatch.position(it) }
-            number("Drivetrain/$side Output") { TestMatch.output(it) }
-        }
-        from(20.0, "Drivetrain/Left Position") { "10" }
-    },
+    "Side stands still" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
     "Device silent" to {
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }
         from(20.0, "Phoenix6/TalonFX-2/DutyCycle") { "" }

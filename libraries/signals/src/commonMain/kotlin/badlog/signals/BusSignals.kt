@@ -16,15 +16,13 @@ import badlog.signals.derived.heldAt
 import badlog.signals.derived.heldSpeeds
 import badlog.signals.derived.longPressed
 import badlog.signals.derived.moduleSpeedShares
-import badlog.signals.derived.quantile
 import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
 import badlog.signals.derived.stall
-import badlog.signals.derived.strayed
+import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
-import kotlin.math.sign
 
 /**
  * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is told by their behavior, so a signal
@@ -111,22 +109,11 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
 
     private fun friction(motor: BusDevice) =
         derived("side friction", "", motor, BusSignal.CURRENT, BusSignal.VELOCITY, BusSignal.SUPPLY_CURRENT) { motion ->
-            val sides = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }?.map { motion.sideOf(it) }
+            val sides = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }?.map { side ->
+                Side(motion.valuesOf(side, BusSignal.OUTPUT), motion.valuesOf(side, BusSignal.VELOCITY))
+            }
             once(motion.times, sides?.let { (one, other) -> sideFriction(motion.times, one, other) })
         }
-
-    /** Returns the force of [motor], -1 to 1, and its speed: by its current, or by its output if the current has no sign. */
-    private fun BusMotion.sideOf(motor: BusDevice): Side {
-        val output = valuesOf(motor, BusSignal.OUTPUT)
-        val current = valuesOf(motor, BusSignal.CURRENT)
-        val speed = valuesOf(motor, BusSignal.VELOCITY)
-        val most = quantile(DoubleArray(current.size) { abs(current[it]) }, 0.99)
-        if (current.none { it < -0.1 * most }) return Side(output, speed)
-        // Some give the sign of the torque, others only tell driving from braking. At its limit, a current takes about a quarter of the output.
-        val isTorque = correlation(current, output) > 0.3
-        val full = 4 * most.coerceAtLeast(1.0)
-        return Side(DoubleArray(current.size) { current[it] / full * if (isTorque) 1.0 else sign(output[it]) }, speed)
-    }
 
     private fun jam(motor: BusDevice) = derived("stall", "", motor, BusSignal.VELOCITY, BusSignal.CURRENT) { motion ->
         // What holds a place stands still under load.
@@ -157,7 +144,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             // A motor that is too weak to move may not have gone as far as it should.
             val wanted = motor.topic(BusSignal.REFERENCE)?.let { samples.raw(it).y } ?: place.y
             val range = maxOf(rangeOf(wanted), rangeOf(place.y))
-            strayed(place.x, place.y, longPressed(place.x, DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }), range)
+            switchError(place.x, place.y, longPressed(place.x, DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }), range)
         }
     }
 

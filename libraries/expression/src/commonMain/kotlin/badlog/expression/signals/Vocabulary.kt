@@ -26,6 +26,7 @@ class Vocabulary(
     /** Creates the vocabulary of a recording over time. */
     constructor(signals: List<Signal>) : this(signals, hasTime = true)
 
+    private val byWords by lazy { signals.groupBy { wordsOf(it.name.substringAfterLast('/')) } }
     private val entries by lazy { Entries(signals) }
 
     override fun equals(other: Any?): Boolean = this === other ||
@@ -49,7 +50,7 @@ class Vocabulary(
      */
     internal fun withWordsOf(name: String): List<Signal> {
         val wanted = wordsOf(name)
-        return if (wanted.size < 2) emptyList() else signals.filter { wordsOf(it.name.substringAfterLast('/')) == wanted }
+        return if (wanted.size < 2) emptyList() else byWords[wanted].orEmpty()
     }
 
     /** Returns the length of the longest name at [from] in [text] that ends at a word boundary; 0 if there is none. */

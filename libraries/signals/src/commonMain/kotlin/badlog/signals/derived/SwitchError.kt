@@ -32,15 +32,6 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray,
     return Series(times, errors)
 }
 
-/**
- * Returns how far a mechanism is from where its limit switch was first [pressed] while it is pressed again, in percent of its [range]; 0
- * while it is not. Devices do not set their positions by themselves.
- */
-fun strayed(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double): Series {
-    val home = pressed.indexOfFirst { it == 1.0 }.let { if (it < 0) 0.0 else position[it] }
-    return Series(times, DoubleArray(times.size) { if (pressed[it] == 1.0 && range > 0) 100 * abs(position[it] - home) / range else 0.0 })
-}
-
 /** Returns how far a mechanism goes that was at [places], but for moments. */
 internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - quantile(places, 0.005)
 

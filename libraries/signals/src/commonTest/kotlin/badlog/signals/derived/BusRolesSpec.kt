@@ -10,7 +10,7 @@ class BusRolesSpec : FunSpec({
     val times = timesFor(60)
 
     /** Sides of a robot that drives to and fro, and turns now and then. */
-    fun side(sign: Int) = times.of { 50 * swing(it) + sign * 15 * swing(it, 7.0) }
+    fun side(sign: Int) = times.of { 50 * swing(it) + sign * 8 * swing(it, 7.0) }
     val roller = times.of { if (it % 9 < 4) 80.0 else 0.0 }
 
     fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) =
