@@ -110,7 +110,12 @@ class SkippedJson private constructor(private val rule: String, private val mess
 
 /** What rules could not look at in a log, in the form for other programs. */
 @Serializable
-internal class NotLookedAtJson(private val rulesRan: Int, private val rulesSkipped: Int, private val lacking: List<String>, private val text: String) {
+internal class NotLookedAtJson(
+    private val rulesRan: Int,
+    private val rulesSkipped: Int,
+    private val lacking: List<String>,
+    private val text: String,
+) {
     constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.couldNot, unseen.lacking, unseen.text)
 }
 

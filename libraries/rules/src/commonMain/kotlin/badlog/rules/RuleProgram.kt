@@ -162,7 +162,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             is TopicsOfSignal -> turnsOf(each)
         }
         if (turns == null) return step(rule, listOf(parsed(rule, null)))
-        if (turns.isEmpty()) return Step(rule, emptyList(), Refusal(whyNone(checkNotNull(rule.each)), lacking = lackingFor(checkNotNull(rule.each))))
+        if (turns.isEmpty()) return Step(rule, emptyList(), checkNotNull(rule.each).let { Refusal(whyNone(it), lacking = lackingFor(it)) })
         val parsedOf = HashMap<List<Signal>, Parsed>()
         return step(
             rule,
@@ -182,7 +182,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
                 Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
             }
         }
-        // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals that are
+        // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals
+        // that are
         // calculated know of both.
         val topics = signals.of(each.signal).filter { each.with.isEmpty() || busDeviceIn(it.topic) == null }
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
@@ -232,7 +233,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val lacked = lacking.find { it.name in expression.topics }
         return when {
             lacked === DEVIATION -> Refused(Refusal(NO_PLAN))
-            lacked != null -> Refused(Refusal("no topic for the signal “${lacked.name}”", lacking = lacked.name.takeIf { it !in DERIVED_NAMES }))
+
+            lacked != null ->
+                Refused(Refusal("no topic for the signal “${lacked.name}”", lacking = lacked.name.takeIf { it !in DERIVED_NAMES }))
+
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
             expression.type.isCondition -> question(rule, expression, turn)
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))

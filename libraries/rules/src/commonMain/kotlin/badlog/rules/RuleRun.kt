@@ -105,13 +105,16 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val named = question.expression.topics.mapNotNull { question.named[it] }
         val topics = named.flatMap { it.topics }.distinct().filter { isTimed && it in names }
         val rare = topics.mapNotNull { topic -> stepOf(topic)?.let { topic to it } }.sortedByDescending { it.second }.take(MAX_CAVEATS)
-        return rare.map { (topic, seconds) -> "$topic is sampled every ${timeText(seconds * 1000, "ms")} here: what is shorter is not seen." } +
-            topics.mapNotNull { topic ->
-                samples.implausible[topic]?.let { "$it sample${if (it == 1) " of $topic is" else "s of $topic are"} left out: no robot has such values." }
-            }
+        val rates = rare.map { (topic, seconds) ->
+            "$topic is sampled every ${timeText(seconds * 1000, "ms")} here: what is shorter is not seen."
+        }
+        return rates + topics.mapNotNull { topic ->
+            val count = samples.implausible[topic] ?: return@mapNotNull null
+            "$count sample${if (count == 1) " of $topic is" else "s of $topic are"} left out: no robot has such values."
+        }
     }
 
-    /** Returns the usual time between two samples of [topic] in s, if it is long and regular; a topic may also be logged when it changes. */
+    /** Returns the usual time between two samples of [topic] in s, if it is long and regular. */
     private fun stepOf(topic: String): Double? = steps.getOrPut(topic) {
         val series = log.series(topic)
         val own = DoubleArray((series.size - 1).coerceIn(0, MAX_STEPS)) { series.x[it + 1] - series.x[it] }.apply { sort() }

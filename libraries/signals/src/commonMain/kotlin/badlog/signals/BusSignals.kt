@@ -25,7 +25,8 @@ import badlog.signals.derived.timesOf
 import kotlin.math.abs
 
 /**
- * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is told by their behavior, so a signal
+ * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is told by their behavior, so a
+ * signal
  * may turn out to have no samples; what is found is said of the device.
  */
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<SwerveModule>) {
@@ -144,7 +145,8 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             // A motor that is too weak to move may not have gone as far as it should.
             val wanted = motor.topic(BusSignal.REFERENCE)?.let { samples.raw(it).y } ?: place.y
             val range = maxOf(rangeOf(wanted), rangeOf(place.y))
-            switchError(place.x, place.y, longPressed(place.x, DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }), range)
+            val isPressed = DoubleArray(switch.size) { if (pressed == null) 1 - switch[it] else switch[it] }
+            switchError(place.x, place.y, longPressed(place.x, isPressed), range)
         }
     }
 

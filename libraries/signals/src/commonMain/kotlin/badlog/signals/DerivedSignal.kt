@@ -17,7 +17,4 @@ class DerivedSignal internal constructor(
     val device: String,
     val topics: List<String>,
     internal val samples: (NamedSamples) -> Series,
-) {
-    /** Returns its samples in the log of [samples]. */
-    fun samplesOf(samples: NamedSamples): Series = this.samples(samples)
-}
+)

@@ -23,7 +23,8 @@ const val TIME = "time"
 val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
 
 /**
- * The numbers of [signal] times [scale]. If that is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN), others
+ * The numbers of [signal] times [scale]. If that is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN),
+ * others
  * so that the full value is [whole], whether they are percent or fractions. With a [reading], they are read as true or false. Numbers above
  * [atMost] are no readings, so there is a gap.
  */
@@ -61,7 +62,10 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
 
         /** Returns the sum of [topics] as [name]. */
         fun of(name: String, topics: List<SignalTopic>): NamedSignal =
-            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit), it.reading, atMost = it.atMost) }, topics[0].unit)
+            NamedSignal(name, topics.map(::scaledOf), topics[0].unit)
+
+        private fun scaledOf(topic: SignalTopic) =
+            ScaledSignal(topic.source, topic.scale, wholeIn(topic.unit), topic.reading, atMost = topic.atMost)
 
         private fun kindOf(summands: List<ScaledSignal>) = when {
             summands.size > 1 -> SignalKind.NUMBER

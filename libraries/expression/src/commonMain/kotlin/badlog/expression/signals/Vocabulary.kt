@@ -141,15 +141,16 @@ private fun wordsOf(name: String): Set<String> {
     val words = HashSet<String>()
     var start = 0
     for (at in 1..name.length) {
-        val isEnd = at == name.length || !isLetterOrDigit(name[at]) || !isLetterOrDigit(name[at - 1]) ||
-            (folded(name.substring(at, at + 1)) != name.substring(at, at + 1) && folded(name.substring(at - 1, at)) == name.substring(at - 1, at))
-        if (!isEnd) continue
+        val isEnd = at == name.length || !isLetterOrDigit(name[at]) || !isLetterOrDigit(name[at - 1])
+        if (!isEnd && (!isCapital(name[at]) || isCapital(name[at - 1]))) continue
         val word = folded(name.substring(start, at)).trim { !isLetterOrDigit(it) }
         if (word.isNotEmpty() && word !in FILLERS) words += word
         start = at
     }
     return words
 }
+
+private fun isCapital(character: Char) = character.lowercaseChar() != character
 
 private val FILLERS = setOf("of", "the", "a", "an", "in", "for")
 

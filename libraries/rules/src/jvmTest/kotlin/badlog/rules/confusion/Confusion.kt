@@ -68,7 +68,7 @@ private fun row(title: String, diagnoses: List<Diagnosis>): String {
     return "| $title | ${diagnoses.size} | $shares |\n"
 }
 
-/** What somebody who mends a rule reads: the outcome of each fault in each naming, each wrong match, and each that should have been silent. */
+/** What somebody who mends a rule reads: the outcomes of each fault in each naming, and what should not have been said. */
 private fun details(diagnoses: List<Diagnosis>, silences: List<Silence>): String {
     val cells = diagnoses.filter { it.visibility == Visibility.CAUSE }.groupBy { "${it.fault} ${it.naming.id}" }.entries.joinToString("") {
         "- ${it.key}: ${it.value.joinToString(", ") { one -> one.outcome.title }}\n"

@@ -4,7 +4,8 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns for how long a device whose topics are [sent] was not heard while the robot was enabled and half of [others] were, in s: the length
+ * Returns for how long a device whose topics are [sent] was not heard while the robot was enabled and half of [others] were, in s: the
+ * length
  * of each such gap from its start to its end, 0 elsewhere. Empty if the log keeps changes only: then silence says that nothing changed.
  */
 fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> Boolean): Series {

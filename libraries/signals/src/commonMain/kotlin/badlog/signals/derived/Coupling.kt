@@ -43,7 +43,8 @@ fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArr
 
 /**
  * Returns the one of [motors], positions at [times], that [moved] is coupled to: in some stretch of the first [KNOWN_SECONDS] in which the
- * robot is enabled and it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts from
+ * robot is enabled and it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts
+ * from
  * 0 again after each turn.
  */
 internal fun coupledMotor(times: DoubleArray, motors: List<DoubleArray>, moved: DoubleArray, isEnabled: BooleanArray): DoubleArray? {
@@ -66,7 +67,8 @@ internal fun coupledMotor(times: DoubleArray, motors: List<DoubleArray>, moved: 
 }
 
 /** Returns whether a sensor that reads [turns] counts from 0 again after each turn. */
-internal fun turnsAround(turns: DoubleArray): Boolean = (1 until turns.size).count { abs(turns[it] - turns[it - 1]) > HALF_TURN } > FEW_TURNS
+internal fun turnsAround(turns: DoubleArray): Boolean =
+    (1 until turns.size).count { abs(turns[it] - turns[it - 1]) > HALF_TURN } > FEW_TURNS
 
 /**
  * Returns the median of how far the mechanism moves for each turn of the motor, over its first steps: what breaks later does not count.

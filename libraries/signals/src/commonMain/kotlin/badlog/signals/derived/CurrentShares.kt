@@ -4,7 +4,8 @@ import kotlin.math.abs
 
 /**
  * Returns the current of each of several equal motors as a share of what the others have on average, 1 for all in a healthy drive: the
- * means of their amounts while the robot is enabled, over the second half of that time, since motors fail in a match. Null if they hardly ran, and for a motor whose others are not alike: then wheels work against each other,
+ * means of their amounts while the robot is enabled, over the second half of that time, since motors fail in a match. Null if they hardly
+ * ran, and for a motor whose others are not alike: then wheels work against each other,
  * as they do if one of them points aside.
  */
 fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {

@@ -36,7 +36,8 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray,
 internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - quantile(places, 0.005)
 
 /**
- * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the position
+ * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the
+ * position
  * that comes with the switch may be an old one.
  */
 fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {

@@ -105,7 +105,8 @@ class SignalTopics(
         }
         val scale = if (wanted == null || unit == null) 1.0.takeIf { unit != null } else unitScale(unit, wanted) ?: return null
         val reason = "fits “${pattern.pattern.text}”" + if (isKnownFrom.isEmpty()) "" else ", $isKnownFrom"
-        return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, pattern.pattern.deviceIn(source.name), atMost = signal.atMost)
+        val device = pattern.pattern.deviceIn(source.name)
+        return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, device, atMost = signal.atMost)
     }
 
     private companion object {

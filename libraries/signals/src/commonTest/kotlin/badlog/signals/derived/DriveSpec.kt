@@ -43,7 +43,8 @@ class DriveSpec : FunSpec({
     }
 
     test("a channel that takes less than before has lost its share") {
-        val changes = channelChanges(times, List(6) { at -> times.of { if (at > 3) 1.0 else if (at == 2 && it > 20) 8.0 else 20.0 } }, times.always())
+        val currents = List(6) { at -> times.of { if (at > 3) 1.0 else if (at == 2 && it > 20) 8.0 else 20.0 } }
+        val changes = channelChanges(times, currents, times.always())
         checkNotNull(changes)[2] shouldBe (0.4 plusOrMinus 1e-6)
         changes[0] shouldBe (1.0 plusOrMinus 1e-6)
         changes[5] shouldBe null
@@ -66,7 +67,10 @@ class DriveSpec : FunSpec({
 
     test("a voltage that its current explains is not lost; a dip without current is") {
         val amperes = times.series { abs(60 * swing(it)) + if ((it * 50).toInt() % 2 == 0) 0.5 else 0.0 }
-        fun lost(dip: Double) = unexplainedDrop(times.series { 12.5 - 0.02 * abs(60 * swing(it)) - if (it in 30.0..30.2) dip else 0.0 }, amperes).most()
+        fun lost(dip: Double): Double {
+            val battery = times.series { 12.5 - 0.02 * abs(60 * swing(it)) - if (it in 30.0..30.2) dip else 0.0 }
+            return unexplainedDrop(battery, amperes).most()
+        }
         lost(0.0) shouldBe 0.0
         lost(4.0) shouldBeGreaterThan 2.0
     }

@@ -31,7 +31,8 @@ class FollowingSpec : FunSpec({
     }
 
     test("beyond a new target is an overshoot, in percent of the step") {
-        following({ followed(it) + if (it % 8 in 0.5..1.0 && followed(it) == 1.0) 0.3 else 0.0 }).overshoot().most() shouldBe (30.0 plusOrMinus 0.1)
+        val beyond = following({ followed(it) + if (it % 8 in 0.5..1.0 && followed(it) == 1.0) 0.3 else 0.0 })
+        beyond.overshoot().most() shouldBe (30.0 plusOrMinus 0.1)
         following(::followed).overshoot().most() shouldBe 0.0
     }
 
