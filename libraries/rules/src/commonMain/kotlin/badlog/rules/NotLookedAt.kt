@@ -25,10 +25,10 @@ class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
 fun lackingIn(skipped: List<SkippedRule>): List<String> = skipped.mapNotNull { it.lacking }.groupBy { it }.entries
     .sortedByDescending { it.value.size }.map { it.key }
 
-/** Returns the first of [signals] as a list in a sentence, with the number of the others. */
-fun listed(signals: List<String>): String {
-    val some = signals.take(MOST_LISTED).joinToString { "“$it”" }
-    val others = signals.size - MOST_LISTED
+/** Returns the first [most] of [signals] as a list in a sentence, with the number of the others. */
+fun listed(signals: List<String>, most: Int = MOST_LISTED): String {
+    val some = signals.take(most).joinToString { "“$it”" }
+    val others = signals.size - most
     return if (others > 0) "$some and $others other signal${if (others == 1) "" else "s"}" else some
 }
 
