@@ -238,8 +238,11 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
                 Refused(Refusal("no topic for the signal “${lacked.name}”", lacking = lacked.name.takeIf { it !in DERIVED_NAMES }))
 
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
+
             expression.type.isCondition -> question(rule, expression, turn)
+
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))
+
             else -> Refused(Refusal(NO_CONDITION, rule.place?.pointed("This is a number; compare it, as in x < 7.")))
         }
     }

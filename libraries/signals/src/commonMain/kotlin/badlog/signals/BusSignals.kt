@@ -101,10 +101,14 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     ) { samples ->
         val at = driversOfModules(samples)?.indexOf(motor) ?: -1
         val motion = samples.motion()
-        val shares = if (at < 0) null else moduleSpeedShares(
-            modules.map { motion.valuesOf(it.speed) },
-            modules.map { scaled(motion.valuesOf(it.angle), it.radians) },
-        )
+        val shares = if (at < 0) {
+            null
+        } else {
+            moduleSpeedShares(
+                modules.map { motion.valuesOf(it.speed) },
+                modules.map { scaled(motion.valuesOf(it.angle), it.radians) },
+            )
+        }
         once(motion.times, shares?.get(at))
     }
 

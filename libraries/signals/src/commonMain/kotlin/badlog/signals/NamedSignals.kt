@@ -61,8 +61,7 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
         }
 
         /** Returns the sum of [topics] as [name]. */
-        fun of(name: String, topics: List<SignalTopic>): NamedSignal =
-            NamedSignal(name, topics.map(::scaledOf), topics[0].unit)
+        fun of(name: String, topics: List<SignalTopic>): NamedSignal = NamedSignal(name, topics.map(::scaledOf), topics[0].unit)
 
         private fun scaledOf(topic: SignalTopic) =
             ScaledSignal(topic.source, topic.scale, wholeIn(topic.unit), topic.reading, atMost = topic.atMost)
@@ -164,7 +163,13 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     private fun scaleBySamples(series: Series, whole: Double): Double {
         if (!whole.isNaN()) return if (isFraction(series)) whole else whole / PERCENT
         val median = quantile(series.y, 0.5)
-        return if (median > 0 && median < MOST_SECONDS) 1000.0 else if (median > LEAST_MICROS) 1e-3 else 1.0
+        return if (median > 0 && median < MOST_SECONDS) {
+            1000.0
+        } else if (median > LEAST_MICROS) {
+            1e-3
+        } else {
+            1.0
+        }
     }
 
     // No robot has a load of so few percent all the time, so such numbers are fractions.

@@ -13,8 +13,7 @@ class BusRolesSpec : FunSpec({
     fun side(sign: Int) = times.of { 50 * swing(it) + sign * 8 * swing(it, 7.0) }
     val roller = times.of { if (it % 9 < 4) 80.0 else 0.0 }
 
-    fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) =
-        BusRoles(speeds, speeds.map { DoubleArray(0) }, speeds.indices.map { it in encoded })
+    fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) = BusRoles(speeds, speeds.map { DoubleArray(0) }, speeds.indices.map { it in encoded })
 
     test("motors that turn in one ratio are on one shaft, of which the first stands for all") {
         val follower = DoubleArray(times.size) { -2 * side(1)[it] }

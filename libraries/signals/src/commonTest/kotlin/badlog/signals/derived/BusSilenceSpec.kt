@@ -14,8 +14,7 @@ class BusSilenceSpec : FunSpec({
         return kept.series(value)
     }
 
-    fun silence(own: Series, others: List<Series> = listOf(other, other), isEnabled: (Double) -> Boolean = { true }) =
-        busSilence(listOf(own), others, isEnabled).most()
+    fun silence(own: Series, others: List<Series> = listOf(other, other), isEnabled: (Double) -> Boolean = { true }) = busSilence(listOf(own), others, isEnabled).most()
 
     test("a device that is not heard while others are is silent, for as long as that lasts") {
         silence(without(10.0, 12.0)) shouldBe (2.04 plusOrMinus 1e-6)

@@ -17,5 +17,4 @@ internal fun DoubleArray.always(): BooleanArray = BooleanArray(size) { true }
 internal fun swing(time: Double, period: Double = 4.0): Double = sin(2 * PI * time / period)
 
 /** The largest sample of this series in the span of time. */
-internal fun Series.most(from: Double = 0.0, to: Double = 1e9): Double =
-    (0 until size).filter { x[it] in from..to && y[it].isFinite() }.maxOfOrNull { y[it] } ?: Double.NaN
+internal fun Series.most(from: Double = 0.0, to: Double = 1e9): Double = (0 until size).filter { x[it] in from..to && y[it].isFinite() }.maxOfOrNull { y[it] } ?: Double.NaN

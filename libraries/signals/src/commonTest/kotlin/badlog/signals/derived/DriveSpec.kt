@@ -43,7 +43,17 @@ class DriveSpec : FunSpec({
     }
 
     test("a channel that takes less than before has lost its share") {
-        val currents = List(6) { at -> times.of { if (at > 3) 1.0 else if (at == 2 && it > 20) 8.0 else 20.0 } }
+        val currents = List(6) { at ->
+            times.of {
+                if (at > 3) {
+                    1.0
+                } else if (at == 2 && it > 20) {
+                    8.0
+                } else {
+                    20.0
+                }
+            }
+        }
         val changes = channelChanges(times, currents, times.always())
         checkNotNull(changes)[2] shouldBe (0.4 plusOrMinus 1e-6)
         changes[0] shouldBe (1.0 plusOrMinus 1e-6)
