@@ -18,8 +18,10 @@ fun LogFindings.toJson(): String = jsonObject(
             "logs" to it.logs.toString(),
             "message" to quotedJson(it.message),
             "isMistake" to it.isMistake.toString(),
+            "lacking" to it.lacking?.let(::quotedJson),
         )
     },
+    "ran" to ran.toString(),
 )
 
 /** Returns the findings in [text], or null if [LogFindings.toJson] did not write it. */
@@ -29,8 +31,15 @@ fun logFindingsOf(text: String): LogFindings? = unlessMalformed {
         json.list("findings", ::findingOf),
         json.list("skipped") { skipped ->
             val fields = JsonFields(skipped.members)
-            SkippedRule(fields["rule"].string, fields["logs"].number.toInt(), fields["message"].string, fields["isMistake"].boolean)
+            SkippedRule(
+                fields["rule"].string,
+                fields["logs"].number.toInt(),
+                fields["message"].string,
+                fields["isMistake"].boolean,
+                lacking = fields.find("lacking")?.string,
+            )
         },
+        json["ran"].number.toInt(),
     )
 }
 
@@ -47,6 +56,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "isOfHook" to finding.isOfHook.toString(),
     "evidence" to array(finding.evidence, ::quotedJson),
     "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
+    "caveats" to finding.caveats.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
     "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
 
@@ -68,6 +78,7 @@ internal fun findingOf(value: JsonValue): Finding {
         isOfHook = json["isOfHook"].boolean,
         evidence = json.list("evidence") { it.string },
         next = json.find("next")?.string.orEmpty(),
+        caveats = if (json.find("caveats") == null) emptyList() else json.list("caveats") { it.string },
         texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
     )
 }

@@ -199,9 +199,9 @@ class ParsingSpec : FunSpec({
             "There is no topic “/System/Battery Voltge”; did you mean “System/Battery Voltage”?",
         ),
         Triple(
-            "Battery  Voltage > 1",
-            "Battery  Voltage",
-            "There is no topic “Battery  Voltage”; did you mean “System/Battery Voltage”?",
+            "Battery  Volts > 1",
+            "Battery  Volts",
+            "There is no topic “Battery  Volts”; did you mean “System/Battery Voltage”?",
         ),
         Triple("sum(a) > 1", "sum", "There is no function “sum”; did you mean integral?"),
         Triple("avg(a) > 1", "avg", "There is no function “avg”; did you mean mean?"),

@@ -129,6 +129,7 @@ class Report(
             hookFailures = outcomes.mapNotNull { (hook, _) -> hook.failure?.let { HookFailure(hook.hook, it.message) } },
             figures = figures,
             differences = differences,
+            ran = stored.asked.size - skipped.size,
         )
     }
 

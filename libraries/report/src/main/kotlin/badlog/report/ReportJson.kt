@@ -1,6 +1,7 @@
 package badlog.report
 
 import badlog.rules.Finding
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import kotlinx.serialization.Serializable
@@ -12,6 +13,7 @@ class ReportJson private constructor(
     private val incidents: List<IncidentJson>,
     private val findings: List<FindingJson>,
     private val notAsked: List<SkippedJson>,
+    private val notLookedAt: NotLookedAtJson,
     private val undefined: List<UndefinedJson>,
     private val hookFailures: List<HookFailureJson>,
     private val batteryResistance: ResistanceJson?,
@@ -21,6 +23,7 @@ class ReportJson private constructor(
         log.incidents.map(::IncidentJson),
         log.findings.map(::FindingJson),
         log.skipped.map(::SkippedJson),
+        NotLookedAtJson(log.notLookedAt),
         log.undefined.map(::UndefinedJson),
         log.hookFailures.map { HookFailureJson(it.hook, it.message) },
         log.figures.takeUnless { it.resistance.isNaN() }?.let { ResistanceJson(it.resistance, it.uncertainty) },
@@ -44,6 +47,7 @@ internal class FindingJson(
     private val isOfHook: Boolean,
     private val evidence: List<String>,
     private val next: String,
+    private val caveats: List<String>,
 ) {
     constructor(finding: Finding) : this(
         finding.rule,
@@ -57,6 +61,7 @@ internal class FindingJson(
         finding.isOfHook,
         finding.evidence,
         finding.next,
+        finding.caveats,
     )
 }
 
@@ -101,6 +106,17 @@ internal class SentenceJson(
 @Serializable
 class SkippedJson private constructor(private val rule: String, private val message: String, private val isMistake: Boolean) {
     constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
+}
+
+/** What rules could not look at in a log, in the form for other programs. */
+@Serializable
+internal class NotLookedAtJson(
+    private val rulesRan: Int,
+    private val rulesSkipped: Int,
+    private val lacking: List<String>,
+    private val text: String,
+) {
+    constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.couldNot, unseen.lacking, unseen.text)
 }
 
 /** A hook that failed for a log, and why, in the form for other programs. */

@@ -4,6 +4,7 @@ import badlog.catalog.examine.UndefinedTopic
 import badlog.core.recording.Severity
 import badlog.files.LogFile
 import badlog.rules.Finding
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.incident.Incident
@@ -52,7 +53,11 @@ class LogReport internal constructor(
     val hookFailures: List<HookFailure>,
     val figures: LogFigures = LogFigures.NONE,
     val differences: LogDifferences = LogDifferences.NONE,
-)
+    private val ran: Int = 0,
+) {
+    /** What rules could not look at. */
+    val notLookedAt: NotLookedAt get() = NotLookedAt(ran, skipped)
+}
 
 /**
  * A hook that failed for a log.

@@ -2,8 +2,11 @@ package badlog.report
 
 import badlog.core.recording.Severity
 import badlog.files.LogFile
+import badlog.rules.SkippedRule
 import badlog.rules.comparison.resistanceText
 import badlog.rules.incident.Incident
+import badlog.rules.lackingIn
+import badlog.rules.listed
 import badlog.rules.timeText
 import badlog.terminal.TextTable
 import badlog.terminal.TextTable.Column
@@ -50,18 +53,18 @@ private fun rowsOf(incident: Incident): List<List<String>> {
 fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
-    return listOfNotNull(builtInText(builtIn.size)) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
+    val alone = readable.singleOrNull()?.takeIf { builtIn.isNotEmpty() }
+    val unseen = alone?.let { (if (it.findings.isEmpty()) "Nothing found. " else "") + it.notLookedAt.text } ?: builtInText(builtIn)
+    return listOfNotNull(unseen) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
         hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
 
 /** No log has all topics of the built-in rules. */
-private fun builtInText(skipped: Int): String? = if (skipped == 0) {
-    null
-} else {
-    "${count(
-        skipped,
-        "built-in rule",
-    )} ${if (skipped == 1) "was" else "were"} skipped for logs without their topics; see badlog info --signals."
+private fun builtInText(skipped: List<SkippedRule>): String? {
+    if (skipped.isEmpty()) return null
+    val lacking = lackingIn(skipped)
+    val needed = if (lacking.isEmpty()) "" else "\nMost of them need ${listed(lacking, most = 3)}."
+    return "${count(skipped.size, "built-in rule")} could not look into all of these logs; see badlog info --signals.$needed"
 }
 
 /** Returns each hook in [failures] with what went wrong: a hook that fails for one log usually fails for all. */

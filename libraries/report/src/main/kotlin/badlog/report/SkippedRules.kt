@@ -41,6 +41,7 @@ internal class SkippedRules(private val rules: RuleSet) {
         // A rule that can run for one log is valid; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }
-        return SkippedRule(rule.name, logs, (if (isMistake) first.mistake else first.refusal).orEmpty(), isMistake, rule.isBuiltIn)
+        val why = (if (isMistake) first.mistake else first.refusal).orEmpty()
+        return SkippedRule(rule.name, logs, why, isMistake, rule.isBuiltIn, first.lacking)
     }
 }

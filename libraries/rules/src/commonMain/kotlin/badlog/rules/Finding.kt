@@ -19,6 +19,7 @@ import badlog.expression.Quantity
  * @property isOfHook whether a hook found it, rather than a rule.
  * @property evidence the full names of the topics that show it, those of the rule's condition first.
  * @property next what to look at next, as a sentence; empty if not given.
+ * @property caveats what would make it wrong, each as a sentence: how rarely a topic is sampled, what was left out.
  * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
  */
 class Finding(
@@ -34,6 +35,7 @@ class Finding(
     val evidence: List<String> = listOfNotNull(topic),
     val next: String = "",
     val texts: List<String> = emptyList(),
+    val caveats: List<String> = emptyList(),
 ) {
     /** Returns what was found at [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text

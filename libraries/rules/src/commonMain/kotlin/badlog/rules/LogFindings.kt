@@ -11,11 +11,15 @@ import badlog.signals.namesWith
  *
  * @property findings the findings, in the order of the rules.
  * @property skipped the rules that were skipped, in order.
+ * @property ran how many rules were not.
  */
-class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>) {
+class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, val ran: Int = 0) {
     /** Returns these with the result of [asked]. */
-    operator fun plus(asked: AskedRule): LogFindings =
-        LogFindings(findings + asked.findings, skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)))
+    operator fun plus(asked: AskedRule): LogFindings = LogFindings(
+        findings + asked.findings,
+        skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)),
+        if (asked.refusal == null) ran + 1 else ran,
+    )
 }
 
 /**
@@ -26,8 +30,16 @@ class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>) {
  * @property message why it was skipped for the first of them.
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
  * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all of those.
+ * @property lacking the signal that the first of those logs has no topic for; null for another reason.
  */
-class SkippedRule(val rule: String, val logs: Int, val message: String, val isMistake: Boolean, val isBuiltIn: Boolean = false) {
+class SkippedRule(
+    val rule: String,
+    val logs: Int,
+    val message: String,
+    val isMistake: Boolean,
+    val isBuiltIn: Boolean = false,
+    val lacking: String? = null,
+) {
     /** Returns a sentence, or more if the rule is wrong. */
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"

@@ -19,6 +19,7 @@ import badlog.signals.NamedSignal
 import badlog.signals.PLAN_DISTANCE
 import badlog.signals.ScaledSignal
 import badlog.signals.TIME
+import badlog.signals.derived.busDeviceIn
 import badlog.signals.derivedSignalsOf
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
@@ -39,11 +40,12 @@ class AskedRule internal constructor(val rule: Rule, val findings: List<Finding>
  * @property message the reason, such as "no topic is called “Arm”".
  * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
  * otherwise null.
+ * @property lacking the signal that the log has no topic for; null for another reason.
  */
-class Refusal internal constructor(val message: String, val mistake: String? = null) {
+class Refusal internal constructor(val message: String, val mistake: String? = null, val lacking: String? = null) {
     /** Returns [rule] as skipped for this reason in [logs] logs. */
     fun of(rule: Rule, logs: Int): SkippedRule =
-        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn)
+        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn, lacking)
 }
 
 /** [rules] prepared for all logs with an equal [shape]. Thread-safe. */
@@ -101,9 +103,14 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             if (path == null) lacking[PLAN_DISTANCE] = DEVIATION else found[PLAN_DISTANCE] = NamedSignal.of(path)
         }
         for ((name, isSingle) in DERIVED_NAMES) {
-            if (!isSingle || name in found || rules.signals.find(name) != null) continue
+            if (!isSingle || name in found) continue
             val own = derived.find { it.name == name }
-            if (own == null) lacking[name] = Signal(name, SignalKind.NUMBER) else found[name] = NamedSignal.of(name, own)
+            if (own == null) {
+                if (rules.signals.find(name) == null) lacking[name] = Signal(name, SignalKind.NUMBER)
+            } else {
+                found[name] = NamedSignal.of(name, own)
+                lacking -= name
+            }
         }
         val aliases = LinkedHashMap<String, NamedSignal>()
         missing = rules.aliases.filter { alias ->
@@ -155,7 +162,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             is TopicsOfSignal -> turnsOf(each)
         }
         if (turns == null) return step(rule, listOf(parsed(rule, null)))
-        if (turns.isEmpty()) return Step(rule, emptyList(), Refusal(whyNone(checkNotNull(rule.each))))
+        if (turns.isEmpty()) return Step(rule, emptyList(), checkNotNull(rule.each).let { Refusal(whyNone(it), lacking = lackingFor(it)) })
         val parsedOf = HashMap<List<Signal>, Parsed>()
         return step(
             rule,
@@ -175,7 +182,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
                 Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
             }
         }
-        val topics = signals.of(each.signal)
+        // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals
+        // that are
+        // calculated know of both.
+        val topics = signals.of(each.signal).filter { each.with.isEmpty() || busDeviceIn(it.topic) == null }
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
         return pairs.mapNotNull { (topic, other) ->
             val bound = linkedMapOf(TOPIC to NamedSignal.of(TOPIC, listOf(topic)))
@@ -196,6 +206,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             "no ${if (each.isLinked) "linked topics" else "topic"} for the signal “${each.signal}”$beside"
         }
     }
+
+    /** Returns the first signal that [each] needs and the log lacks; null for one that is calculated, since its name says little. */
+    private fun lackingFor(each: TopicChoice): String? =
+        (each as? TopicsOfSignal)?.let { listOf(it.signal) + it.with }?.find { it !in DERIVED_NAMES && signals.of(it).isEmpty() }
 
     private fun step(rule: Rule, parsed: List<Parsed>): Step {
         val questions = parsed.filterIsInstance<Question>()
@@ -219,10 +233,16 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val lacked = lacking.find { it.name in expression.topics }
         return when {
             lacked === DEVIATION -> Refused(Refusal(NO_PLAN))
-            lacked != null -> Refused(Refusal("no topic for the signal “${lacked.name}”"))
+
+            lacked != null ->
+                Refused(Refusal("no topic for the signal “${lacked.name}”", lacking = lacked.name.takeIf { it !in DERIVED_NAMES }))
+
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
+
             expression.type.isCondition -> question(rule, expression, turn)
+
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))
+
             else -> Refused(Refusal(NO_CONDITION, rule.place?.pointed("This is a number; compare it, as in x < 7.")))
         }
     }

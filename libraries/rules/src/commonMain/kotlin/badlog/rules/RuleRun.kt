@@ -9,7 +9,9 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignals
+import badlog.signals.derived.busDeviceIn
 import badlog.signals.vocabulary.FRACTION
+import kotlin.math.round
 
 /**
  * Runs the rules of a program on [view], which was read from a file called [file].
@@ -19,19 +21,23 @@ import badlog.signals.vocabulary.FRACTION
 internal class RuleRun(view: LogView, private val file: String, private val isEverywhere: Boolean) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
+    private val names = log.vocabulary.signals.mapTo(HashSet()) { it.name }
+    private val isTimed = log.vocabulary.hasTime
     private val samples = NamedSamples(log, view)
 
-    /** The topics in which each rule has found something. */
+    /** What each rule has found something in: devices of the CAN bus, or else topics. */
     private val found = HashMap<String, Set<String?>>()
 
     /** Returns the result of [step]. */
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
-        val findings = step.questions.filter { it.topic !in known }.flatMap { find(rule, it) }
-        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { it.topic }
+        val findings = step.questions.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
+        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { subjectOf(it.topic) }
         return AskedRule(rule, findings, step.refusal)
     }
+
+    private fun subjectOf(topic: String?) = topic?.let(::busDeviceIn) ?: topic
 
     private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
@@ -41,7 +47,9 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val messages = messagesOf(question, signals)
         if (!rule.isForEachText || messages == null || answer.spans.isEmpty()) {
             val textAt = { time: Double -> messages?.at(time)?.first().orEmpty() }
-            return listOf(finding(rule, question, answer, answer.spans, answer.times, textAt, signals))
+            val spans = joined(answer.spans)
+            val times = if (spans.size < answer.spans.size) spans.size else answer.times
+            return listOf(finding(rule, question, answer, spans, times, textAt, signals))
         }
         val alike = LinkedHashMap<String, MutableList<Span>>()
         // Of what is said at the same time, each message has a finding of its own.
@@ -87,8 +95,48 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
             answer.timeUnit,
             evidence = question.evidence,
             next = rule.next,
+            caveats = caveatsOf(question),
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
+    }
+
+    /** Says what may be missing in the samples that [question] is about. */
+    private fun caveatsOf(question: RuleProgram.Question): List<String> {
+        val named = question.expression.topics.mapNotNull { question.named[it] }
+        val topics = named.flatMap { it.topics }.distinct().filter { isTimed && it in names }
+        val rare = topics.mapNotNull { topic -> stepOf(topic)?.let { topic to it } }.sortedByDescending { it.second }.take(MAX_CAVEATS)
+        val rates = rare.map { (topic, seconds) ->
+            "$topic is sampled every ${timeText(seconds * 1000, "ms")} here: what is shorter is not seen."
+        }
+        return rates + topics.mapNotNull { topic ->
+            val count = samples.implausible[topic] ?: return@mapNotNull null
+            "$count sample${if (count == 1) " of $topic is" else "s of $topic are"} left out: no robot has such values."
+        }
+    }
+
+    /** Returns the usual time between two samples of [topic] in s, if it is long and regular. */
+    private fun stepOf(topic: String): Double? = steps.getOrPut(topic) {
+        val series = log.series(topic)
+        val own = DoubleArray((series.size - 1).coerceIn(0, MAX_STEPS)) { series.x[it + 1] - series.x[it] }.apply { sort() }
+        val step = if (own.size < LEAST_STEPS) 0.0 else round(own[own.size / 2] * 1000) / 1000
+        step.takeIf { it > LONG_STEP && own[own.size * 9 / 10] < 1.5 * it } ?: Double.NaN
+    }.takeIf { it.isFinite() }
+
+    private val steps = HashMap<String, Double>()
+
+    /** Returns [spans] with those joined that follow each other within a second, if they are many: something that flickers is one thing. */
+    private fun joined(spans: List<Span>): List<Span> {
+        if (spans.size <= MAX_HITS) return spans
+        val joined = ArrayList<Span>()
+        for (span in spans) {
+            val last = joined.lastOrNull()
+            if (last != null && span.from >= last.to && span.from - last.to < JOINED_SECONDS) {
+                joined[joined.lastIndex] = Span(last.from, maxOf(last.to, span.to))
+            } else {
+                joined += span
+            }
+        }
+        return joined
     }
 
     private fun textsOf(spans: List<Span>, answer: Answer, textAt: (Double) -> String, texted: TextedRule): List<String> {
@@ -120,5 +168,16 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         /** The maximum number of different texts of a topic that are listed for a rule. */
         const val MAX_TEXTS = 20
         const val PERCENT = 100.0
+
+        const val MAX_CAVEATS = 2
+        const val MAX_STEPS = 2000
+        const val LEAST_STEPS = 20
+
+        /** A loop takes 0.02 s; topics that are sampled more rarely miss something, in s. */
+        const val LONG_STEP = 0.045
+
+        /** As many hits as somebody goes through one by one. */
+        const val MAX_HITS = 50
+        const val JOINED_SECONDS = 1.0
     }
 }

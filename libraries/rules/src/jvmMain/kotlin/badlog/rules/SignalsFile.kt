@@ -57,7 +57,14 @@ private class SignalsReader(private val toml: TomlText) {
             except = toml.patterns(table, "except", isNeeded = false),
             isMany = toml.isTrue(table, "many"),
             sumOf = toml.string(table, "sum_of"),
+            atMost = number(table, "at_most"),
         )
+    }
+
+    private fun number(table: TomlTable, key: String): Double? = when (val value = table.get(listOf(key))) {
+        null -> null
+        is Number -> value.toDouble()
+        else -> toml.fail(toml.placeOf(table, key), "“$key” is a number, as in $key = 16.")
     }
 
     private fun requireReading(table: TomlTable, content: SignalContent, topic: TopicPattern) {
@@ -100,6 +107,6 @@ private class SignalsReader(private val toml: TomlText) {
     }
 
     private companion object {
-        val KEYS = setOf("name", "means", "is", "unit", "topics", "except", "many", "sum_of")
+        val KEYS = setOf("name", "means", "is", "unit", "topics", "except", "many", "sum_of", "at_most")
     }
 }

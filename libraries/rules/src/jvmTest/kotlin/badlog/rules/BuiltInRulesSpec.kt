@@ -57,6 +57,11 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "25" }
     },
+    "Side stands still" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
+    "Device silent" to {
+        for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }
+        from(20.0, "Phoenix6/TalonFX-2/DutyCycle") { "" }
+    },
     "Values frozen" to { from(20.0, "Drive/Left/PositionRad") { if (it < 20.5) "10" else TestMatch.position(it).toString() } },
     "Limit switch contradicted" to { flag("Elevator/Bottom Limit") { it < 30 } },
     "Encoder frozen" to { arm { if (it < 20) 90 * TestMatch.wave(it / 2) else 45.0 } },

@@ -9,9 +9,11 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.signals.derived.Following
+import badlog.signals.derived.quantile
 import badlog.signals.pose.PlannedPath
 import badlog.signals.vocabulary.FRACTION
 import badlog.signals.vocabulary.SignalTopic
+import badlog.signals.vocabulary.unitScale
 import kotlin.math.abs
 
 /** The name of the x axis among signals. */
@@ -21,8 +23,10 @@ const val TIME = "time"
 val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
 
 /**
- * The numbers of [signal] times [scale]. If that is null, they are scaled so that the full value is [whole], whether they are
- * percent or fractions. With a [reading], they are read as true or false.
+ * The numbers of [signal] times [scale]. If that is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN),
+ * others
+ * so that the full value is [whole], whether they are percent or fractions. With a [reading], they are read as true or false. Numbers above
+ * [atMost] are no readings, so there is a gap.
  */
 data class ScaledSignal(
     val signal: Signal,
@@ -30,6 +34,7 @@ data class ScaledSignal(
     val whole: Double = 1.0,
     val reading: FlagReading? = null,
     val derived: DerivedSignal? = null,
+    val atMost: Double? = null,
 )
 
 /** The sum of [summands], usually a single one, under the name [name], in [unit]; for a calculated one, [madeOf] has the topics. */
@@ -56,8 +61,10 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
         }
 
         /** Returns the sum of [topics] as [name]. */
-        fun of(name: String, topics: List<SignalTopic>): NamedSignal =
-            NamedSignal(name, topics.map { ScaledSignal(it.source, it.scale, wholeIn(it.unit), it.reading) }, topics[0].unit)
+        fun of(name: String, topics: List<SignalTopic>): NamedSignal = NamedSignal(name, topics.map(::scaledOf), topics[0].unit)
+
+        private fun scaledOf(topic: SignalTopic) =
+            ScaledSignal(topic.source, topic.scale, wholeIn(topic.unit), topic.reading, atMost = topic.atMost)
 
         private fun kindOf(summands: List<ScaledSignal>) = when {
             summands.size > 1 -> SignalKind.NUMBER
@@ -66,7 +73,13 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
         }
 
         /** Returns the full value in [unit]. */
-        fun wholeIn(unit: String): Double = if (unit == FRACTION) 1.0 else PERCENT
+        fun wholeIn(unit: String): Double = if (unit == FRACTION) {
+            1.0
+        } else if (unitScale(unit, "s") != null) {
+            Double.NaN
+        } else {
+            PERCENT
+        }
 
         private const val PERCENT = 100.0
     }
@@ -85,6 +98,9 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
 
     /** How the channels of the power distribution changed: one list, for all of them. */
     internal val channelChanges = HashMap<String, List<Double?>>()
+
+    /** What devices move that are known by their ids alone; made once. */
+    internal var busMotion: BusMotion? = null
 
     /** Returns the samples of the topic [name] as they were logged. */
     internal fun raw(name: String): Series = log.series(name)
@@ -111,7 +127,8 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         if (source.signal === DEVIATION) return planDistanceIn(view, log)
         val series = log.series(source.signal.name)
         if (source.reading != null) return flagged(series, source.reading, source.signal)
-        val scale = source.scale ?: if (isFraction(series)) source.whole else source.whole / PERCENT
+        val scale = source.scale ?: scaleBySamples(series, source.whole)
+        if (source.atMost != null) return plausible(series, scale, source)
         return if (scale == 1.0) series else Series(series.x, DoubleArray(series.size) { series.y[it] * scale })
     }
 
@@ -130,6 +147,29 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
                 }
             },
         )
+    }
+
+    /** How many samples of each topic are left out, since no robot has such values; for those that were asked for. */
+    val implausible: Map<String, Int> get() = leftOut
+    private val leftOut = HashMap<String, Int>()
+
+    private fun plausible(series: Series, scale: Double, source: ScaledSignal): Series {
+        val most = source.atMost ?: return series
+        val count = series.y.count { it * scale > most }
+        if (count > 0) leftOut[source.signal.name] = count
+        return Series(series.x, DoubleArray(series.size) { i -> (series.y[i] * scale).let { if (it > most) Double.NaN else it } })
+    }
+
+    private fun scaleBySamples(series: Series, whole: Double): Double {
+        if (!whole.isNaN()) return if (isFraction(series)) whole else whole / PERCENT
+        val median = quantile(series.y, 0.5)
+        return if (median > 0 && median < MOST_SECONDS) {
+            1000.0
+        } else if (median > LEAST_MICROS) {
+            1e-3
+        } else {
+            1.0
+        }
     }
 
     // No robot has a load of so few percent all the time, so such numbers are fractions.
@@ -157,6 +197,10 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
 
     private companion object {
         const val PERCENT = 100.0
+
+        // No loop takes as little as 0.15 ms, or as long as 0.5 s, half of the time.
+        const val MOST_SECONDS = 0.15
+        const val LEAST_MICROS = 500.0
 
         // A controller may demand a little more than the full value.
         const val MAX_FRACTION = 2.0

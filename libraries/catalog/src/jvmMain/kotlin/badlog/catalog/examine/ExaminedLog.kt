@@ -38,9 +38,9 @@ class ExaminedLog(
     val figureValues: String = "",
 )
 
-/** The outcome of [rule] for a log: why it was skipped, and what seems to be wrong with it; both null if it ran. */
+/** The outcome of [rule] for a log: why it was skipped, what seems to be wrong with it, and which signal the log lacks; all null if it ran. */
 @Serializable
-data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null)
+data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null, val lacking: String? = null)
 
 /** The outcomes of all rules are usually the same for all logs of a team. */
 internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))

@@ -49,7 +49,7 @@ class RuleExamination(private val rules: RuleSet, private val with: String = "")
         for (rule in programs[LogShape.of(log.view)].run(log.view, name)) {
             checkpoint()
             findings += rule.findings
-            asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake)
+            asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
         val figures = if (isComparing) figuresOf(log.view, rules.signals).toText() else NO_FIGURES
         return ExaminedLog(

@@ -53,15 +53,16 @@ object FindingSerializer : KSerializer<Finding> {
         val isOfHook: Boolean,
         val evidence: List<String>,
         val next: String,
+        val caveats: List<String>,
     )
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
         Stored.serializer(),
-        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) },
+        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats) },
     )
 
     override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer())
-        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next) }
+        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats = caveats) }
 }

@@ -26,6 +26,7 @@ class Vocabulary(
     /** Creates the vocabulary of a recording over time. */
     constructor(signals: List<Signal>) : this(signals, hasTime = true)
 
+    private val byWords by lazy { signals.groupBy { wordsOf(it.name.substringAfterLast('/')) } }
     private val entries by lazy { Entries(signals) }
 
     override fun equals(other: Any?): Boolean = this === other ||
@@ -42,6 +43,15 @@ class Vocabulary(
 
     /** Returns the signals that [name] may mean: none, one, or several if it is ambiguous. */
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
+
+    /**
+     * Returns the signals that have the words of [name] and no others at the end of their paths, in any order and however they are joined:
+     * `voltage of the battery` for `/SystemStats/BatteryVoltage`.
+     */
+    internal fun withWordsOf(name: String): List<Signal> {
+        val wanted = wordsOf(name)
+        return if (wanted.size < 2) emptyList() else byWords[wanted].orEmpty()
+    }
 
     /** Returns the length of the longest name at [from] in [text] that ends at a word boundary; 0 if there is none. */
     internal fun longestAt(text: String, from: Int, ignoreCase: Boolean): Int = entries.lengths.firstOrNull { length ->
@@ -126,6 +136,23 @@ internal fun isWordEnd(text: String, at: Int): Boolean =
     at >= text.length || at == 0 || !isWordCharacter(text[at]) || !isWordCharacter(text[at - 1])
 
 internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
+
+private fun wordsOf(name: String): Set<String> {
+    val words = HashSet<String>()
+    var start = 0
+    for (at in 1..name.length) {
+        val isEnd = at == name.length || !isLetterOrDigit(name[at]) || !isLetterOrDigit(name[at - 1])
+        if (!isEnd && (!isCapital(name[at]) || isCapital(name[at - 1]))) continue
+        val word = folded(name.substring(start, at)).trim { !isLetterOrDigit(it) }
+        if (word.isNotEmpty() && word !in FILLERS) words += word
+        start = at
+    }
+    return words
+}
+
+private fun isCapital(character: Char) = character.lowercaseChar() != character
+
+private val FILLERS = setOf("of", "the", "a", "an", "in", "for")
 
 // Character by character, so that the length stays the same.
 private fun folded(text: String): String {

@@ -32,12 +32,22 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         if (from == scanner.at && length <= word.length && Function.called(key).isNotEmpty() && isCalled(from + word.length)) {
             return Meaning.Call(word)
         }
+        byWords(from, length)?.let { return it }
         if (length > 0) {
             scanner.at = from + length
             return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
         }
         if (key in KEYWORDS) return Meaning.Keyword(key)
         failUnknown(from, word, key)
+    }
+
+    /** Returns the topic that is meant by the words at [from], if they are more than the name of [length] there, and no name themselves. */
+    private fun byWords(from: Int, length: Int): Meaning.Topic? {
+        val until = nameEnd(from)
+        if (until <= from + length || isCalled(until)) return null
+        val found = vocabulary.withWordsOf(text.substring(from, until)).singleOrNull() ?: return null
+        scanner.at = until
+        return Meaning.Topic(Node.Topic(from, until, found))
     }
 
     // In other tools, names begin with a slash, like paths.

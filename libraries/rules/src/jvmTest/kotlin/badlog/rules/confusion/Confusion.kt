@@ -68,11 +68,14 @@ private fun row(title: String, diagnoses: List<Diagnosis>): String {
     return "| $title | ${diagnoses.size} | $shares |\n"
 }
 
-/** What somebody who mends a rule reads: each wrong match, and each that should have been silent. */
+/** What somebody who mends a rule reads: the outcomes of each fault in each naming, and what should not have been said. */
 private fun details(diagnoses: List<Diagnosis>, silences: List<Silence>): String {
+    val cells = diagnoses.filter { it.visibility == Visibility.CAUSE }.groupBy { "${it.fault} ${it.naming.id}" }.entries.joinToString("") {
+        "- ${it.key}: ${it.value.joinToString(", ") { one -> one.outcome.title }}\n"
+    }
     val wrong = diagnoses.filter { it.outcome == Outcome.WRONG }.joinToString("") { "- ${it.name}: ${it.headline}\n" }
     val loud = silences.filter { !it.isSilent }.joinToString("") { "- ${it.name}${if (it.isHard) " (hard)" else ""}: ${it.headline}\n" }
-    return "\n## Wrong\n\n$wrong\n## Not silent\n\n$loud"
+    return "\n## Cells\n\n$cells\n## Wrong\n\n$wrong\n## Not silent\n\n$loud"
 }
 
 private const val REPORTED = 100

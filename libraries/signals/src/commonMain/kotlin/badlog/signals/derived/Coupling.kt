@@ -42,6 +42,35 @@ fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArr
 }
 
 /**
+ * Returns the one of [motors], positions at [times], that [moved] is coupled to: in some stretch of the first [KNOWN_SECONDS] in which the
+ * robot is enabled and it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts
+ * from
+ * 0 again after each turn.
+ */
+internal fun coupledMotor(times: DoubleArray, motors: List<DoubleArray>, moved: DoubleArray, isEnabled: BooleanArray): DoubleArray? {
+    if (turnsAround(moved)) return null
+    val range = quantile(moved, 0.98) - quantile(moved, 0.02)
+    val first = isEnabled.indexOfFirst { it }
+    if (first < 0) return null
+    var from = first
+    while (from < times.size && times[from] < times[first] + KNOWN_SECONDS) {
+        var until = from
+        while (until < times.size && times[until] < times[from] + STRETCH_SECONDS) until++
+        val stretch = moved.copyOfRange(from, until)
+        if (quantile(stretch, 0.98) - quantile(stretch, 0.02) > FAR * range) {
+            val fitting = motors.filter { abs(correlation(it, moved, from, until)) > COUPLED }
+            if (fitting.size == 1) return fitting[0]
+        }
+        from = until
+    }
+    return null
+}
+
+/** Returns whether a sensor that reads [turns] counts from 0 again after each turn. */
+internal fun turnsAround(turns: DoubleArray): Boolean =
+    (1 until turns.size).count { abs(turns[it] - turns[it - 1]) > HALF_TURN } > FEW_TURNS
+
+/**
  * Returns the median of how far the mechanism moves for each turn of the motor, over its first steps: what breaks later does not count.
  * Null if there are too few.
  */
@@ -62,6 +91,12 @@ private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double
     return quantile(ratios.toDoubleArray(), 0.5).takeIf { it != 0.0 && it.isFinite() }
 }
 
+private const val HALF_TURN = 0.5
+private const val FEW_TURNS = 3
+private const val KNOWN_SECONDS = 60.0
+private const val STRETCH_SECONDS = 6.0
+private const val FAR = 0.25
+private const val COUPLED = 0.998
 private const val START_SECONDS = 8.0
 private const val FROZEN_SHARE = 0.05
 private const val STEP_SHARE = 0.05

@@ -21,6 +21,9 @@ fun timesOf(series: List<Series>): DoubleArray {
     return all.copyOf(kept)
 }
 
+/** Returns [values] times [scale]. */
+internal fun scaled(values: DoubleArray, scale: Double): DoubleArray = DoubleArray(values.size) { values[it] * scale }
+
 /** Returns the value that [share] of the finite numbers in [values] do not exceed; NaN if there are none. */
 internal fun quantile(values: DoubleArray, share: Double): Double {
     val sorted = values.filter { it.isFinite() }.toDoubleArray().apply { sort() }

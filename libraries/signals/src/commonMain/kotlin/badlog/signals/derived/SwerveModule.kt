@@ -87,17 +87,26 @@ fun moduleAngleError(
     targets: List<DoubleArray>,
     speeds: List<DoubleArray>,
     isEnabled: BooleanArray,
-): Series = Series(
-    times,
-    DoubleArray(times.size) { i ->
-        if (!isEnabled[i] || abs(speeds[at][i]) < MOVING) {
-            Double.NaN
-        } else {
-            val errors = angles.indices.map { halfTurnError(targets[it][i] - angles[it][i]) }
-            errors[at] - errors.filterIndexed { index, _ -> index != at }.max()
-        }
-    },
-)
+): Series {
+    // While nothing turns, nothing lags; a log of changes has no samples then, either.
+    val turning = times.indices.filter { i -> i == 0 || angles.any { it[i] != it[i - 1] } || targets[at][i] != targets[at][i - 1] }
+    val steps = DoubleArray(maxOf(0, turning.size - 1)) { times[turning[it + 1]] - times[turning[it]] }
+    // An angle that comes seldom is an old one: it followed the target of then.
+    val age = quantile(steps, 0.5).let { if (it > SELDOM) 2 * it else 0.0 }
+    return Series(
+        DoubleArray(turning.size) { times[turning[it]] },
+        DoubleArray(turning.size) { k ->
+            val i = turning[k]
+            if (!isEnabled[i] || abs(speeds[at][i]) < MOVING) {
+                Double.NaN
+            } else {
+                val since = indexBefore(times, i, age)
+                val errors = angles.indices.map { module -> (since..i).minOf { halfTurnError(targets[module][it] - angles[module][i]) } }
+                errors[at] - errors.filterIndexed { index, _ -> index != at }.max()
+            }
+        },
+    )
+}
 
 /** Returns the size of an angle of [radians] modulo a half turn, in degrees, 0 to 90. */
 private fun halfTurnError(radians: Double): Double = abs(radians - PI * round(radians / PI)) * 180 / PI
@@ -105,6 +114,9 @@ private fun halfTurnError(radians: Double): Double = abs(radians - PI * round(ra
 private const val STRUCT_ANGLE = "/angle/value"
 private val SPEED_FIELDS = listOf("/speed", "/velocity")
 private val CORNERS = setOf("front", "back", "rear", "left", "right")
+
+/** In s. */
+private const val SELDOM = 0.05
 
 /** In m/s. */
 private const val MOVING = 0.3

@@ -4,12 +4,11 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of the mechanism's range: how far it moves while
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
  * the switch stays [pressed], or how far it jumps at the moment at which the switch closes, which code does that takes this for the
  * end of the way. 0 while nothing contradicts. [times] are those of both arrays.
  */
-fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray): Series {
-    val range = quantile(position, 0.98) - quantile(position, 0.02)
+fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)
     var low = 0.0
     var high = 0.0
@@ -33,5 +32,22 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray)
     return Series(times, errors)
 }
 
+/** Returns how far a mechanism goes that was at [places], but for moments. */
+internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - quantile(places, 0.005)
+
+/**
+ * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the
+ * position
+ * that comes with the switch may be an old one.
+ */
+fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {
+    var since = 0
+    return DoubleArray(times.size) { i ->
+        if (pressed[i] != 1.0) since = i + 1
+        if (i - since >= OLD_SAMPLES) 1.0 else 0.0
+    }
+}
+
+private const val OLD_SAMPLES = 3
 private const val JUMP_SECONDS = 0.1
 private const val JUMP_SHARE = 0.12

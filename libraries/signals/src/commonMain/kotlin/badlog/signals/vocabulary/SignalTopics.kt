@@ -26,6 +26,7 @@ class SignalTopic internal constructor(
     val scale: Double?,
     val device: String,
     internal val reading: FlagReading? = null,
+    internal val atMost: Double? = null,
 ) {
     val topic: String get() = source.name
 }
@@ -98,15 +99,18 @@ class SignalTopics(
             pattern.unit != null -> pattern.unit to "${pattern.unit}, as such logs have it"
             named != null -> named.unit to "unit ${named.unit} in the name"
             wanted == PERCENT || wanted == FRACTION -> null to "percent or fraction by its samples"
+            wanted == MILLISECONDS -> null to "s, ms or µs by its samples"
             wanted != null -> wanted to "taken to be in $wanted"
             else -> "" to ""
         }
         val scale = if (wanted == null || unit == null) 1.0.takeIf { unit != null } else unitScale(unit, wanted) ?: return null
         val reason = "fits “${pattern.pattern.text}”" + if (isKnownFrom.isEmpty()) "" else ", $isKnownFrom"
-        return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, pattern.pattern.deviceIn(source.name))
+        val device = pattern.pattern.deviceIn(source.name)
+        return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, device, atMost = signal.atMost)
     }
 
     private companion object {
         const val PERCENT = "%"
+        const val MILLISECONDS = "ms"
     }
 }

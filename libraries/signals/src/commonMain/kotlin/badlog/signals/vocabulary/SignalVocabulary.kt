@@ -100,6 +100,7 @@ private val BITS = 0..52
  * @property unit its unit in rules and questions; null for the topic's own.
  * @property isMany whether every matching topic is one of it; otherwise the first pattern that matches a topic
  * decides.
+ * @property atMost the largest number that can be true, in [unit]; larger ones are not readings. Null for any.
  * @property sumOf the signal whose topics, added up, are this one if no topic is; or null.
  */
 class SignalName(
@@ -111,8 +112,9 @@ class SignalName(
     val except: List<NamePattern>,
     val isMany: Boolean,
     val sumOf: String?,
+    val atMost: Double? = null,
 ) {
-    fun with(own: SignalName) = SignalName(name, meaning, content, unit, own.topics + topics, own.except + except, isMany, sumOf)
+    fun with(own: SignalName) = SignalName(name, meaning, content, unit, own.topics + topics, own.except + except, isMany, sumOf, atMost)
 }
 
 /** What the samples of a signal are. */

@@ -47,6 +47,7 @@ private fun signalJson(signal: SignalName): String = jsonObject(
     "except" to patternsJson(signal.except),
     "many" to "true".takeIf { signal.isMany },
     "sumOf" to signal.sumOf?.let(::quotedJson),
+    "atMost" to signal.atMost?.let { quotedJson(it.toString()) },
 )
 
 private fun signalOf(value: JsonValue): SignalName {
@@ -67,5 +68,6 @@ private fun signalOf(value: JsonValue): SignalName {
         except = json.patterns("except"),
         isMany = json.isTrue("many"),
         sumOf = json.optional("sumOf"),
+        atMost = json.optional("atMost")?.toDouble(),
     )
 }

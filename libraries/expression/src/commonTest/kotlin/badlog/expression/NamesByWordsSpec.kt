@@ -1,0 +1,36 @@
+package badlog.expression
+
+import badlog.expression.signals.Signal
+import badlog.expression.signals.SignalKind
+import badlog.expression.signals.Vocabulary
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.types.shouldBeInstanceOf
+
+class NamesByWordsSpec : FunSpec({
+    val names = listOf("/SystemStats/BatteryVoltage", "battery", "/Left/StatorCurrent", "/Right/StatorCurrent", "/Arm/Current_Angle")
+    val vocabulary = Vocabulary(names.map { Signal(it, SignalKind.NUMBER) })
+
+    fun topicOf(text: String) = Expression.parse("$text > 1", vocabulary).shouldBeInstanceOf<Expression>().topics.single()
+
+    test("words find a topic, however they are joined, and in any order") {
+        for (text in listOf("battery voltage", "Battery Voltage", "voltage of the battery", "BATTERY_VOLTAGE")) {
+            topicOf(text) shouldBe "/SystemStats/BatteryVoltage"
+        }
+        topicOf("angle current") shouldBe "/Arm/Current_Angle"
+    }
+
+    test("a name itself comes before words, and a single word is a name") {
+        topicOf("battery") shouldBe "battery"
+        Expression.parse("angle > 1", vocabulary).shouldBeInstanceOf<ExpressionError>()
+    }
+
+    test("words that two topics have do not say which") {
+        Expression.parse("current stator > 1", vocabulary).shouldBeInstanceOf<ExpressionError>()
+    }
+
+    test("operators that are words end a name") {
+        Expression.parse("battery voltage > 1 and battery < 13", vocabulary).shouldBeInstanceOf<Expression>().topics shouldBe
+            setOf("/SystemStats/BatteryVoltage", "battery")
+    }
+})

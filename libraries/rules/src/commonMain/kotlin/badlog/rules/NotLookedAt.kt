@@ -1,0 +1,35 @@
+package badlog.rules
+
+/**
+ * What rules could not look at in a log: of the rules that did not run, those that are made for logs with other topics.
+ *
+ * @property ran how many rules ran.
+ * @property couldNot how many did not.
+ * @property lacking the signals that the log has no topic for, those first that most rules need.
+ */
+class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
+    private val others = skipped.filter { !it.isMistake }
+    val couldNot: Int = others.size
+    val lacking: List<String> = lackingIn(others)
+
+    /** A sentence or two, such as `21 rules ran; 58 could not: this log has no battery, motor output and 12 other signals.` */
+    val text: String
+        get() = "$ran rule${if (ran == 1) "" else "s"} ran" + when {
+            couldNot == 0 -> "."
+            lacking.isEmpty() -> "; $couldNot could not, since this log lacks their topics."
+            else -> "; $couldNot could not: this log has no ${listed(lacking)}."
+        }
+}
+
+/** Returns the signals that logs lack for the rules [skipped], those first that most rules need. */
+fun lackingIn(skipped: List<SkippedRule>): List<String> = skipped.mapNotNull { it.lacking }.groupBy { it }.entries
+    .sortedByDescending { it.value.size }.map { it.key }
+
+/** Returns the first [most] of [signals] as a list in a sentence, with the number of the others. */
+fun listed(signals: List<String>, most: Int = MOST_LISTED): String {
+    val some = signals.take(most).joinToString { "“$it”" }
+    val others = signals.size - most
+    return if (others > 0) "$some and $others other signal${if (others == 1) "" else "s"}" else some
+}
+
+private const val MOST_LISTED = 5

@@ -1,0 +1,67 @@
+package badlog.rules
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+
+private const val BATTERY = "/SystemStats/BatteryVoltage"
+private const val CAN = "/SystemStats/CANBus/Utilization"
+
+class TrustSpec : FunSpec({
+    fun TestMatch.finding(rule: String) = findings().single { it.rule == rule }
+
+    test("a reading that no robot has is no dip and no peak, and the finding says how many were left out") {
+        val match = TestMatch().apply {
+            from(20.0, BATTERY) {
+                when {
+                    it < 20.1 -> "37.375"
+                    it < 20.6 -> "6.4"
+                    else -> "12"
+                }
+            }
+        }
+        match.finding("Low battery").caveats shouldBe listOf("5 samples of $BATTERY are left out: no robot has such values.")
+        TestMatch().apply { from(20.0, "/DSLog/CPUUtilization") { "1.5" } }.findings().map { it.rule } shouldNotContain "CPU busy"
+    }
+
+    test("a loop time without a unit is read in s, ms or µs, as its values say") {
+        for (factor in listOf(0.001, 1.0, 1000.0)) {
+            val match = TestMatch().apply {
+                without("/RealOutputs/LoggedRobot/FullCycleMS")
+                number("Robot/Loop Time") { (if (it in 20.0..20.05) 60.0 else 9.0) * factor }
+            }
+            match.finding("Loop overrun").text shouldBe "The loop took up to 60 ms (1× above 40 ms)."
+        }
+    }
+
+    test("many short hits are one finding with a duration") {
+        val match = TestMatch().apply { from(20.0, CAN) { if ((it * 10).toInt() % 2 == 0) "0.97" else "0.7" } }
+        val finding = match.finding("CAN bus full")
+        finding.spans.size shouldBe 1
+        finding.spanCount shouldBe 1
+        finding.spans[0].width shouldBe (18.02 plusOrMinus 1e-6)
+    }
+
+    test("a finding says how rarely its topic is sampled, unless that is each loop") {
+        val match = TestMatch().apply { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } }
+        match.finding("Low battery").caveats.shouldBeEmpty()
+        val slow = RuleSet.BUILT_IN.over(match.view { time -> time.takeIf { (it * 50).toInt() % 5 == 0 } }, "test.bag").findings
+        slow.first { it.rule == "Low battery" }.caveats shouldContain "$BATTERY is sampled every 100 ms here: what is shorter is not seen."
+    }
+
+    test("what was not looked at is known, with the signals that most rules lack") {
+        val match = TestMatch().apply { without(BATTERY) }
+        val found = RuleSet.BUILT_IN.over(match.view(), "test.bag")
+        val unseen = NotLookedAt(found.ran, found.skipped)
+        unseen.ran + unseen.couldNot shouldBe RuleSet.BUILT_IN.rules.size
+        unseen.lacking.first() shouldBe "battery"
+        unseen.text shouldStartWith "${unseen.ran} rules ran; ${unseen.couldNot} could not: this log has no “battery”"
+        NotLookedAt(3, emptyList()).text shouldBe "3 rules ran."
+        listed(listOf("a", "b", "c", "d", "e", "f", "g")) shouldContain "and 2 other signals"
+    }
+})

@@ -1,0 +1,37 @@
+package badlog.signals
+
+import badlog.core.analysis.Series
+import badlog.signals.derived.Following
+import badlog.signals.derived.heldAt
+import kotlin.math.abs
+
+/** How [part], which [topics] show, follows a target that is a place. */
+internal fun placeSignals(part: String, topics: List<String>, following: (NamedSamples) -> Following): List<DerivedSignal> = listOf(
+    DerivedSignal("setpoint error", "%", part, topics) { following(it).missed() },
+    DerivedSignal("overshoot", "%", part, topics) { following(it).overshoot() },
+)
+
+/** How [part], which [topics] show, follows a target that is a speed. */
+internal fun speedSignals(part: String, topics: List<String>, following: (NamedSamples) -> Following): List<DerivedSignal> = listOf(
+    DerivedSignal("speed shortfall", "%", part, topics) { following(it).shortfall() },
+    DerivedSignal("speed swing", "%", part, topics) { following(it).swing() },
+)
+
+/** Returns the size of [output], of which [full] is all, while a part has [missed] its target by more than [AWAY_PERCENT]; otherwise 0. */
+internal fun effort(missed: Series, output: Series, full: Double): Series {
+    val held = output.heldAt(missed.x)
+    return Series(missed.x, DoubleArray(missed.size) { if (missed.y[it] > AWAY_PERCENT) abs(held[it]) / full else 0.0 })
+}
+
+/** Returns what full output is in [output]: 100 if it is logged in percent. */
+internal fun fullOf(output: Series): Double = if (output.y.any { it > 2 || it < -2 }) 100.0 else 1.0
+
+/** A figure of the whole log, as a sample at its start; no sample for null. */
+internal fun once(times: DoubleArray, value: Double?): Series = if (value == null || times.isEmpty()) {
+    Series(DoubleArray(0), DoubleArray(0))
+} else {
+    Series(doubleArrayOf(times[0]), doubleArrayOf(value))
+}
+
+/** In percent of the range. */
+private const val AWAY_PERCENT = 12.0

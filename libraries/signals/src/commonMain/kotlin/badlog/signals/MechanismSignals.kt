@@ -1,0 +1,119 @@
+package badlog.signals
+
+import badlog.core.analysis.Series
+import badlog.signals.derived.Following
+import badlog.signals.derived.PartTopic
+import badlog.signals.derived.Quantity
+import badlog.signals.derived.couplingError
+import badlog.signals.derived.deadReading
+import badlog.signals.derived.frozenWhileTurning
+import badlog.signals.derived.heldAt
+import badlog.signals.derived.stall
+import badlog.signals.derived.switchError
+import badlog.signals.derived.timesOf
+import kotlin.math.abs
+
+/** What can be calculated of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
+internal class MechanismSignals(private val robot: RobotParts) {
+    private val byPart get() = robot.byPart
+
+    val signals: List<DerivedSignal> get() = following() + byPart.values.flatMap(::ofPart)
+
+    /** The pairs of a target and what follows it. */
+    private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS }
+        .sortedBy { "goal" in it.signal.name.lowercase() }
+        .mapNotNull { target -> robot.measuredOf(target)?.let { target to it } }
+        .distinctBy { (_, measured) -> measured.signal.name }
+        .flatMap { (target, measured) -> ofPair(target, measured) }
+
+    private fun ofPair(target: PartTopic, measured: PartTopic): List<DerivedSignal> {
+        val topics = (listOf(measured, target) + beside(target.part, Quantity.CURRENT, Quantity.OUTPUT)).map { it.signal.name }.distinct()
+        val scale = scaleOf(measured, target) ?: 1.0
+        fun following(samples: NamedSamples) =
+            samples.followings.getOrPut(measured.signal.name) { followingOf(samples, target, measured, scale) }
+        if (measured.quantity == Quantity.VELOCITY) return speedSignals(target.label, topics, ::following)
+        val dead = DerivedSignal("encoder frozen", "", target.label, topics) { samples ->
+            val own = samples.raw(measured.signal.name)
+            deadReading(own.x, own.y, samples.enabledAt(own.x))
+        }
+        return placeSignals(target.label, topics, ::following) +
+            listOfNotNull(dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null }, effortOf(target, topics, ::following))
+    }
+
+    /** The output of a part while it stays away from its target. */
+    private fun effortOf(target: PartTopic, topics: List<String>, following: (NamedSamples) -> Following): DerivedSignal? {
+        val output = beside(target.part, Quantity.OUTPUT, Quantity.VOLTAGE).firstOrNull() ?: return null
+        return DerivedSignal("output without effect", "", target.label, topics.take(2) + output.signal.name) { samples ->
+            val driven = samples.raw(output.signal.name)
+            effort(following(samples).missed(), driven, if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven))
+        }
+    }
+
+    private fun followingOf(samples: NamedSamples, target: PartTopic, measured: PartTopic, scale: Double): Following {
+        val own = samples.raw(measured.signal.name)
+        val wanted = samples.raw(target.signal.name)
+        val times = timesOf(listOf(own, wanted))
+        val values = own.heldAt(times)
+        for (i in values.indices) values[i] *= scale
+        return Following(times, wanted.heldAt(times), values, samples.enabledAt(times))
+    }
+
+    private fun beside(part: List<String>, vararg quantities: Quantity) =
+        byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
+
+    private fun ofPart(part: List<PartTopic>): List<DerivedSignal> = listOfNotNull(stall(part), switch(part)) + coupling(part)
+
+    private fun stall(part: List<PartTopic>): DerivedSignal? {
+        if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
+        val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
+        val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
+            part.find { it.quantity == quantity && !it.isTarget }
+        } ?: return null
+        return DerivedSignal("stall", "", speed.label, listOf(speed.signal.name, drive.signal.name)) { samples ->
+            val both = listOf(samples.raw(speed.signal.name), samples.raw(drive.signal.name))
+            val times = timesOf(both)
+            val drives = both[1].heldAt(times)
+            stall(times, both[0].heldAt(times), drives, leastDrive(drive, drives))
+        }
+    }
+
+    private fun leastDrive(drive: PartTopic, values: DoubleArray): Double = when (drive.quantity) {
+        Quantity.CURRENT -> 12.0
+        Quantity.VOLTAGE -> 3.0
+        else -> if (values.any { it > 2 || it < -2 }) 25.0 else 0.25
+    }
+
+    private fun switch(part: List<PartTopic>): DerivedSignal? {
+        val switch = part.find { it.quantity == Quantity.SWITCH } ?: return null
+        val position = part.filter { it.isTarget }.firstNotNullOfOrNull(robot::measuredOf)?.takeIf { it.quantity == Quantity.POSITION }
+            ?: part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
+        return DerivedSignal("switch error", "%", position.label, listOf(position, switch).map { it.signal.name }) { samples ->
+            val both = listOf(samples.raw(position.signal.name), samples.raw(switch.signal.name))
+            val times = timesOf(both)
+            switchError(times, both[0].heldAt(times), both[1].heldAt(times))
+        }
+    }
+
+    /** Returns what a mechanism's own sensor says and what its motor's does; null without both. */
+    private fun couplingIn(part: List<PartTopic>): Pair<PartTopic, PartTopic>? {
+        val places = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }
+        if (places.size != 2) return null
+        val moved = places.find { it.isAbsolute } ?: places.find { !it.isMotor && places.any { other -> other.isMotor } } ?: return null
+        return moved to places.first { it !== moved }
+    }
+
+    private fun coupling(part: List<PartTopic>): List<DerivedSignal> {
+        val (moved, turned) = couplingIn(part) ?: return emptyList()
+        fun derived(name: String, unit: String, calculated: (DoubleArray, DoubleArray, DoubleArray, BooleanArray) -> Series) =
+            DerivedSignal(name, unit, moved.label, listOf(moved, turned).map { it.signal.name }) { samples ->
+                val both = listOf(samples.raw(turned.signal.name), samples.raw(moved.signal.name))
+                val times = timesOf(both)
+                calculated(times, both[0].heldAt(times), both[1].heldAt(times), samples.enabledAt(times))
+            }
+        return listOf(derived("coupling error", "%", ::couplingError), derived("encoder frozen", "", ::frozenWhileTurning))
+    }
+
+    private companion object {
+        val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
+    }
+}

@@ -1,0 +1,70 @@
+package badlog.signals
+
+import badlog.core.analysis.Series
+import badlog.signals.derived.PartTopic
+import badlog.signals.derived.Quantity
+import badlog.signals.derived.SwerveModule
+import badlog.signals.derived.currentShares
+import badlog.signals.derived.heldAt
+import badlog.signals.derived.moduleAngleError
+import badlog.signals.derived.moduleSpeedShares
+import badlog.signals.derived.scaled
+import badlog.signals.derived.timesOf
+import badlog.signals.vocabulary.wordsOf
+
+/** What can be calculated of the modules of a swerve drive. */
+internal class ModuleSignals(private val robot: RobotParts, private val bus: BusSignals) {
+    private val modules = robot.modules
+
+    val signals: List<DerivedSignal> get() = modules.indices.flatMap { at ->
+        listOfNotNull(angleError(at).takeIf { modules.all { module -> module.targetAngle != null } }, speedShare(at), currentShare(at))
+    }
+
+    /** The topics of the drive motor of a module besides those of [SwerveModule]. */
+    private fun driveTopicsOf(module: SwerveModule, vararg quantities: Quantity): List<PartTopic> {
+        val words = wordsOf(module.label)
+        return robot.topics.filter { part ->
+            part.quantity in quantities && !part.isTarget && part.part.containsAll(words) && part.part.none { it in STEER_WORDS }
+        }
+    }
+
+    private fun currentShare(at: Int): DerivedSignal? {
+        val currents = modules.map { driveTopicsOf(it, Quantity.CURRENT).firstOrNull()?.signal?.name ?: return null }
+        val topics = listOf(currents[at]) + modules[at].topics.reversed()
+        return DerivedSignal("module current share", "", modules[at].label, topics) { samples ->
+            val series = currents.map(samples::raw)
+            val times = timesOf(series)
+            once(times, currentShares(times, series.map { it.heldAt(times) }, samples.enabledAt(times))?.get(at))
+        }
+    }
+
+    private fun angleError(at: Int) = DerivedSignal("module angle error", "deg", modules[at].label, modules[at].topics) { samples ->
+        val angles = modules.map { samples.raw(it.angle) }
+        val targets = modules.map { samples.raw(checkNotNull(it.targetAngle)) }
+        val times = timesOf(angles)
+        fun radians(series: List<Series>) = series.mapIndexed { k, one -> scaled(one.heldAt(times), modules[k].radians) }
+        val speeds = modules.map { samples.raw(it.targetSpeed ?: it.speed).heldAt(times) }
+        moduleAngleError(at, times, radians(angles), radians(targets), speeds, samples.enabledAt(times))
+    }
+
+    private fun speedShare(at: Int) = DerivedSignal(
+        "module speed share",
+        "",
+        modules[at].label,
+        (modules[at].topics.reversed() + driveTopicsOf(modules[at], Quantity.VELOCITY, Quantity.CURRENT).map { it.signal.name }).distinct(),
+    ) { samples ->
+        // Known drive motors are named instead.
+        if (bus.driversOfModules(samples) != null) return@DerivedSignal once(DoubleArray(0), null)
+        val speeds = modules.map { samples.raw(it.speed) }
+        val times = timesOf(speeds)
+        val shares = moduleSpeedShares(
+            speeds.map { it.heldAt(times) },
+            modules.map { module: SwerveModule -> scaled(samples.raw(module.angle).heldAt(times), module.radians) },
+        )
+        once(times, shares?.get(at))
+    }
+
+    private companion object {
+        val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
+    }
+}

@@ -1,0 +1,79 @@
+package badlog.signals.derived
+
+import badlog.expression.signals.Signal
+import badlog.signals.vocabulary.NamePattern
+
+/** What devices on the CAN bus say of themselves, whatever their vendors call it. */
+enum class BusSignal(vararg val names: String) {
+    POSITION("position", "primaryencoderposition"),
+    VELOCITY("velocity", "primaryencodervelocity"),
+    OUTPUT("dutycycle", "appliedoutput"),
+    CURRENT("statorcurrent", "current", "outputcurrent"),
+    SUPPLY_CURRENT("supplycurrent"),
+    REFERENCE("closedloopreference"),
+    ERROR("closedlooperror"),
+    ABSOLUTE("absoluteposition", "dutycycleencoderposition", "externaloraltencoderposition"),
+
+    /** True while a limit switch is pressed. */
+    PRESSED("hardreverselimitreached", "hardforwardlimitreached"),
+
+    /** 0 while a limit switch closes its circuit. */
+    OPEN("reverselimit", "forwardlimit"),
+}
+
+/**
+ * A device on the CAN bus whose topics are named by its type and its id, as in `Phoenix6/TalonFX-3/StatorCurrent`. Nothing says what it
+ * moves.
+ *
+ * @property label its name for people, such as `TalonFX 3`.
+ */
+class BusDevice internal constructor(val label: String, private val topics: Map<BusSignal, String>) {
+    /** The full names of its topics, without those of other devices. */
+    val names: List<String> get() = topics.values.toList()
+
+    internal val id: Int get() = label.filter { it in '0'..'9' }.toInt()
+
+    /** Whether it is a motor that says how fast it turns. */
+    val isMotor: Boolean get() = BusSignal.VELOCITY in topics && BusSignal.CURRENT in topics
+
+    fun topic(signal: BusSignal): String? = topics[signal]
+
+    operator fun contains(signal: BusSignal): Boolean = signal in topics
+}
+
+/** Returns the beginning of [name] that all topics of its device share, such as `Phoenix6/TalonFX-3`; null if none is named. */
+fun busDeviceIn(name: String): String? {
+    val start = startOfDevice(name)
+    return if (start < 0) null else name.substring(0, endOfDevice(name, start))
+}
+
+/** Returns the devices among [names], in order. */
+internal fun busDevicesOf(names: List<Signal>): List<BusDevice> = names.groupBy { busDeviceIn(it.name) }.mapNotNull { (path, signals) ->
+    val label = path?.substringAfterLast('/') ?: return@mapNotNull null
+    val topics = LinkedHashMap<BusSignal, String>()
+    for (signal in signals) {
+        val own = NamePattern.folded(signal.name.substringAfterLast('/'))
+        BusSignal.entries.find { own in it.names }?.let { if (it !in topics) topics[it] = signal.name }
+    }
+    val kind = if (label.startsWith("CANcoder", ignoreCase = true)) " (an absolute encoder)" else ""
+    BusDevice(label.replace('-', ' ') + kind, topics).takeIf { topics.isNotEmpty() }
+}
+
+private fun startOfDevice(name: String): Int {
+    var start = 0
+    while (start >= 0) {
+        if (endOfDevice(name, start) > start) return start
+        start = name.indexOf('/', start) + 1
+        if (start == 0) break
+    }
+    return -1
+}
+
+/** Returns the end of the type and id of a device that begin in [name] at [start]; [start] if none does. */
+private fun endOfDevice(name: String, start: Int): Int {
+    val digits = (start until name.length).firstOrNull { name[it] in '0'..'9' } ?: return start
+    if (NamePattern.folded(name.substring(start, digits)) !in TYPES) return start
+    return name.indexOf('/', digits).let { if (it < 0) start else it }
+}
+
+private val TYPES = setOf("talonfx", "talonfxs", "talonsrx", "victorspx", "spark", "sparkmax", "sparkflex", "cancoder")

@@ -1,0 +1,95 @@
+package badlog.signals.derived
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.sign
+
+class DriveSpec : FunSpec({
+    val times = timesFor(60)
+
+    test("a module that stays where it was is off its angle, one that drives backward instead of turning round is not") {
+        val target = times.of { swing(it) }
+        fun error(at: Int, own: (Double) -> Double) = moduleAngleError(
+            at,
+            times,
+            List(4) { module -> if (module == 2) times.of(own) else target },
+            List(4) { target },
+            List(4) { times.of { 1.0 } },
+            times.always(),
+        ).most()
+        error(2) { 0.0 } shouldBe (180 / PI plusOrMinus 0.1)
+        error(2) { swing(it) + PI } shouldBeLessThan 1e-6
+        error(0) { 0.0 } shouldBeLessThan 1e-6
+    }
+
+    test("a wheel that turns slower than the others in straight driving has less than its share") {
+        val angles = List(4) { times.of { 0.3 } }
+        val shares = moduleSpeedShares(List(4) { at -> times.of { if (at == 1) 1.9 else 2.0 } }, angles)
+        checkNotNull(shares)[1] shouldBe (0.95 plusOrMinus 1e-6)
+        moduleSpeedShares(List(4) { times.of { 0.0 } }, angles) shouldBe null
+    }
+
+    test("a drive motor's current is a share of the others', if those are alike") {
+        fun shares(vararg amperes: Double) = currentShares(times, amperes.map { own -> times.of { own } }, times.always())
+        checkNotNull(shares(20.0, 10.0, 20.0, 20.0))[1] shouldBe 0.5
+        // Wheels that work against each other take more and less.
+        checkNotNull(shares(20.0, 10.0, 32.0, 35.0))[1] shouldBe null
+        shares(0.1, 0.1, 0.1, 0.1) shouldBe null
+    }
+
+    test("a channel that takes less than before has lost its share") {
+        val currents = List(6) { at ->
+            times.of {
+                if (at > 3) {
+                    1.0
+                } else if (at == 2 && it > 20) {
+                    8.0
+                } else {
+                    20.0
+                }
+            }
+        }
+        val changes = channelChanges(times, currents, times.always())
+        checkNotNull(changes)[2] shouldBe (0.4 plusOrMinus 1e-6)
+        changes[0] shouldBe (1.0 plusOrMinus 1e-6)
+        changes[5] shouldBe null
+    }
+
+    test("a side of a tank drive that needs more output at the same speed drags") {
+        val speed = times.of { 3 * swing(it) }
+        fun side(friction: Double) = Side(times.of { 0.8 * swing(it) + friction * sign(swing(it)) }, speed)
+        checkNotNull(sideFriction(times, side(0.1), side(0.02))) shouldBe (0.08 plusOrMinus 0.01)
+        sideFriction(times, Side(speed, times.of { 0.0 }), side(0.1)) shouldBe null
+    }
+
+    test("wheels that gain speed faster than an accelerometer feels slip; wheels that brake do not count") {
+        val still = times.of { 0.0 }
+        val speed = times.of { if (it % 4 < 1) 3 * (it % 4) else maxOf(0.0, 4 - it % 4) }
+        fun slip(felt: Double) = wheelSlip(times, speed, still, still, times.of { if (it % 4 < 1) felt else -1.0 }).most()
+        slip(3.0) shouldBeLessThan 1.0
+        slip(0.5) shouldBe (2.5 plusOrMinus 0.3)
+    }
+
+    test("a voltage that its current explains is not lost; a dip without current is") {
+        val amperes = times.series { abs(60 * swing(it)) + if ((it * 50).toInt() % 2 == 0) 0.5 else 0.0 }
+        fun lost(dip: Double): Double {
+            val battery = times.series { 12.5 - 0.02 * abs(60 * swing(it)) - if (it in 30.0..30.2) dip else 0.0 }
+            return unexplainedDrop(battery, amperes).most()
+        }
+        lost(0.0) shouldBe 0.0
+        lost(4.0) shouldBeGreaterThan 2.0
+    }
+
+    test("stored air that falls while nothing uses it is lost, and a compressor that raises nothing has no gain") {
+        val off = times.series { 0.0 }
+        airLoss(times.series { 110 - 0.5 * it }, off).most() shouldBe (0.5 plusOrMinus 0.05)
+        airLoss(times.series { 110 - 5.0 * (it / 10).toInt() }, off).most() shouldBeLessThan 0.1
+        airGain(times.series { 90.0 }, times.series { 1.0 }).most() shouldBe 0.0
+        airGain(times.series { 90 + it }, times.series { 1.0 }).most() shouldBeGreaterThan 0.9
+    }
+})

@@ -1,0 +1,50 @@
+package badlog.signals.derived
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+
+class FollowingSpec : FunSpec({
+    val times = timesFor(40)
+
+    /** 0 and 1 in turns of 8 s. */
+    val target = times.of { (it / 8).toInt() % 2.0 }
+
+    fun following(measured: (Double) -> Double, wanted: DoubleArray = target) = Following(times, wanted, times.of(measured), times.always())
+
+    /** What follows the target within half a second. */
+    fun followed(time: Double): Double {
+        val since = time % 8
+        val now = (time / 8).toInt() % 2.0
+        return if (time < 8 || since > 0.5) now else 1 - now + (2 * now - 1) * since / 0.5
+    }
+
+    test("what follows its target misses nothing, and what stays away is off by a share of the range") {
+        following(::followed).missed().most() shouldBeLessThan 5.0
+        following({ 0.7 * followed(it) }).missed().most(from = 9.0, to = 15.9) shouldBe (30.0 plusOrMinus 0.1)
+    }
+
+    test("nothing is missed while the robot is disabled") {
+        Following(times, target, times.of { 0.0 }, BooleanArray(times.size)).missed().most().isNaN() shouldBe true
+    }
+
+    test("beyond a new target is an overshoot, in percent of the step") {
+        val beyond = following({ followed(it) + if (it % 8 in 0.5..1.0 && followed(it) == 1.0) 0.3 else 0.0 })
+        beyond.overshoot().most() shouldBe (30.0 plusOrMinus 0.1)
+        following(::followed).overshoot().most() shouldBe 0.0
+    }
+
+    test("a constant speed target is missed by a share of itself, but not while the wheel spins up") {
+        val speed = times.of { 4000.0 }
+        following({ 3600.0 }, speed).shortfall().most() shouldBe (10.0 plusOrMinus 0.1)
+        following({ if (it < 3) 1000 * it else 4000.0 }, speed).shortfall().most() shouldBeLessThan 0.1
+    }
+
+    test("a speed that goes to both sides of its target swings; one that falls with each shot does not") {
+        val speed = times.of { 4000.0 }
+        following({ 4000 + 100 * swing(it, 0.8) }, speed).swing().most() shouldBeGreaterThan 4.0
+        following({ 4000 - if (it % 2 < 0.3) 400.0 else 0.0 }, speed).swing().most().isNaN() shouldBe true
+    }
+})

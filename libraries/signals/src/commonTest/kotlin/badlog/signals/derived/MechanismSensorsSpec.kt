@@ -1,0 +1,75 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlin.math.abs
+
+class MechanismSensorsSpec : FunSpec({
+    val times = timesFor(60)
+    val turned = times.of { 25 * swing(it) }
+    fun error(moved: (Double) -> Double) = couplingError(times, turned, times.of(moved), times.always())
+
+    test("a mechanism that moves with its motor has no coupling error; one that slips has, in percent of its range") {
+        abs(error { 90 * swing(it) }.most()) shouldBeLessThan 1e-6
+        error { 90 * swing(it) + if (it < 40) 0.0 else 18.0 }.most(from = 41.0) shouldBe (9.0 plusOrMinus 1.0)
+    }
+
+    test("a motor that hardly moved tells nothing of a coupling") {
+        couplingError(times, times.of { 0.0 }, times.of { swing(it) }, times.always()).size shouldBe 0
+    }
+
+    test("the motor of an encoder is the only one that turns with it") {
+        val other = times.of { 25 * swing(it, 5.0) }
+        val moved = times.of { 0.3 * swing(it) }
+        coupledMotor(times, listOf(other, turned), moved, times.always()) shouldBe turned
+        coupledMotor(times, listOf(other), moved, times.always()) shouldBe null
+        coupledMotor(times, listOf(turned, turned.copyOf()), moved, times.always()) shouldBe null
+    }
+
+    test("an encoder that begins again after each turn is of no motor") {
+        val moved = times.of { it % 1.0 }
+        coupledMotor(times, listOf(times.of { it }), moved, times.always()) shouldBe null
+    }
+
+    test("a sensor that stands still while its motor turns is frozen") {
+        frozenWhileTurning(times, turned, times.of { if (it < 30) swing(it) else 0.4 }, times.always()).run {
+            most(to = 29.0) shouldBe 0.0
+            most(from = 31.0) shouldBe 1.0
+        }
+    }
+
+    test("a reading that jumps to a value and keeps it is dead; one that moves there is not") {
+        deadReading(times, times.of { if (it < 30.5) swing(it) else -3.0 }, times.always()).most() shouldBe 1.0
+        deadReading(times, times.of { if (it < 31) swing(it) else -1.0 }, times.always()).most() shouldBe 0.0
+    }
+
+    test("a switch that reads pressed while the mechanism moves is contradicted") {
+        val height = times.of { 1 - swing(it) }
+        switchError(times, height, times.of { if (1 - swing(it) < 0.02) 1.0 else 0.0 }).most() shouldBeLessThan 3.0
+        switchError(times, height, times.of { if (it > 30) 1.0 else 0.0 }).most() shouldBeGreaterThan 90.0
+    }
+
+    test("a switch counts as pressed once its position has come, too") {
+        longPressed(timesFor(1), DoubleArray(50) { if (it in 10..20) 1.0 else 0.0 }).indices
+            .filter { longPressed(timesFor(1), DoubleArray(50) { if (it in 10..20) 1.0 else 0.0 })[it] == 1.0 } shouldBe (13..20).toList()
+    }
+
+    test("something that is driven hard and does not turn is stalled; something that never turned is not") {
+        val driven = times.of { if (it in 20.0..22.0) 40.0 else 10.0 }
+        stall(times, times.of { if (it in 20.0..22.0) 0.0 else 100.0 }, driven, 12.0).run {
+            most(to = 19.9) shouldBe 0.0
+            most(20.0, 22.0) shouldBe 1.0
+        }
+        stall(times, times.of { 0.0 }, driven, 12.0).most() shouldBe 0.0
+    }
+
+    test("a heading that jumps is off by the jump; a full turn is none, nor is a fast turn") {
+        fun jump(at: (Double) -> Double): Double = headingJump(Series(times, times.of(at)), 1.0).most()
+        jump { 90 * swing(it, 8.0) + if (it > 30) 40.0 else 0.0 } shouldBe (40.0 plusOrMinus 4.0)
+        jump { (300 * it) % 360 } shouldBe 0.0
+    }
+})
