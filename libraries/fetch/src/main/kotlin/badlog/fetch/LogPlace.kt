@@ -3,6 +3,7 @@ package badlog.fetch
 import badlog.core.analysis.matchTitle
 import badlog.files.LogName
 import badlog.files.matchInName
+import badlog.files.safeName
 import badlog.signals.vocabulary.LoggedMatch
 
 /**
