@@ -84,7 +84,8 @@ class MatchGenerator(private val seed: Long) {
         fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Telling.ROBOT_OF_2027)
 
         /** Returns the log that the Driver Station of 2027 writes of [match], one of WPILib's logger. */
-        fun stationIn2027(match: GeneratedMatch): GeneratedMatch = generated("FIRST_DS_${match.name}", planOf(match), Telling.STATION_OF_2027)
+        fun stationIn2027(match: GeneratedMatch): GeneratedMatch =
+            generated("FIRST_DS_${match.name}", planOf(match), Telling.STATION_OF_2027)
 
         private fun planOf(match: GeneratedMatch): RobotPlan {
             require(match.naming == Naming.WPILIB) { "“${match.name}” is told by ${match.naming.id}; give one of ${Naming.WPILIB.id}." }

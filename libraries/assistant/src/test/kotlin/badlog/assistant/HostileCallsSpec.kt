@@ -9,9 +9,9 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import java.io.File
 import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonPrimitive
+import java.io.File
 import java.nio.file.Files
 
 private const val SECRET = "Top-Secret-Topic"

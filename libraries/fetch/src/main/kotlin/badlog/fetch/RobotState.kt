@@ -114,7 +114,8 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         private fun announced(frame: String) {
             try {
                 for (message in Json.parseToJsonElement(frame).jsonArray.map { it.jsonObject }) {
-                    val topic = message["params"]?.jsonObject?.takeIf { message["method"]?.jsonPrimitive?.content == "announce" } ?: continue
+                    if (message["method"]?.jsonPrimitive?.content != "announce") continue
+                    val topic = message["params"]?.jsonObject ?: continue
                     val bit = TOPICS[topic["name"]?.jsonPrimitive?.content] ?: continue
                     topic["id"]?.jsonPrimitive?.content?.toLongOrNull()?.let { bits[it] = bit }
                 }

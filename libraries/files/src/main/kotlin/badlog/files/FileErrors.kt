@@ -85,9 +85,13 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
         }
 
         is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+
         is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+
         is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
+
         is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); select another place."
+
         else -> "$file cannot be written (${e.message}); select another place."
     }
     throw UnwritableFileException(file, message, e)

@@ -31,7 +31,8 @@ private const val ASCII_END = 0x80
 private val UNSEEN = setOf(Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.SURROGATE)
 
 /** Names of devices on Windows, whatever the ending. */
-private val DEVICES = setOf("CON", "PRN", "AUX", "NUL") + ("0123456789¹²³").flatMap { listOf("COM$it", "LPT$it") } + listOf("CONIN$", "CONOUT$")
+private val DEVICES = setOf("CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$") +
+    ("0123456789¹²³").flatMap { listOf("COM$it", "LPT$it") }
 
 /** Systems allow 255; a number may be appended. */
 private const val MAX_BYTES = 180

@@ -59,7 +59,8 @@ internal class Session(
         val isSilent = options.isPerEnable && robot.isSubscribed && match.isEnabled == null && now - connectedMicros > PAUSE_MICROS
         if (isSilent && !isSilenceNoted) {
             isSilenceNoted = true
-            note("The robot publishes neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}, so nobody knows when it is enabled; record the whole session instead.")
+            val missing = "neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}"
+            note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
         }
     }
 

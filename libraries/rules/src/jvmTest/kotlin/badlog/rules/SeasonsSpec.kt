@@ -63,8 +63,7 @@ class SeasonsSpec : FunSpec({
                 val after = viewOf(MatchGenerator.asIn2027(match))
                 after.recording.problems shouldBe before.recording.problems
                 after.knowsAutonomous shouldBe true
-                fun phases(view: LogView, later: Double) =
-                    view.enabledSpans().map { Triple(round((it.span.from - later) * 1000), round((it.span.to - later) * 1000), it.isAutonomous) }
+                fun phases(view: LogView, later: Double) = view.enabledSpans().map { Triple(round((it.span.from - later) * 1000), round((it.span.to - later) * 1000), it.isAutonomous) }
                 phases(after, LATER) shouldContainExactly phases(before, 0.0)
                 after.enabledSpans().map { it.opMode }.distinct() shouldContainExactly listOf("Two pieces", "Drive")
                 val findings = findingsIn(before, 0.0)

@@ -19,7 +19,9 @@ internal enum class Telling(val clockSeconds: Double) {
     STATION_OF_2027(18_000.0),
 }
 
-/** The names of WPILib's logger on a robot of 2027: a struct with the control word, Telemetry instead of a dashboard, and poses as structs. */
+/**
+ * The names of WPILib's logger on a robot of 2027: a struct with the control word, Telemetry instead of a dashboard, and poses as structs.
+ */
 internal fun robotTopicsOf2027(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     for (folder in listOf("DS:c", "NT:/DriverStation/C")) {
         structs("${folder}ontrolWord", Struct.CONTROL_WORD) { structWord(run) }
@@ -57,7 +59,8 @@ internal fun stationTopicsOf2027(run: MatchRun): List<LoggedTopic> = TopicList()
 private fun TopicList.encoded(name: String, message: Message, write: MessageBytes.() -> MessageBytes) =
     add("DS:/Dscomm/$name", ValueType.Encoded(message), null) { MessageBytes().write().bytes }
 
-private fun TopicList.structs(name: String, struct: Struct, word: () -> Long) = add(name, ValueType.Structs(struct, isArray = false), null) { word() }
+private fun TopicList.structs(name: String, struct: Struct, word: () -> Long) =
+    add(name, ValueType.Structs(struct, isArray = false), null) { word() }
 
 private fun mode(run: MatchRun) = if (run.phase <= Phase.AUTO) AUTONOMOUS else TELEOPERATED
 
@@ -68,7 +71,8 @@ private fun structWord(run: MatchRun): Long {
     return opMode(run).hashCode().toLong() and 0xFFFF_FFFFL or (mode(run) shl MODE_SHIFT) or (flags shl FLAGS_SHIFT)
 }
 
-private fun packedWord(run: MatchRun): Long = bit(0, run.isEnabled) or (mode(run) shl 1) or bit(PACKED_FMS_BIT, true) or bit(PACKED_DS_BIT, run.isLinked)
+private fun packedWord(run: MatchRun): Long =
+    bit(0, run.isEnabled) or (mode(run) shl 1) or bit(PACKED_FMS_BIT, true) or bit(PACKED_DS_BIT, run.isLinked)
 
 private fun bit(index: Int, isSet: Boolean) = if (isSet) 1L shl index else 0L
 

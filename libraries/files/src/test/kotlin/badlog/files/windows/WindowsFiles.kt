@@ -177,8 +177,7 @@ internal class WindowsFiles : AutoCloseable {
             }
         }
 
-        override fun newByteChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): SeekableByteChannel =
-            inner.newByteChannel(unwrapped(file), options, *attributes)
+        override fun newByteChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): SeekableByteChannel = inner.newByteChannel(unwrapped(file), options, *attributes)
 
         private fun requireWritable(file: Path) {
             if (Files.exists(file) && Files.getAttribute(file, "dos:readonly") == true) throw AccessDeniedException("$file")
@@ -206,17 +205,13 @@ internal class WindowsFiles : AutoCloseable {
             if (AccessMode.WRITE in modes) requireWritable(unwrapped(file))
         }
 
-        override fun <V : FileAttributeView> getFileAttributeView(file: Path, type: Class<V>, vararg options: LinkOption): V? =
-            inner.getFileAttributeView(unwrapped(file), type, *options)
+        override fun <V : FileAttributeView> getFileAttributeView(file: Path, type: Class<V>, vararg options: LinkOption): V? = inner.getFileAttributeView(unwrapped(file), type, *options)
 
-        override fun <A : BasicFileAttributes> readAttributes(file: Path, type: Class<A>, vararg options: LinkOption): A =
-            inner.readAttributes(unwrapped(file), type, *options)
+        override fun <A : BasicFileAttributes> readAttributes(file: Path, type: Class<A>, vararg options: LinkOption): A = inner.readAttributes(unwrapped(file), type, *options)
 
-        override fun readAttributes(file: Path, names: String, vararg options: LinkOption): Map<String, Any> =
-            inner.readAttributes(unwrapped(file), names, *options)
+        override fun readAttributes(file: Path, names: String, vararg options: LinkOption): Map<String, Any> = inner.readAttributes(unwrapped(file), names, *options)
 
-        override fun setAttribute(file: Path, name: String, value: Any?, vararg options: LinkOption) =
-            inner.setAttribute(unwrapped(file), name, value, *options)
+        override fun setAttribute(file: Path, name: String, value: Any?, vararg options: LinkOption) = inner.setAttribute(unwrapped(file), name, value, *options)
 
         override fun getScheme() = "windows"
 

@@ -39,7 +39,8 @@ fun SignalVocabulary.matchOf(recording: Recording): LoggedMatch {
 }
 
 /** The signals that are needed for every log, whatever the question. */
-internal val OF_EVERY_LOG: Set<String> get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS, ROBOT_TEST, OP_MODE)
+internal val OF_EVERY_LOG: Set<String>
+    get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS, ROBOT_TEST, OP_MODE)
 
 internal const val ROBOT_ENABLED = "robot enabled"
 internal const val ROBOT_AUTONOMOUS = "robot autonomous"

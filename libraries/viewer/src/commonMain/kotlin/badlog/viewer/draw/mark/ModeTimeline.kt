@@ -67,8 +67,8 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private fun spanAt(x: Double) = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }
 
     /**
-     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and while it is disabled within a match,
-     * `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
+     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and
+     * while it is disabled within a match, `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
      */
     fun clockAt(x: Double): String? {
         if (spans.isEmpty() || secondsOfX == null || !x.isFinite()) return null
@@ -90,7 +90,8 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
         }
 
         /** Whether [test] is read from a mode among several; until 2026, it was a flag. */
-        private fun isOf2027(test: FlagTopic?) = test?.reading.let { it is FlagReading.Text || (it is FlagReading.Bits && it.last > it.first) }
+        private fun isOf2027(test: FlagTopic?) =
+            test?.reading.let { it is FlagReading.Text || (it is FlagReading.Bits && it.last > it.first) }
 
         private fun modeOf(enabled: EnabledSpan, knowsMode: Boolean) = when {
             enabled.isAutonomous -> RobotMode.AUTONOMOUS
