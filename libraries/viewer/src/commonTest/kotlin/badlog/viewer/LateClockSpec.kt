@@ -27,6 +27,9 @@ import kotlin.math.sin
 /** From 2027 on, a robot's clock counts from the boot of its computer, so that a log may begin after a day. */
 private const val BOOT = 86_400.0
 
+/** A column without a sample is NaN, which equals nothing in JavaScript. */
+private fun numbers(values: DoubleArray) = values.map { value -> value.takeUnless { it.isNaN() } }
+
 class LateClockSpec : FunSpec({
     // No sample is at the edge of a pixel.
     fun wave(from: Double) = Series(DoubleArray(5000) { from + it * 0.02 + 0.0013 }, DoubleArray(5000) { 100 * sin(it / 50.0) })
@@ -50,8 +53,8 @@ class LateClockSpec : FunSpec({
             val own = PixelColumns(500).also { Downsampling(late).fill(from + BOOT, to + BOOT, it) }
             val other = PixelColumns(500).also { Downsampling(early).fill(from, to, it) }
             own.samples.toList() shouldBe other.samples.toList()
-            own.min.toList() shouldBe other.min.toList()
-            own.max.toList() shouldBe other.max.toList()
+            numbers(own.min) shouldBe numbers(other.min)
+            numbers(own.max) shouldBe numbers(other.max)
         }
     }
 
