@@ -19,6 +19,8 @@ _SCHEMA_FOLDER = "/.schema/"
 # Where WPILib's logger puts the program's messages, and the Driver Station of 2027 its own.
 _MESSAGES = "messages"
 _CONSOLE = "DS:/Dscomm/Console/"
+# Where dashboards, and Telemetry from 2027 on, say what the topics beside it are together.
+_TYPE = "/.type"
 
 
 class Entry:
@@ -66,7 +68,7 @@ class Entry:
             return tuple(item.text for item in items if item.text is not None)
         if self.name == _MESSAGES or _CONSOLE in self.name:
             return ("log",)
-        return ("hide",) if self.name == SYSTEM_TIME or _SCHEMA_FOLDER in self.name else ()
+        return ("hide",) if self.name == SYSTEM_TIME or _SCHEMA_FOLDER in self.name or self.name.endswith(_TYPE) else ()
 
 
 def _property(members: list[tuple[str, JsonValue]], key: str) -> JsonValue | None:

@@ -18,6 +18,18 @@ import kotlin.io.path.div
 private const val HOSTILE = "Sp\u001b[2J\u009b\u202e\u200beed"
 
 class ConsoleSpec : FunSpec({
+    test("an answer of several lines has one kind of line ends, also on Windows, whose own is another") {
+        val bytes = ByteArrayOutputStream()
+        val windows = object : PrintStream(bytes, true, Charsets.UTF_8) {
+            override fun println(text: String?) = print("$text\r\n")
+        }
+        val console = Console(windows, windows, false)
+        console.say("one\ntwo")
+        console.warn("three\nfour")
+        console.fail("five\nsix")
+        bytes.toString(Charsets.UTF_8) shouldBe "one\ntwo\nthree\nfour\nfive\nsix\n"
+    }
+
     fun said(text: String, charset: Charset): String {
         val out = ByteArrayOutputStream()
         Console(PrintStream(out, true, charset), System.err, false, charset).say(text)

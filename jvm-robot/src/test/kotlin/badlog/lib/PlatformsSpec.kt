@@ -49,6 +49,7 @@ private fun started(command: List<String>): Pair<Int, String> {
 private val PLATFORMS = listOf(
     Platform("Windows (Wine)", "badlog.platforms.windows", ";"),
     Platform("64-bit ARM (qemu)", "badlog.platforms.arm64", ":"),
+    Platform("Java 25 on 64-bit ARM, as on Systemcore (qemu)", "badlog.platforms.systemcore", ":"),
     Platform("32-bit ARM (qemu)", "badlog.platforms.armhf", ":"),
 )
 

@@ -33,7 +33,7 @@ private class Match(folder: File, move: (File, File) -> Boolean) {
 }
 
 class RenamedLogSpec : FunSpec({
-    beforeTest { standardErrorOf { BadLog.init("/dev/null").close() } }
+    beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }
 
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"

@@ -59,7 +59,7 @@ private fun File.names() = list().orEmpty().sorted()
 
 class RobotLogSpec : FunSpec({
     // Robots of other specs never close their logs, as real ones do not.
-    beforeTest { standardErrorOf { BadLog.init("/dev/null").close() } }
+    beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }
 
     test("nothing is written until a driver station is connected; then time, event and match make the name") {
         inFolder { folder ->

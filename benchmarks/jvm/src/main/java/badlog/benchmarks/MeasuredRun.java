@@ -1,6 +1,5 @@
 package badlog.benchmarks;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,7 +14,7 @@ record MeasuredRun(double seconds, long peakKilobytes) {
     /** Runs {@code command} with {@code environment} added to that of this process. */
     static MeasuredRun of(Map<String, String> environment, String... command) throws IOException, InterruptedException {
         ProcessBuilder builder = new ProcessBuilder(command)
-            .redirectOutput(new File("/dev/null"))
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .redirectError(ProcessBuilder.Redirect.INHERIT);
         builder.environment().putAll(environment);
         long before = System.nanoTime();

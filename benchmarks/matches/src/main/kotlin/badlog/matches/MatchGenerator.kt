@@ -9,11 +9,14 @@ import badlog.matches.fault.Visibility
 import badlog.matches.log.BagRecorder
 import badlog.matches.log.LoggedTopic
 import badlog.matches.log.Recorder
+import badlog.matches.log.Telling
 import badlog.matches.log.WpilogRecorder
 import badlog.matches.log.advantageKitTopics
 import badlog.matches.log.badlogTopics
 import badlog.matches.log.phoenixTopics
 import badlog.matches.log.revTopics
+import badlog.matches.log.robotTopicsOf2027
+import badlog.matches.log.stationTopicsOf2027
 import badlog.matches.log.wpilibTopics
 import badlog.matches.robot.Hardship
 import badlog.matches.robot.MatchObserver
@@ -76,14 +79,31 @@ class MatchGenerator(private val seed: Long) {
             val plan = RobotPlan.of(match.seed, match.naming, fault, match.strength, Hardship.NONE)
             return generated("${match.name}-without", plan.copy(fault = null, strength = 0.0))
         }
+
+        /** Returns [match], one of WPILib's logger, as a robot of 2027 logs it: the same moments, told in the other season's way. */
+        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Telling.ROBOT_OF_2027)
+
+        /** Returns the log that the Driver Station of 2027 writes of [match], one of WPILib's logger. */
+        fun stationIn2027(match: GeneratedMatch): GeneratedMatch =
+            generated("FIRST_DS_${match.name}", planOf(match), Telling.STATION_OF_2027)
+
+        private fun planOf(match: GeneratedMatch): RobotPlan {
+            require(match.naming == Naming.WPILIB) { "“${match.name}” is told by ${match.naming.id}; give one of ${Naming.WPILIB.id}." }
+            val hardship = Hardship.entries.first { it.title == match.hardship }
+            return RobotPlan.of(match.seed, match.naming, match.fault, match.strength, hardship)
+        }
     }
 }
 
-private fun generated(name: String, plan: RobotPlan): GeneratedMatch {
+private fun generated(name: String, plan: RobotPlan, telling: Telling = Telling.AS_NAMED): GeneratedMatch {
     val run = MatchRun(plan)
-    val topics = topicsOf(run)
+    val topics = when (telling) {
+        Telling.AS_NAMED -> topicsOf(run)
+        Telling.ROBOT_OF_2027 -> robotTopicsOf2027(run)
+        Telling.STATION_OF_2027 -> stationTopicsOf2027(run)
+    }
     // A WPILOG's clock began when the robot was switched on.
-    val boot = if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
+    val boot = telling.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
     val recorder = recorderOf(run, topics, boot)
     run.run(object : MatchObserver {
         override fun looped(time: Double) = recorder.loop(time)

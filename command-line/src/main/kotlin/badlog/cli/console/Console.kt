@@ -12,7 +12,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The output of a subcommand. No text can move a terminal's cursor, and characters that the encoding lacks are spelled out.
+ * The output of a subcommand. No text can move a terminal's cursor, characters that the encoding lacks are spelled out, and lines end
+ * alike on all systems: a text has lines of its own, which `println` would not change.
  *
  * @param out receives results, for people or programs, in [outCharset].
  * @param err receives errors and progress, in [errCharset].
@@ -43,15 +44,15 @@ internal class Console(
 
     /** Prints a result: [text] and a line end. */
     fun say(text: String) {
-        out.println(outSpelling.of(cleaned(text)).lines(outColors::result))
+        out.print(outSpelling.of(cleaned(text)).lines(outColors::result) + LINE_END)
         out.flush()
     }
 
     /** Prints a remark: [text] and a line end. */
-    fun warn(text: String) = err.println(errSpelling.of(cleaned(text)))
+    fun warn(text: String) = err.print(errSpelling.of(cleaned(text)) + LINE_END)
 
     /** Prints an error: [text] and a line end. */
-    fun fail(text: String) = err.println(errSpelling.of(cleaned(text)).lines(errColors::failure))
+    fun fail(text: String) = err.print(errSpelling.of(cleaned(text)).lines(errColors::failure) + LINE_END)
 
     /** Shows the progress of the work on [label], if that takes long. Must be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
@@ -107,6 +108,7 @@ internal class Console(
     companion object {
         /** The width of output for other programs. */
         const val UNLIMITED = Int.MAX_VALUE
+        private const val LINE_END = "\n"
     }
 }
 

@@ -7,7 +7,8 @@ import badlog.files.reading
 import badlog.files.startOfStationLog
 import badlog.files.stationLogsIn
 import badlog.formats.LOG_FORMATS
-import badlog.formats.driverstation.DriverStationFormat
+import badlog.formats.driverstation.STATION_HEAD_SIZE
+import badlog.formats.driverstation.stationStartIn
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.StationSearch
@@ -32,5 +33,5 @@ internal class StationLogs(private val folder: Path) {
     private fun read(log: LogFile): ClockedLog? =
         readStationLog(log, LOG_FORMATS)?.let { ClockedLog(log.name, it, signalsBeside(log.path)) }
 
-    private fun startOf(log: LogFile): Double? = startOfStationLog(log, DriverStationFormat.HEAD_SIZE, DriverStationFormat::startOf)
+    private fun startOf(log: LogFile): Double? = startOfStationLog(log, STATION_HEAD_SIZE, ::stationStartIn)
 }

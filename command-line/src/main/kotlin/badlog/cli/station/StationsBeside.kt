@@ -4,8 +4,8 @@ import badlog.cli.text.JsonNumber
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.core.analysis.LogView
-import badlog.core.recording.RecordingFormat
 import badlog.files.LogFile
+import badlog.files.isOfDriverStation
 import badlog.signals.clock.ClockFit
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.RobotBesideStation
@@ -28,7 +28,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
 
     /** Returns the view for rules for the robot's log [view] of [file]: that log, plus what only the Driver Station's has. */
     fun over(file: LogFile, view: LogView): LogView {
-        if (view.recording.format == RecordingFormat.DRIVER_STATION) return view
+        if (view.recording.isOfDriverStation) return view
         val below = if (folder.toString().isEmpty()) file.path.toAbsolutePath().parent else folder
         val robot = ClockedLog(file.name, view.recording, signals)
         val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view

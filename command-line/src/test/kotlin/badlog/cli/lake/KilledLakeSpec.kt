@@ -9,9 +9,11 @@ import badlog.cli.part.javaCommand
 import badlog.cli.with
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
 import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
+import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.ServiceLoader
@@ -22,6 +24,10 @@ import kotlin.time.Duration.Companion.minutes
 
 /** More than are written before the tables are written for the first time. */
 private const val LOGS = 1_200
+
+/** Signals that one program sends to another. */
+private val IF_SIGNALS =
+    if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no signals that one program could send to another")
 
 class KilledLakeSpec : FunSpec({
     fun makeLogs(folder: Path) {
@@ -89,7 +95,7 @@ class KilledLakeSpec : FunSpec({
         }
     }
 
-    test("a lake whose making is canceled by Ctrl+C keeps what is done, and the next run does the rest") {
+    test("a lake whose making is canceled by Ctrl+C keeps what is done, and the next run does the rest").config(enabledOrReasonIf = { IF_SIGNALS }) {
         inFolder { folder ->
             makeLogs(folder)
             untilInTheMiddle(folder) {

@@ -7,8 +7,15 @@ import badlog.core.recording.Topic
  *
  * @property span where on the x axis.
  * @property isAutonomous whether it was under its own control; false when a driver was, or it is unknown.
+ * @property isTest whether it was in the mode for tests, which is called utility from 2027 on; no driver plays then.
+ * @property opMode the name of the op mode that a robot ran, from 2027 on; null if there is none.
  */
-public data class EnabledSpan(public val span: Span, public val isAutonomous: Boolean)
+public data class EnabledSpan(
+    public val span: Span,
+    public val isAutonomous: Boolean,
+    public val isTest: Boolean = false,
+    public val opMode: String? = null,
+)
 
 /**
  * Returns when the robot was enabled, in the order of x, according to the [modes][LogView.modes]. The last value of a topic with
@@ -16,22 +23,31 @@ public data class EnabledSpan(public val span: Span, public val isAutonomous: Bo
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
     val alone = modes.autonomous?.let(::spansOf).orEmpty()
-    return modes.enabled?.let(::spansOf).orEmpty().flatMap { split(it, alone) }
+    val tests = modes.test?.let(::spansOf).orEmpty()
+    val names = modes.opMode?.let(::textsOf)
+    return modes.enabled?.let(::spansOf).orEmpty().flatMap { enabled -> split(enabled, alone) }.flatMap { piece ->
+        if (piece.isInside) {
+            listOf(EnabledSpan(piece.span, isAutonomous = true, opMode = names?.at(piece.span.from)))
+        } else {
+            split(piece.span, tests).map { EnabledSpan(it.span, isAutonomous = false, it.isInside, names?.at(it.span.from)) }
+        }
+    }
 }
 
 /** Whether the recording shows when the robot was enabled; if it doesn't, [enabledSpans] is empty and means nothing. */
-public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it) }?.let { seriesOf(it).data.isOrdered } ?: false
+public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it.topic) }?.let { seriesOf(it).data.isOrdered } ?: false
 
 /** Whether the recording shows which [enabledSpans] were autonomous. */
-public val LogView.knowsAutonomous: Boolean get() = knowsEnabled && modes.autonomous?.let { topicOf(it) } != null
+public val LogView.knowsAutonomous: Boolean get() = knowsEnabled && modes.autonomous?.let { topicOf(it.topic) } != null
 
-/** Returns the topics that [enabledSpans] uses. */
-public fun LogView.enabledTopics(): List<Topic> = listOfNotNull(modes.enabled, modes.autonomous).mapNotNull { topicOf(it) }.distinct()
+/** Returns the topics that decide where [enabledSpans] begin and end. */
+public fun LogView.enabledTopics(): List<Topic> =
+    listOfNotNull(modes.enabled, modes.autonomous, modes.test).mapNotNull { topicOf(it.topic) }.distinct()
 
-private fun LogView.topicOf(flag: FlagTopic) = recording.topics.find { it.name == flag.topic && seriesOf(it).data.size > 0 }
+private fun LogView.topicOf(name: String) = recording.topics.find { it.name == name && seriesOf(it).data.size > 0 }
 
 private fun LogView.spansOf(flag: FlagTopic): List<Span> {
-    val topic = topicOf(flag) ?: return emptyList()
+    val topic = topicOf(flag.topic) ?: return emptyList()
     val line = seriesOf(topic)
     val series = line.data
     if (!series.isOrdered) return emptyList()
@@ -42,18 +58,36 @@ private fun LogView.spansOf(flag: FlagTopic): List<Span> {
     return runs.states.indices.filter { runs.states[it] == 1 }.map { Span(runs.from[it], runs.to[it]) }
 }
 
-/** Cuts [enabled] where [autonomous] begins and ends. */
-private fun split(enabled: Span, autonomous: List<Span>): List<EnabledSpan> {
-    val pieces = ArrayList<EnabledSpan>()
-    var at = enabled.from
-    for (auto in autonomous) {
-        val from = maxOf(auto.from, at)
-        val to = minOf(auto.to, enabled.to)
+/** The texts of a topic over x. */
+private class Texts(private val series: Series, private val texts: List<String>) {
+    /** Returns the text that holds at [x]; null if it is empty, and before the first. */
+    fun at(x: Double): String? {
+        val last = series.firstAfter(x) - 1
+        val sample = if (last < 0) Double.NaN else series.y[last]
+        return if (sample.isNaN()) null else texts.getOrNull(sample.toInt())?.trim()?.takeIf { it.isNotEmpty() }
+    }
+}
+
+private fun LogView.textsOf(name: String): Texts? {
+    val line = topicOf(name)?.let(::seriesOf) ?: return null
+    return line.states?.takeIf { line.data.isOrdered }?.let { Texts(line.data, it) }
+}
+
+/** A piece of a span, and whether it is inside others. */
+private class SplitPiece(val span: Span, val isInside: Boolean)
+
+/** Cuts [whole] where [others] begin and end. */
+private fun split(whole: Span, others: List<Span>): List<SplitPiece> {
+    val pieces = ArrayList<SplitPiece>()
+    var at = whole.from
+    for (other in others) {
+        val from = maxOf(other.from, at)
+        val to = minOf(other.to, whole.to)
         if (to <= from) continue
-        if (from > at) pieces += EnabledSpan(Span(at, from), false)
-        pieces += EnabledSpan(Span(from, to), true)
+        if (from > at) pieces += SplitPiece(Span(at, from), false)
+        pieces += SplitPiece(Span(from, to), true)
         at = to
     }
-    if (enabled.to > at || pieces.isEmpty()) pieces += EnabledSpan(Span(at, enabled.to), false)
+    if (whole.to > at || pieces.isEmpty()) pieces += SplitPiece(Span(at, whole.to), false)
     return pieces
 }

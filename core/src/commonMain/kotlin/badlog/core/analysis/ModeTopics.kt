@@ -6,8 +6,15 @@ package badlog.core.analysis
  *
  * @property enabled the topic that shows when it was enabled; null for none.
  * @property autonomous the topic that shows when it was autonomous; null for none.
+ * @property test the topic that shows when it was in the mode for tests, called utility from 2027 on; null for none.
+ * @property opMode the name of the topic with the name of the op mode; null for none.
  */
-public class ModeTopics(public val enabled: FlagTopic?, public val autonomous: FlagTopic?) {
+public class ModeTopics(
+    public val enabled: FlagTopic?,
+    public val autonomous: FlagTopic?,
+    public val test: FlagTopic? = null,
+    public val opMode: String? = null,
+) {
     public companion object {
         /** No topics. */
         public val NONE: ModeTopics = ModeTopics(null, null)

@@ -29,6 +29,23 @@ class EnabledSpanSpec : FunSpec({
         )
     }
 
+    test("the mode for tests is neither autonomous nor driven, and each stretch has the op mode that ran when it began") {
+        val parser = BagParser()
+        val topics = listOf("Time" to "xaxis", "On" to "", "Alone" to "", "Test" to "", "Op" to "")
+        val header = topics.joinToString(",", "{\"topics\":[", "],\"values\":[]}") { (name, attribute) ->
+            """{"name":"$name","unit":"${if (name == "Time") "s" else "ul"}","attrs":[${if (attribute.isEmpty()) "" else "\"$attribute\""}]}"""
+        }
+        val rows = listOf("0,false,false,false,", "1,true,true,false,Two pieces", "2,true,false,false,Drive", "3,true,false,true,Drive", "4,false,false,false,")
+        parser.accept((listOf(header, "Time,On,Alone,Test,Op") + rows).joinToString("\n", postfix = "\n").encodeToByteArray())
+        fun flag(name: String) = FlagTopic(name, FlagReading.Truth)
+        val view = LogView.of(parser.finish()).identified(null, ModeTopics(flag("On"), flag("Alone"), flag("Test"), "Op"))
+        view.enabledSpans() shouldBe listOf(
+            EnabledSpan(Span(1.0, 2.0), isAutonomous = true, opMode = "Two pieces"),
+            EnabledSpan(Span(2.0, 3.0), isAutonomous = false, opMode = "Drive"),
+            EnabledSpan(Span(3.0, 4.0), isAutonomous = false, isTest = true, opMode = "Drive"),
+        )
+    }
+
     test("numbers show enabled as truth values do") {
         spans("0,0,0", "1,1.0000,0", "2,0,0") shouldBe listOf(EnabledSpan(Span(1.0, 2.0), isAutonomous = false))
     }

@@ -2,8 +2,8 @@ package badlog.window.choice
 
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.snapshots.Snapshot
-import badlog.core.recording.RecordingFormat
 import badlog.files.LogFile
+import badlog.files.isOfDriverStation
 import badlog.signals.clock.FoundStation
 import badlog.window.compare.ComparedRecordings
 import badlog.window.log.AxisView
@@ -55,7 +55,7 @@ internal class StationChoice(
         if (state.robot != file) change { StationOfLog(file) }
         val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
         // One that is a Driver Station's log itself needs none.
-        if (open.view.recording.format == RecordingFormat.DRIVER_STATION) return@collectLatest
+        if (open.view.recording.isOfDriverStation) return@collectLatest
         val found = runInterruptible(Dispatchers.IO) { find(open.withStation(null), folder) }
         change { StationOfLog(file, found) }
         show()

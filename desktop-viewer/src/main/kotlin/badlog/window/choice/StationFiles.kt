@@ -3,9 +3,11 @@ package badlog.window.choice
 import badlog.files.LogFile
 import badlog.files.readStationLog
 import badlog.files.startOfStationLog
+import badlog.files.stationFolders
 import badlog.files.stationLogsIn
 import badlog.formats.LOG_FORMATS
-import badlog.formats.driverstation.DriverStationFormat
+import badlog.formats.driverstation.STATION_HEAD_SIZE
+import badlog.formats.driverstation.stationStartIn
 import badlog.rules.FolderRules
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.FoundStation
@@ -21,7 +23,7 @@ import java.nio.file.Path
 internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
     if (!clocked.hasClock) return null
-    val logs = listOfNotNull(robot.file.parent, library, OF_THIS_COMPUTER).distinct().flatMap(::logsIn).distinctBy { it.path }
+    val logs = (listOfNotNull(robot.file.parent, library) + stationFolders()).distinct().flatMap(::logsIn).distinctBy { it.path }
     return StationSearch(clocked, ::startOf) { clockedLog(it, library) }.over(logs, mostRead = MAX_READ)
 }
 
@@ -36,14 +38,11 @@ private fun clockedLog(log: LogFile, library: Path?): ClockedLog? {
     return readStationLog(log, LOG_FORMATS)?.let { ClockedLog(log.name, it, FolderRules.of(log.path, library).rules.signals) }
 }
 
-private fun startOf(log: LogFile): Double? = startOfStationLog(log, DriverStationFormat.HEAD_SIZE, DriverStationFormat::startOf)
+private fun startOf(log: LogFile): Double? = startOfStationLog(log, STATION_HEAD_SIZE, ::stationStartIn)
 
 private fun checkInterrupt() {
     if (Thread.interrupted()) throw InterruptedException()
 }
-
-/** Where a Driver Station keeps its logs, on Windows. */
-private val OF_THIS_COMPUTER: Path? = System.getenv("PUBLIC")?.let { Path.of(it, "Documents", "FRC", "Log Files", "DSLogs") }
 
 /** More than a team plays in a day would take too long, and too much memory. */
 private const val MAX_READ = 40

@@ -27,6 +27,8 @@ internal object SystemFileChoice : FileChoice {
 
     override fun toRead(title: String, folder: Path?, ending: String): Path? = ask(title, FileDialog.LOAD, folder) {
         filenameFilter = FilenameFilter { _, name -> name.endsWith(ending, ignoreCase = true) }
+        // Windows ignores the filter, but takes a pattern for the name.
+        patternOf(ending, System.getProperty("os.name"))?.let { file = it }
     }
 
     override fun folder(title: String, folder: Path?): Path? =
@@ -67,6 +69,12 @@ internal object SystemFileChoice : FileChoice {
 
     private const val MAC_FOLDERS = "apple.awt.fileDialogForDirectories"
 }
+
+/**
+ * Returns the pattern that stands for names that end in [ending] in the dialog of [system]; null if the dialog filters names itself, or if
+ * [ending] is empty.
+ */
+internal fun patternOf(ending: String, system: String): String? = "*$ending".takeIf { ending.isNotEmpty() && system.startsWith("Windows") }
 
 /**
  * Asks for a file to write whose name ends in [ending], suggesting [name]; null if nothing is to be written. An existing file

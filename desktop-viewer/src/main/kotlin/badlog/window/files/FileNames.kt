@@ -1,14 +1,16 @@
 package badlog.window.files
 
 import badlog.files.LogName
+import badlog.files.safeName
 import java.nio.file.Path
 
-/** Returns [text] as part of a file name on any system: without forbidden characters, and not too long. */
+/** Returns [text] as the name of a file on any system: without forbidden characters, not that of a device, and not too long. */
 internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
     .joinToString("")
     .trim(' ', '.')
     .take(MAX_LENGTH)
     .ifEmpty { "badlog" }
+    .let(::safeName)
 
 /** Returns the name of [file] without the endings of its format. */
 internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)

@@ -28,6 +28,7 @@ class ArchivesProof : FunSpec({
         val names = RELEASE.list().orEmpty().toList()
         names shouldContainAll listOf(
             "badlog-$VERSION.zip",
+            "badlog-conformance-$VERSION.zip",
             "badlog-cpp-$VERSION.zip",
             "badlog-docs-$VERSION.zip",
             "badlog-robot-$VERSION.zip",
@@ -44,6 +45,18 @@ class ArchivesProof : FunSpec({
     test("docs/install.md names each download").config(enabledOrReasonIf = IF_LINUX) {
         val guide = File(ROOT, "docs/install.md").readText()
         RELEASE.list().orEmpty().filter { it.replace(PLATFORM, "linux-x64") !in guide }.shouldBeEmpty()
+    }
+
+    test("whoever writes a reader gets every log of the conformance corpus, and what to find in it") {
+        val root = "badlog-conformance-$VERSION"
+        val packed = entriesOf(File(RELEASE, "$root.zip")).map { it.name }.filterNot { it.endsWith("/") }.toSet()
+        for ((folder, source) in listOf("bags" to "core/conformance", "logs" to "libraries/formats/conformance")) {
+            val files = File(ROOT, source).list().orEmpty().toList()
+            packed.filter { it.startsWith("$root/$folder/") }.toSet() shouldBe files.map { "$root/$folder/$it" }.toSet()
+            val logs = files.filterNot { it.endsWith(".json") || it.endsWith(".md") }
+            logs.size shouldBeGreaterThan 10
+            logs.filterNot { "${it.substringBeforeLast('.')}.json" in files || "$it.json" in files }.shouldBeEmpty()
+        }
     }
 
     test("the guides come as a site, too") {

@@ -22,11 +22,24 @@ class WorkflowsSpec : FunSpec({
         ended.code shouldBe 0
     }
 
-    test("checks and releases run on Linux, macOS and Windows") {
+    test("checks and releases run on Linux, macOS and Windows, and on both kinds of processors") {
         for (name in listOf("check.yml", "release.yml")) {
             val text = File(WORKFLOWS, name).readText()
-            for (system in listOf("ubuntu", "macos", "windows")) text shouldContain "$system-"
+            for (system in listOf("ubuntu-latest", "ubuntu-24.04-arm", "macos-latest", "macos-15-intel", "windows-latest")) {
+                // Everything is run in Debian's container on Linux.
+                if (name == "release.yml" || system != "ubuntu-latest") text.lines().filterNot { "#" in it }.joinToString() shouldContain system
+            }
         }
+    }
+
+    test("each download of a release has an attestation, and each system's a bill of materials") {
+        val text = File(WORKFLOWS, "release.yml").readText()
+        for (part in listOf("actions/attest-build-provenance@", "actions/attest-sbom@", "attestations: write", "id-token: write")) text shouldContain part
+    }
+
+    test("workflows that GitHub has never run say so, and so does the guide") {
+        val isNew = File(ROOT, "docs/releasing.md").readText().contains("have never run")
+        for (file in WORKFLOWS.listFiles().orEmpty()) file.readText().contains("# Not yet run:") shouldBe isNew
     }
 
     test("docs/releasing.md names every secret and variable that the workflows ask for") {

@@ -106,7 +106,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         if (!isKnown) return unknown(range)
         return stepsOf(
             spans.orEmpty().filter {
-                mode == Mode.ENABLED || it.isAutonomous == (mode == Mode.AUTONOMOUS)
+                mode == Mode.ENABLED || (it.isAutonomous == (mode == Mode.AUTONOMOUS) && !it.isTest)
             }.map(EnabledSpan::span),
             range,
         )

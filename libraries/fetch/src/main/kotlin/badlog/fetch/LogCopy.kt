@@ -1,6 +1,7 @@
 package badlog.fetch
 
 import badlog.files.reading
+import badlog.files.safeName
 import badlog.files.writing
 import java.io.IOException
 import java.nio.ByteBuffer

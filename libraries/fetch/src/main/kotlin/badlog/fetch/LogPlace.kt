@@ -1,6 +1,7 @@
 package badlog.fetch
 
 import badlog.files.LogName
+import badlog.files.safeName
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchInName
 

@@ -2,7 +2,7 @@ package badlog.fetch
 
 import java.nio.ByteBuffer
 
-/** Reads what NetworkTables sends for a topic of whole numbers: arrays and numbers of MessagePack, in [bytes]. */
+/** Reads what NetworkTables sends for a topic of whole numbers, or of a struct of 64 bits: a part of MessagePack, in [bytes]. */
 internal class MessagePackReader(private val bytes: ByteBuffer) {
     /** Whether there are bytes left. */
     val hasNext: Boolean get() = bytes.hasRemaining()
@@ -27,12 +27,21 @@ internal class MessagePackReader(private val bytes: ByteBuffer) {
         else -> null
     }
 
+    /** Returns the whole number here, or the one in 8 bytes whose lowest comes first; null if there is something else. */
+    fun word(): Long? {
+        if (bytes.get(bytes.position()).toInt() and BYTE_END != BINARY_8) return number()
+        bytes.get()
+        if (unsigned() != Long.SIZE_BYTES) return null
+        return java.lang.Long.reverseBytes(bytes.getLong())
+    }
+
     private fun unsigned() = bytes.get().toInt() and BYTE_END
 
     private companion object {
         const val POSITIVE_END = 0x7F
         const val FIX_ARRAY = 0x90
         const val FIX_ARRAY_END = 0x9F
+        const val BINARY_8 = 0xC4
         const val UINT_8 = 0xCC
         const val UINT_16 = 0xCD
         const val UINT_32 = 0xCE

@@ -19,8 +19,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Knows whether the robot at [address] is enabled, from `FMSControlData` of its NetworkTables server. Must be
- * closed.
+ * Knows whether the robot at [address] is enabled, from `FMSControlData` of its NetworkTables server, or from 2027 on from `ControlWord`.
+ * Must be closed.
  *
  * @param patience how long to wait for it.
  * @throws UnknownStateException if the robot does not report it.
@@ -28,19 +28,20 @@ import kotlin.concurrent.withLock
 internal class RobotState(private val address: RobotAddress, private val patience: Duration) : AutoCloseable {
     private val lock = ReentrantLock()
     private val change = lock.newCondition()
-    private var control: Long? = null
+    private var enabled: Boolean? = null
     private var isLost = false
     private val socket = connect()
 
     init {
-        val json = """[{"method":"subscribe","params":{"topics":["$TOPIC"],"subuid":1,"options":{}}}]"""
+        val names = TOPICS.keys.joinToString { "\"$it\"" }
+        val json = """[{"method":"subscribe","params":{"topics":[$names],"subuid":1,"options":{}}}]"""
         socket.sendText(json, true)
         var left = patience.toNanos()
         lock.withLock {
-            while (control == null && !isLost && left > 0) left = change.awaitNanos(left)
-            if (control == null) {
+            while (enabled == null && !isLost && left > 0) left = change.awaitNanos(left)
+            if (enabled == null) {
                 socket.abort()
-                throw UnknownStateException(address, "its NetworkTables have no $TOPIC")
+                throw UnknownStateException(address, "its NetworkTables have none of ${TOPICS.keys.joinToString()}")
             }
         }
     }
@@ -52,7 +53,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
      */
     val isEnabled: Boolean get() = lock.withLock {
         if (isLost) throw UnknownStateException(address, "its NetworkTables no longer answer")
-        control!! and ENABLED != 0L
+        enabled == true
     }
 
     /** Waits until it is disabled. Throws the same exceptions as [isEnabled]. */
@@ -77,12 +78,14 @@ internal class RobotState(private val address: RobotAddress, private val patienc
     private inner class Messages : WebSocket.Listener {
         private val text = StringBuilder()
         private val binary = ByteArrayOutputStream()
-        private var topic: Long? = null
+
+        /** The bit that says whether the robot is enabled, by the id of the topic. */
+        private val bits = HashMap<Long, Long>()
 
         override fun onText(socket: WebSocket, part: CharSequence, isLast: Boolean): CompletionStage<*>? {
             text.append(part)
             if (isLast) {
-                announcement(text.toString())?.let { topic = it }
+                announced(text.toString())
                 text.clear()
             } else if (text.length > MAX_MESSAGE) {
                 lose()
@@ -107,16 +110,18 @@ internal class RobotState(private val address: RobotAddress, private val patienc
 
         override fun onError(socket: WebSocket, error: Throwable) = lose()
 
-        /** Returns the id that the server assigns to the topic in [frame], if it does. */
-        private fun announcement(frame: String): Long? = try {
-            Json.parseToJsonElement(frame).jsonArray.map { it.jsonObject }
-                .filter { it["method"]?.jsonPrimitive?.content == "announce" }
-                .mapNotNull { it["params"]?.jsonObject }
-                .firstOrNull { it["name"]?.jsonPrimitive?.content == TOPIC }
-                ?.get("id")?.jsonPrimitive?.content?.toLongOrNull()
-        } catch (_: IllegalArgumentException) {
-            // A frame that is not of NetworkTables is ignored.
-            null
+        /** Keeps the ids that the server assigns to the topics in [frame]. */
+        private fun announced(frame: String) {
+            try {
+                for (message in Json.parseToJsonElement(frame).jsonArray.map { it.jsonObject }) {
+                    if (message["method"]?.jsonPrimitive?.content != "announce") continue
+                    val topic = message["params"]?.jsonObject ?: continue
+                    val bit = TOPICS[topic["name"]?.jsonPrimitive?.content] ?: continue
+                    topic["id"]?.jsonPrimitive?.content?.toLongOrNull()?.let { bits[it] = bit }
+                }
+            } catch (_: IllegalArgumentException) {
+                // A frame that is not of NetworkTables is ignored.
+            }
         }
 
         private fun controlIn(frame: ByteBuffer) {
@@ -126,8 +131,9 @@ internal class RobotState(private val address: RobotAddress, private val patienc
                     val id = reader.number()
                     reader.number()
                     reader.number()
-                    val value = reader.number() ?: return
-                    if (id == topic) set(value)
+                    val bit = bits[id]
+                    val value = reader.word() ?: return
+                    if (bit != null) set(value and bit != 0L)
                 }
             } catch (_: BufferUnderflowException) {
                 // The frame is cut; the next one repeats the value.
@@ -135,8 +141,8 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         }
     }
 
-    private fun set(value: Long) = lock.withLock {
-        control = value
+    private fun set(isEnabled: Boolean) = lock.withLock {
+        enabled = isEnabled
         change.signalAll()
     }
 
@@ -146,8 +152,12 @@ internal class RobotState(private val address: RobotAddress, private val patienc
     }
 
     private companion object {
-        const val TOPIC = "/FMSInfo/FMSControlData"
-        const val ENABLED = 1L
+        /** The topics that say it, and the bit that does. From 2027 on it is a struct, in another folder since the alphas. */
+        val TOPICS = mapOf(
+            "/FMSInfo/FMSControlData" to 1L,
+            "/FMSInfo/ControlWord" to (1L shl 58),
+            "/DriverStation/ControlWord" to (1L shl 58),
+        )
 
         /** The topic's id, a time, a type and a value. */
         const val ELEMENTS = 4

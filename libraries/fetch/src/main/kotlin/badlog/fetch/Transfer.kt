@@ -6,6 +6,7 @@ import badlog.core.text.freeName
 import badlog.files.LogName
 import badlog.files.UnreadableFileException
 import badlog.files.readRecording
+import badlog.files.safeName
 import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN

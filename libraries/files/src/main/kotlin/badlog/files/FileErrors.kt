@@ -82,12 +82,24 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
     throw e
 } catch (e: IOException) {
     val message = when (e) {
-        is AccessDeniedException -> "$file cannot be written: permission denied; select another folder."
+        is AccessDeniedException -> if (isReplaceable(file)) {
+            "$file cannot be replaced: it is read-only, or another program has it open; close it there, or select another name."
+        } else {
+            "$file cannot be written: permission denied; select another folder."
+        }
+
         is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+
         is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+
         is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
+
         is FileSystemException -> "$file cannot be written (${e.reason ?: e.message}); select another place."
+
         else -> "$file cannot be written (${e.message}); select another place."
     }
     throw UnwritableFileException(file, message, e)
 }
+
+// Windows refuses to replace such files, and does not say why.
+private fun isReplaceable(file: Path) = Files.isRegularFile(file) && file.toAbsolutePath().parent?.let(Files::isWritable) == true

@@ -21,10 +21,11 @@ public class LogName private constructor(public val stem: String, public val end
         internal const val DSLOG = ".dslog"
         internal const val DSEVENTS = ".dsevents"
         internal const val HOOT = ".hoot"
+        internal const val WPILOG = ".wpilog"
 
         /** The ending of logs of REV's motor controllers. */
         public const val REVLOG: String = ".revlog"
-        private val ENDINGS = listOf(".bag", ".badbag", CSV, ".wpilog", ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
+        private val ENDINGS = listOf(".bag", ".badbag", CSV, WPILOG, ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
 
         /** Returns the parts of [name], which must not include folders. */
         public fun of(name: String): LogName {

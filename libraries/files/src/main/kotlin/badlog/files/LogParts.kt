@@ -3,6 +3,7 @@ package badlog.files
 import badlog.core.recording.LogFormat
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -21,14 +22,26 @@ public fun partsOfLog(file: Path): List<Path> =
  * @throws java.io.IOException if [folder] cannot be read.
  */
 public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFile> =
-    FolderScan.of(folder, checkpoint).files.filter { LogName.of(it.name).ending.lowercase() in STATION_ENDINGS }
+    FolderScan.of(folder, checkpoint).files.filter { file ->
+        val name = LogName.of(file.name)
+        val ending = name.ending.lowercase()
+        ending in STATION_ENDINGS || (ending == LogName.WPILOG && name.stem.startsWith(STATION_STEM, ignoreCase = true))
+    }
+
+/** Whether it is a log of the Driver Station: until 2026 in a format of its own, from 2027 on a WPILOG with nothing else in it. */
+public val Recording.isOfDriverStation: Boolean
+    get() = format == RecordingFormat.DRIVER_STATION ||
+        (format == RecordingFormat.WPILOG && topics.any { it.name.startsWith(STATION_TOPIC) } && topics.all(::isOfStation))
+
+private fun isOfStation(topic: Topic) =
+    topic.name.startsWith(STATION_TOPIC) || SCHEMA_FOLDER in topic.name || topic.name == "systemTime" || topic.name == "messages"
 
 /**
  * Returns the content of [log], one of [stationLogsIn], read by [formats]; null if it is not a log of the Driver Station, has no samples,
  * or cannot be read.
  */
 public fun readStationLog(log: LogFile, formats: List<LogFormat>): Recording? = try {
-    readRecording(log.path, formats, cores = 1).takeIf { it.format == RecordingFormat.DRIVER_STATION && it.sampleCount > 0 }
+    readRecording(log.path, formats, cores = 1).takeIf { it.isOfDriverStation && it.sampleCount > 0 }
 } catch (_: UnreadableFileException) {
     // Whatever it is, it is not the log being searched for.
     null
@@ -46,6 +59,23 @@ public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -
 }
 
 private val STATION_ENDINGS = setOf(LogName.DSLOG, LogName.DSEVENTS)
+
+/** How the names of its logs begin from 2027 on. */
+private const val STATION_STEM = "FIRST_DS"
+
+/** How the names of its topics begin from 2027 on; those of a robot, such as `DS:controlWord`, have no slash. */
+private const val STATION_TOPIC = "DS:/"
+private const val SCHEMA_FOLDER = "/.schema/"
+
+/** Returns where a Driver Station keeps its logs on this computer: that of the seasons to 2026, and those from 2027 on. */
+public fun stationFolders(
+    user: Path = Path.of(System.getProperty("user.home")),
+    variable: (String) -> String? = System::getenv,
+): List<Path> {
+    val shared = variable("PUBLIC")?.takeIf { it.isNotBlank() }?.let { Path.of(it, "Documents") }
+    val ofWindows = shared?.run { listOf(resolve("FRC/Log Files/DSLogs"), resolve("FIRSTDriverStation/Logs"), resolve("firstds")) }
+    return ofWindows.orEmpty() + listOf(user.resolve(".firstds"))
+}
 
 /** Returns those of [files], whose paths [pathOf] returns, that are not the second file of a log among them. */
 public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {

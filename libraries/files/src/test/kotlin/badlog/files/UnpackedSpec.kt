@@ -8,6 +8,7 @@ import badlog.formats.wpilog.describeLog
 import badlog.formats.wpilog.parseLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
@@ -19,6 +20,7 @@ import io.kotest.property.checkAll
 import org.tukaani.xz.LZMA2Options
 import org.tukaani.xz.XZOutputStream
 import java.io.ByteArrayOutputStream
+import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.random.Random
@@ -28,6 +30,10 @@ private fun xz(bytes: ByteArray): ByteArray {
     XZOutputStream(out, LZMA2Options()).use { it.write(bytes) }
     return out.toByteArray()
 }
+
+/** A program that is a script for sh. */
+private val IF_SHELL =
+    if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no sh")
 
 internal class UnpackedSpec : FunSpec({
     val log = VARIED_LOG.bytes
@@ -74,7 +80,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a hoot log becomes a WPILOG by CTRE's program") {
+    test("a hoot log becomes a WPILOG by CTRE's program").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = folder.resolve("made.wpilog")
             val hoot = Files.write(folder.resolve("a b.hoot"), log)
@@ -84,7 +90,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("without CTRE's program, or where it fails, one sentence says what to do") {
+    test("without CTRE's program, or where it fails, one sentence says what to do").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = Files.createFile(folder.resolve("made.wpilog"))
             val hoot = Files.write(folder.resolve("a.hoot"), log)
@@ -119,7 +125,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a conversion that somebody gives up ends") {
+    test("a conversion that somebody gives up ends").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = Files.createFile(folder.resolve("made.wpilog"))
             val hoot = Files.write(folder.resolve("a.hoot"), log)

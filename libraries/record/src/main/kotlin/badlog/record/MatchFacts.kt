@@ -3,7 +3,7 @@ package badlog.record
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** What the robot's topics in `/FMSInfo` say of the match. */
+/** What the robot's topics in `/FMSInfo`, or from 2027 on in `/DriverStation`, say of the match. */
 internal class MatchFacts {
     private var event = ""
     private var type = 0L
@@ -26,11 +26,12 @@ internal class MatchFacts {
 
     /** Takes a value of the topic [name], as in a record. */
     fun heard(name: String, payload: ByteArray) {
-        when (name) {
-            "/FMSInfo/EventName" -> event = payload.decodeToString()
-            "/FMSInfo/MatchType" -> type = int(payload) ?: type
-            "/FMSInfo/MatchNumber" -> number = int(payload) ?: number
+        when (name.substringAfterLast('/')) {
+            "EventName" -> event = payload.decodeToString()
+            "MatchType" -> type = int(payload) ?: type
+            "MatchNumber" -> number = int(payload) ?: number
             CONTROL -> isEnabled = int(payload)?.let { it and ENABLED != 0L } ?: isEnabled
+            CONTROL_2027 -> isEnabled = int(payload)?.let { it and ENABLED_2027 != 0L } ?: isEnabled
         }
     }
 
@@ -38,12 +39,19 @@ internal class MatchFacts {
         if (payload.size == Long.SIZE_BYTES) ByteBuffer.wrap(payload).order(ByteOrder.LITTLE_ENDIAN).getLong() else null
 
     companion object {
-        /** The folder of these topics. */
-        const val FOLDER = "/FMSInfo/"
+        /** The folders of these topics, until 2026 and from 2027 on. */
+        val FOLDERS = listOf("/FMSInfo/", "/DriverStation/")
+
+        /** Returns whether the topic [name] is one of them. */
+        fun isOne(name: String): Boolean = FOLDERS.any { name.startsWith(it) && name.indexOf('/', it.length) < 0 }
 
         /** The topic that says whether the robot is enabled, in its lowest bit. */
-        const val CONTROL = "/FMSInfo/FMSControlData"
+        const val CONTROL = "FMSControlData"
+
+        /** The same from 2027 on: a struct of 64 bits, of which the lower 58 are the op mode. */
+        const val CONTROL_2027 = "ControlWord"
         private const val ENABLED = 1L
+        private const val ENABLED_2027 = 1L shl 58
         private const val TYPES = "PQE"
         private const val MAX_EVENT = 40
         private val UNSAFE = Regex("[^A-Za-z0-9.-]")

@@ -59,7 +59,8 @@ internal class Session(
         val isSilent = options.isPerEnable && robot.isSubscribed && match.isEnabled == null && now - connectedMicros > PAUSE_MICROS
         if (isSilent && !isSilenceNoted) {
             isSilenceNoted = true
-            note("The robot does not publish ${MatchFacts.CONTROL}, so nobody knows when it is enabled; record the whole session instead.")
+            val missing = "neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}"
+            note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
         }
     }
 
@@ -99,7 +100,7 @@ internal class Session(
         }
         source.isSubscribed = true
         subscribe(link, "", isAll = options.isWanted == null)
-        if (options.isWanted != null) subscribe(link, MatchFacts.FOLDER, isAll = true)
+        if (options.isWanted != null) MatchFacts.FOLDERS.forEach { subscribe(link, it, isAll = true) }
         if (options.isWanted != null) subscribe(link, SCHEMAS, isAll = true)
         if (source.isRobot) connectedMicros = local
         if (output.isOpen) {
@@ -164,7 +165,7 @@ internal class Session(
 
     private fun announced(source: Source, message: ServerMessage.Announce) {
         val logName = source.server.prefix + message.name
-        val isAlways = message.name.startsWith(SCHEMAS) || message.name.startsWith(MatchFacts.FOLDER)
+        val isAlways = message.name.startsWith(SCHEMAS) || MatchFacts.isOne(message.name)
         val wanted = options.isWanted
         if (wanted != null && !isAlways && !wanted(logName)) return
         if (source.server.isMirror && message.name in robot.byName) return
@@ -213,7 +214,7 @@ internal class Session(
             topic.latest = payload
             topic.latestMicros = micros
             val wasOpen = output.isOpen
-            if (source.isRobot && topic.name.startsWith(MatchFacts.FOLDER)) heard(topic, payload)
+            if (source.isRobot && MatchFacts.isOne(topic.name)) heard(topic, payload)
             // A file that was opened by this value has it.
             val isInOrder = if (wasOpen) output.value(topic, time) else true
             if (!isInOrder) {

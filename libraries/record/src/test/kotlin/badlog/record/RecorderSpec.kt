@@ -10,6 +10,8 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.exists
 import kotlin.io.path.name
@@ -224,6 +226,40 @@ class RecorderSpec : FunSpec({
                 log.entry("NT:/FMSInfo/FMSControlData").longs() shouldBe listOf(33L)
                 running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}_Mill-Creek_Q42\.wpilog""")
                 running.files.single().path.exists() shouldBe true
+            }
+        }
+    }
+
+    for (folder in listOf("/FMSInfo", "/DriverStation")) {
+        test("from 2027 on, whether the robot is enabled and which match it plays come from $folder/ControlWord, a struct") {
+            FakeServer().use { server ->
+                fun control(isEnabled: Boolean) {
+                    // The op mode is in the lower 56 bits; two for the mode; then enabled, emergency stop, field and Driver Station.
+                    val word = 0x00AB_CDEF_0123_4567L or (2L shl 56) or ((if (isEnabled) 1L else 0L) shl 58) or (1L shl 61)
+                    server.value(99, 5) {
+                        packBinaryHeader(8)
+                        writePayload(ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN).putLong(word).array())
+                    }
+                }
+                server.greeting = {
+                    announce("$folder/ControlWord", 99, "struct:ControlWord")
+                    announce("/A", 1, "double")
+                    announce("$folder/MatchType", 3, "int")
+                    announce("$folder/MatchNumber", 4, "int")
+                    number(1, 1.0)
+                    value(3, 2) { packLong(2) }
+                    value(4, 2) { packLong(42) }
+                    control(false)
+                }
+                recording(server, isPerEnable = true) { running ->
+                    waitUntil { server.greeted.get() == 1 }
+                    server.number(1, 2.0)
+                    control(true)
+                    server.number(1, 3.0)
+                    waitUntil { running.recorder.progress.values == 5L }
+                    running.logs().single().entry("NT:/A").numbers() shouldBe listOf(2.0, 3.0)
+                    running.files.single().path.name shouldMatch Regex(""".*_Q42\.wpilog""")
+                }
             }
         }
     }

@@ -45,7 +45,12 @@ private fun controlWordOf(view: LogView): Signal? {
     if (spans.isEmpty()) return null
     val words = sortedMapOf(start to ATTACHED)
     for (enabled in spans) {
-        words[enabled.span.from] = ATTACHED or ENABLED or if (enabled.isAutonomous) AUTONOMOUS else 0
+        val mode = when {
+            enabled.isAutonomous -> AUTONOMOUS
+            enabled.isTest -> TEST
+            else -> 0
+        }
+        words[enabled.span.from] = ATTACHED or ENABLED or mode
         if (spans.none { it.span.from == enabled.span.to }) words[enabled.span.to] = ATTACHED
     }
     val samples = Series(words.keys.toDoubleArray(), DoubleArray(words.size) { words.values.elementAt(it).toDouble() })
@@ -55,6 +60,7 @@ private fun controlWordOf(view: LogView): Signal? {
 private const val CONTROL_WORD = "/FMSControlData"
 private const val ENABLED = 1
 private const val AUTONOMOUS = 2
+private const val TEST = 4
 
 /** The Driver Station is connected. */
 private const val ATTACHED = 32

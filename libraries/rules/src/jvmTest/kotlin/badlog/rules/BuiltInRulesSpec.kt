@@ -19,6 +19,10 @@ private const val LINKS = "[[linked]]\nmotors = [\"Drive/Left\", \"Drive/Right\"
 /** Each rule, and what to plant in a match so that the rule finds it. */
 private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Browned out" to { flag("/SystemStats/BrownedOut") { it in 20.0..20.3 } },
+    "Below the brownout voltage" to {
+        number("/SystemStats/BrownoutVoltage") { 7.5 }
+        from(20.0, BATTERY) { if (it < 20.1) "7.2" else "12" }
+    },
     "Low battery" to { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } },
     "Weak battery" to { from(20.0, BATTERY) { if (it < 21.0) "8.4" else "12" } },
     "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
@@ -129,6 +133,7 @@ private val FAULTS: Map<String, TestMatch.() -> Unit> = mapOf(
     "Disk nearly full" to { number("System/Free Disk MB") { 60 - it } },
     "CAN bus full" to { from(20.0, "/SystemStats/CANBus/Utilization") { "0.97" } },
     "CAN utilization high" to { from(20.0, "/SystemStats/CANBus/Utilization") { "0.8" } },
+    "One CAN bus full" to { number("DS:/Dscomm/Status/Resources/CanBusUtilizations[3]") { if (it < 20) 20.0 else 97.0 } },
     "CAN bus off" to { number("/SystemStats/CANBus/OffCount") { if (it < 20) 0.0 else 1.0 } },
     "CAN errors" to { number("/SystemStats/CANBus/ReceiveErrorCount") { if (it < 20) 0.0 else 12.0 } },
     "Radio lost power" to {

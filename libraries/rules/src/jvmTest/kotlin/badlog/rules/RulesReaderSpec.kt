@@ -17,7 +17,7 @@ private fun messageOf(rules: String): String = shouldThrow<RulesException> { Rul
 
 class RulesReaderSpec : FunSpec({
     test("the built-in rules can be read") {
-        RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Low battery")
+        RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Below the brownout voltage")
     }
 
     test("the built-in rules as the build made JSON of them are those of their file") {

@@ -50,6 +50,26 @@ class ViewWithSignalsSpec : FunSpec({
         "Driver Station" to arrayOf("/DSLog/Status/DSDisabled" to ON_OFF, "/DSLog/Status/RobotAuto" to listOf("false", "true", "false", "false", "false")),
         "bags" to arrayOf("System/Enabled" to OFF_ON, "System/Autonomous" to ALONE),
     )
+    val word = "DS:controlWord"
+    test("utility is not teleop, emergency stop, field and Driver Station are read from the control word, and op modes have names") {
+        val view = logOf(
+            "$word/enabled" to OFF_ON,
+            "$word/robotMode" to listOf("autonomous", "autonomous", "utility", "utility", "utility"),
+            "$word/eStop" to List(5) { "false" },
+            "$word/fmsAttached" to List(5) { "true" },
+            "$word/dsAttached" to List(5) { "true" },
+            "DS:opMode" to listOf("", "Two pieces", "Zero the arm", "Zero the arm", ""),
+        ).withSignals(vocabulary)
+        view.enabledSpans() shouldBe listOf(
+            EnabledSpan(Span(1.0, 2.0), isAutonomous = true, opMode = "Two pieces"),
+            EnabledSpan(Span(2.0, 4.0), isAutonomous = false, isTest = true, opMode = "Zero the arm"),
+        )
+        fun topicOf(signal: String) = signalTopicsOf(view, vocabulary).of(signal).single().topic
+        topicOf("emergency stop") shouldBe "$word/eStop"
+        topicOf("FMS attached") shouldBe "$word/fmsAttached"
+        topicOf("link") shouldBe "$word/dsAttached"
+    }
+
     for ((kind, topics) in kinds) {
         test("when the robot was enabled is right in logs of $kind") {
             val view = logOf(*topics).withSignals(vocabulary)

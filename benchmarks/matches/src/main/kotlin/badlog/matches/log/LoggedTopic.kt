@@ -34,13 +34,18 @@ internal sealed interface ValueType {
         override val name get() = "float[]"
     }
 
+    /** A message of the Driver Station of 2027. */
+    data class Encoded(val message: Message) : ValueType {
+        override val name get() = "proto:${Message.PACKAGE}.${message.typeName}"
+    }
+
     /** One or more structs, of which all fields are doubles. */
     data class Structs(val struct: Struct, val isArray: Boolean) : ValueType {
         override val name get() = "struct:${struct.typeName}" + if (isArray) "[]" else ""
     }
 }
 
-/** Structs of WPILib that consist of doubles, with their schemas. */
+/** Structs of WPILib that consist of doubles, and one of 64 bits, with their schemas. */
 internal enum class Struct(val typeName: String, val schema: String, val parts: List<String> = emptyList()) {
     ROTATION_2D("Rotation2d", "double value"),
     TRANSLATION_2D("Translation2d", "double x;double y"),
@@ -51,6 +56,11 @@ internal enum class Struct(val typeName: String, val schema: String, val parts: 
     POSE_3D("Pose3d", "Translation3d translation;Rotation3d rotation", listOf("Translation3d", "Rotation3d")),
     MODULE_STATE("SwerveModuleState", "double speed;Rotation2d angle", listOf("Rotation2d")),
     CHASSIS_SPEEDS("ChassisSpeeds", "double vx;double vy;double omega"),
+    CONTROL_WORD(
+        "ControlWord",
+        "uint64 opModeHash:56;enum{unknown=0,autonomous=1,teleoperated=2,utility=3}uint64 robotMode:2;" +
+            "bool enabled:1;bool eStop:1;bool fmsAttached:1;bool dsAttached:1;",
+    ),
     ;
 
     /** Itself and all that it is made of. */
@@ -63,7 +73,7 @@ internal enum class Struct(val typeName: String, val schema: String, val parts: 
  * @property signal what it measures.
  * @property part the part of the robot it is about, as in `Elevator`; empty if it is about all of it.
  * @property everyLoops how many loops are between two samples; 0 if a sample is taken with each status frame.
- * @property read returns its value now: a Double, Long, Boolean, String, DoubleArray or list of strings; null for no sample now.
+ * @property read returns its value now: a Double, Long, Boolean, String, DoubleArray, ByteArray or list of strings; null for no sample now.
  */
 internal class LoggedTopic(
     val name: String,

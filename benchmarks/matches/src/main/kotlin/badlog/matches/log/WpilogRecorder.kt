@@ -39,6 +39,11 @@ internal class WpilogRecorder(
             payload.clear().put(struct.schema.toByteArray())
             record(id, start)
         }
+        if (topics.any { it.type is ValueType.Encoded }) {
+            start(++id, "DS:/.schema/proto:mrc.proto", "proto:FileDescriptorProto", "", start)
+            payload.clear().put(Message.descriptions())
+            record(id, start)
+        }
         for ((index, topic) in topics.withIndex()) {
             start(index + 1, topic.name, topic.type.name, if (topic.unit == "ul") "" else "{\"unit\":\"${topic.unit}\"}", start)
         }
@@ -78,6 +83,8 @@ internal class WpilogRecorder(
             is Double -> payload.putDouble(value)
 
             is Long -> payload.putLong(value)
+
+            is ByteArray -> payload.put(value)
 
             is Boolean -> payload.put(if (value) 1 else 0)
 

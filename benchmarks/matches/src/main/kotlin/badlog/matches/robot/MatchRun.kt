@@ -48,6 +48,10 @@ internal class MatchRun(val plan: RobotPlan) {
     val isEnabled: Boolean get() = phase.isEnabled && isLinked
     var isBrownedOut = false
         private set
+
+    /** The time of the log at which it is, in s, to 5 ms. */
+    var now = 0.0
+        private set
     private var recoveredAt = 0.0
     private var wasEnabled = false
 
@@ -73,6 +77,7 @@ internal class MatchRun(val plan: RobotPlan) {
         var step = 0
         while (true) {
             val time = step * STEP
+            now = time
             if (time >= until) {
                 crash(time, observer)
                 return

@@ -11,6 +11,7 @@ import badlog.cli.part.SqlTable
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
 import badlog.rules.RuleSet
+import badlog.season.engine.NoEngineException
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
 import badlog.season.lake.LakeLog
@@ -50,7 +51,7 @@ public class DuckDbSeason : SeasonService {
     override fun open(lake: Path, output: Path?, isConfined: Boolean): SqlSession =
         failing { DuckDbSession(LakeDatabase.open(Lake(lake), output, isConfined)) }
 
-    override fun parquet(): ParquetSession = DuckDbParquet(ParquetWriter())
+    override fun parquet(): ParquetSession = failing { DuckDbParquet(ParquetWriter()) }
 }
 
 private class DuckDbParquet(private val writer: ParquetWriter) : ParquetSession {
@@ -80,5 +81,7 @@ private fun <R> failing(work: () -> R): R = try {
 } catch (e: LakeException) {
     throw SeasonException(e.message)
 } catch (e: SqlException) {
+    throw SeasonException(e.message)
+} catch (e: NoEngineException) {
     throw SeasonException(e.message)
 }

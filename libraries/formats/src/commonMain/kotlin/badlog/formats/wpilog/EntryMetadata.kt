@@ -32,7 +32,7 @@ internal fun attributesIn(metadata: String, name: String): List<String> {
     val own = members.last(ATTRIBUTES)?.items ?: members.property(BADLOG)?.run { items ?: listOf(this) }
     return own?.mapNotNull { it.text } ?: when {
         name == MESSAGES || CONSOLE in name -> listOf(LOG)
-        name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name -> listOf("hide")
+        name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name || name.endsWith(TYPE) -> listOf("hide")
         else -> emptyList()
     }
 }
@@ -79,6 +79,9 @@ private const val MESSAGES = "messages"
 
 /** Where the Driver Station of 2027 puts its messages, and the robot's errors. */
 private const val CONSOLE = "DS:/Dscomm/Console/"
+
+/** Where dashboards, and Telemetry from 2027 on, say what the topics beside it are together: `Field2d`. */
+private const val TYPE = "/.type"
 private const val UNIT = "unit"
 private const val ATTRIBUTES = "attrs"
 

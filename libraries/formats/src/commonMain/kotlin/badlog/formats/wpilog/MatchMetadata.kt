@@ -50,6 +50,9 @@ internal class MatchMetadata {
         }
     }
 
+    /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. */
+    fun startMicros(micros: Double): Double? = wallOffset?.let { it + micros }
+
     /** Returns what was found, for a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {
         for ((name, text) in own) add(Value(name, text))
@@ -61,7 +64,7 @@ internal class MatchMetadata {
         offer("Match Number", matchNumber?.toString())
         // Off the field, every robot is red.
         if (event != null || matchNumber != null) offer("Alliance", alliance)
-        offer("Start Time", wallOffset?.let { wallTimeText(it + firstMicros) })
+        offer("Start Time", startMicros(firstMicros)?.let(::wallTimeText))
     }
 
     private fun longListener(hear: (micros: Double, number: Long) -> Unit) = EntryListener { micros, bytes, from, until ->

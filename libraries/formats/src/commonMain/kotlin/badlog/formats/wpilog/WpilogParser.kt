@@ -45,6 +45,9 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
     override var isFull: Boolean = false
         private set
 
+    /** The time of day of the first sample, in µs since 1970, if a log shows it; valid after [finish]. */
+    internal val startMicros: Double? get() = entries.match.startMicros(entries.histogram.largestCluster()?.from ?: 0.0)
+
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         while (at < until && !isFull) {

@@ -55,7 +55,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         val stretches = view.enabledSpans()
         val enabled = united(stretches.map { it.span }, gap = 0.0)
         val driving = common(enabled, drivenSpans())
-        val (autonomous, teleop) = stretches.partition { it.isAutonomous }
+        val (autonomous, teleop) = stretches.filterNot { it.isTest }.partition { it.isAutonomous }
         // If the log does not show autonomous, all of it would count as teleop.
         val isTold = view.knowsAutonomous
         spans = mapOf(

@@ -16,6 +16,10 @@ import java.util.Properties
  * @param streams whether rows of results are returned as they are found, rather than all at the end.
  */
 internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = false) : AutoCloseable {
+    init {
+        requireEngine()
+    }
+
     private val scratch: Path = Files.createTempDirectory("badlog-duckdb")
     private val tables = LentTables()
     private val root: DuckDBConnection = connected(if (streams) mapOf(DuckDBDriver.JDBC_STREAM_RESULTS to "true") else emptyMap())

@@ -99,7 +99,7 @@ private val OTHER = setOf(
 
 /** Words for what logged a topic. */
 private val ROOTS = setOf(
-    "nt", "smart", "dashboard", "smartdashboard", "shuffleboard", "real", "outputs", "realoutputs", "replay",
+    "nt", "smart", "dashboard", "smartdashboard", "shuffleboard", "telemetry", "real", "outputs", "realoutputs", "replay",
     "advantage", "kit", "system", "live", "window", "inputs", "m", "robot",
 )
 private val AMPERES = setOf("A", "amps")

@@ -1,7 +1,8 @@
 package badlog.signals.vocabulary
 
 /** The signals that are needed for every log, whatever the question. */
-internal val OF_EVERY_LOG: Set<String> get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS)
+internal val OF_EVERY_LOG: Set<String>
+    get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS, ROBOT_TEST, OP_MODE)
 
 /** The signal of the event's name. */
 internal const val EVENT_NAME: String = "event name"
@@ -17,3 +18,9 @@ internal const val ROBOT_ENABLED: String = "robot enabled"
 
 /** The signal that holds while the robot is in autonomous mode. */
 internal const val ROBOT_AUTONOMOUS: String = "robot autonomous"
+
+/** The signal that holds while the robot is in test mode. */
+internal const val ROBOT_TEST: String = "robot test"
+
+/** The signal of the name of the op mode that runs. */
+internal const val OP_MODE: String = "op mode"

@@ -53,7 +53,9 @@ class SignalTopics(
     fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
 
     /** The topics that show when the robot was enabled. */
-    val modes: ModeTopics by lazy { ModeTopics(flag(ROBOT_ENABLED), flag(ROBOT_AUTONOMOUS)) }
+    val modes: ModeTopics by lazy {
+        ModeTopics(flag(ROBOT_ENABLED), flag(ROBOT_AUTONOMOUS), flag(ROBOT_TEST), of(OP_MODE).firstOrNull()?.topic)
+    }
 
     private fun flag(signal: String) = of(signal).firstOrNull()?.let { FlagTopic(it.topic, it.reading ?: FlagReading.Truth) }
 

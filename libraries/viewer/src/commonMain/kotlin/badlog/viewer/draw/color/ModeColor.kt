@@ -6,6 +6,7 @@ import badlog.viewer.draw.mark.RobotMode
 fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS
     RobotMode.TELEOP -> Shade.TELEOP
+    RobotMode.TEST, RobotMode.UTILITY -> Shade.TEST
     RobotMode.ENABLED -> Shade.MUTED
 }
 

@@ -58,6 +58,9 @@ enum class Shade(private val light: Int, private val dark: Int) {
     /** The shading of graphs while a driver controls it. */
     TELEOP(0x0B62C4, 0x5AA9FF),
 
+    /** The shading of graphs while somebody tests it. */
+    TEST(0x7B3FA0, 0xC79BFF),
+
     /** A lane that is off. */
     STATE_OFF(0xE4E8ED, 0x2A333E),
 

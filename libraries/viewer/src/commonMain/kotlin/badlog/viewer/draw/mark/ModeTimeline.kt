@@ -1,6 +1,8 @@
 package badlog.viewer.draw.mark
 
 import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.FlagReading
+import badlog.core.analysis.FlagTopic
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Series
 import badlog.core.analysis.Span
@@ -22,12 +24,21 @@ enum class RobotMode(val title: String) {
     /** A driver controls it. */
     TELEOP("Teleop"),
 
-    /** One of the two; the log does not have which. */
+    /** Nobody plays: the mode for tests, until 2026. */
+    TEST("Test"),
+
+    /** The same from 2027 on. */
+    UTILITY("Utility"),
+
+    /** Any of them; the log does not have which. */
     ENABLED("Enabled"),
 }
 
-/** A part of x over which the robot was in [mode]. */
-class ModeSpan(val span: Span, val mode: RobotMode)
+/** A part of x over which the robot was in [mode], and ran the op mode named [opMode]; null for none. */
+class ModeSpan(val span: Span, val mode: RobotMode, private val opMode: String? = null) {
+    /** The name of the phase: `Teleop`, or with an op mode, `Auto (Two pieces)`. */
+    internal val title: String get() = if (opMode == null) mode.title else "${mode.title} ($opMode)"
+}
 
 /**
  * When the robot was in which mode, and the match clock.
@@ -51,29 +62,36 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     internal fun firstReaching(x: Double): Int = ends.firstAtOrAfter(x)
 
     /** Returns the mode at [x]; null if the robot was disabled. */
-    fun modeAt(x: Double): RobotMode? = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }?.mode
+    fun modeAt(x: Double): RobotMode? = spanAt(x)?.mode
+
+    private fun spanAt(x: Double) = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }
 
     /**
-     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23`, and while it is disabled within a match,
-     * `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
+     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and
+     * while it is disabled within a match, `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
      */
     fun clockAt(x: Double): String? {
         if (spans.isEmpty() || secondsOfX == null || !x.isFinite()) return null
         val index = starts.firstAfter(x) - 1
-        val mode = modeAt(x)
+        val phase = spanAt(x)
         val goesOn = index >= 0 && index + 1 < spans.size && matchStarts[index + 1] == matchStarts[index]
-        if (mode == null && !goesOn) return DISABLED
+        if (phase == null && !goesOn) return DISABLED
         val since = minutesText(floor((x - matchStarts[index]) * secondsOfX), 0)
-        return "${mode?.title ?: DISABLED} $since"
+        return "${phase?.title ?: DISABLED} $since"
     }
 
     companion object {
         /** Returns the timeline of [view], according to its [modes][LogView.modes]; empty if they are unknown. */
         fun of(view: LogView): ModeTimeline {
             val knowsMode = view.knowsAutonomous
-            val spans = view.enabledSpans().map { ModeSpan(it.span, modeOf(it, knowsMode)) }
+            val test = if (isOf2027(view.modes.test)) RobotMode.UTILITY else RobotMode.TEST
+            val spans = view.enabledSpans().map { ModeSpan(it.span, if (it.isTest) test else modeOf(it, knowsMode), it.opMode) }
             return ModeTimeline(spans, Units.secondsIn(view.xAxis.unit))
         }
+
+        /** Whether [test] is read from a mode among several; until 2026, it was a flag. */
+        private fun isOf2027(test: FlagTopic?) =
+            test?.reading.let { it is FlagReading.Text || (it is FlagReading.Bits && it.last > it.first) }
 
         private fun modeOf(enabled: EnabledSpan, knowsMode: Boolean) = when {
             enabled.isAutonomous -> RobotMode.AUTONOMOUS

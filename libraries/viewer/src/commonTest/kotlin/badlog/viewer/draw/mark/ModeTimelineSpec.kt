@@ -32,6 +32,23 @@ class ModeTimelineSpec : FunSpec({
         view.told(ModeTopics.NONE) shouldBe emptyList()
     }
 
+    test("test and utility are not teleop, and a phase has the name of its op mode") {
+        val rows = listOf("0,0,unknown,", "1,1,autonomous,Two pieces", "2,1,teleoperated,Drive", "3,1,utility,Zero the arm", "4,0,unknown,")
+        val view = bagView(listOf("Time|xaxis", "E", "Mode", "Op"), rows)
+        val modes = ModeTopics(flag("E"), FlagTopic("Mode", FlagReading.Text("auto")), FlagTopic("Mode", FlagReading.Text("utility")), "Op")
+        val timeline = ModeTimeline.of(view.identified(null, modes))
+        timeline.spans.map { it.span to it.mode } shouldBe listOf(
+            Span(1.0, 2.0) to RobotMode.AUTONOMOUS,
+            Span(2.0, 3.0) to RobotMode.TELEOP,
+            Span(3.0, 4.0) to RobotMode.UTILITY,
+        )
+        val clock = ModeTimeline(timeline.spans, 1.0)
+        clock.clockAt(1.5) shouldBe "Auto (Two pieces) 0:00"
+        clock.clockAt(3.5) shouldBe "Utility (Zero the arm) 0:02"
+        val before = bagView(listOf("Time|xaxis", "E", "A", "T"), listOf("0,1,0,1", "1,0,0,0")).identified(null, ModeTopics(flag("E"), flag("A"), flag("T")))
+        ModeTimeline.of(before).spans.map { it.mode } shouldBe listOf(RobotMode.TEST)
+    }
+
     test("the match clock counts from when the robot was enabled, through the pause between the phases, and starts over in the next match") {
         match.clockAt(2.0) shouldBe "Auto 0:00"
         match.clockAt(16.99) shouldBe "Auto 0:14"

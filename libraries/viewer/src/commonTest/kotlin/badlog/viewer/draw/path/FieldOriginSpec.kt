@@ -30,6 +30,14 @@ class FieldOriginSpec : FunSpec({
         FieldOrigin.RED.flipIn(view()).shouldNotBeNull()
     }
 
+    test("poses from the field's center are seen from the red wall: x points to the blue one") {
+        val flip = FieldOrigin.CENTER.flipIn(view("Start Time" to "2027-03-16T11:52:30"))!!
+        flip.of(0.0, 0.0) shouldBe (Field.LENGTH / 2 to Field.WIDTH / 2)
+        flip.of(Field.LENGTH / 2, Field.WIDTH / 2) shouldBe (0.0 to 0.0)
+        flip.of(1.0, -2.0) shouldBe (Field.LENGTH / 2 - 1 to Field.WIDTH / 2 + 2)
+        flip.heading(0.0) shouldBe (PI plusOrMinus 1e-12)
+    }
+
     test("the fields of 2023 and 2024 are mirrored, others turned around") {
         fun flipped(year: String) = FieldOrigin.RED.flipIn(view("Start Time" to "$year-03-16T11:52:30"))!!.of(1.0, 2.0)
         for (year in listOf("2022", "2025", "2026")) flipped(year) shouldBe (Field.LENGTH - 1 to Field.WIDTH - 2)

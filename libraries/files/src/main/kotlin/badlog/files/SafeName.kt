@@ -1,12 +1,10 @@
-package badlog.fetch
-
-import badlog.files.LogName
+package badlog.files
 
 /**
  * Returns [name], which comes from a robot or a log and may contain anything, as a name for a file or folder on any system: without
  * folders, forbidden characters or invisible ones; not hidden, and not too long.
  */
-internal fun safeName(name: String): String {
+public fun safeName(name: String): String {
     val signs = buildString {
         name.codePoints().forEach { if (isUnsafe(it)) append('_') else appendCodePoint(it) }
     }
@@ -33,7 +31,8 @@ private const val ASCII_END = 0x80
 private val UNSEEN = setOf(Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.SURROGATE)
 
 /** Names of devices on Windows, whatever the ending. */
-private val DEVICES = setOf("CON", "PRN", "AUX", "NUL") + (0..9).flatMap { listOf("COM$it", "LPT$it") }
+private val DEVICES = setOf("CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$") +
+    ("0123456789¹²³").flatMap { listOf("COM$it", "LPT$it") }
 
 /** Systems allow 255; a number may be appended. */
 private const val MAX_BYTES = 180

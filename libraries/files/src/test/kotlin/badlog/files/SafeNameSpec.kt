@@ -1,4 +1,4 @@
-package badlog.fetch
+package badlog.files
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
