@@ -41,53 +41,29 @@ internal fun actionCommands(
     Command(action) {
         when (action) {
             Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
-
             Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
-
             Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
-
             Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
-
             Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
-
             Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
-
             Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
-
             Action.SHOW_ALL -> view.change { reset() }
-
             Action.PREVIOUS_VIEW -> view.change { back() }
-
             Action.NEXT_VIEW -> view.change { forward() }
-
             Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
-
             Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
-
             Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
-
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
-
             Action.NEW_FORMULA -> formulas.write()
-
             Action.NEXT_FINDING -> stepFinding(1, findings, panels)
-
             Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
-
             Action.PREVIOUS_FRAME -> video.step(-1)
-
             Action.NEXT_FRAME -> video.step(1)
-
             Action.UNDO -> board.undo()
-
             Action.REDO -> board.redo()
-
             Action.PIN -> board.current?.let { if (board.isEvidence(it.id)) board.keep(it.id) else board.change { without(it.id) } }
-
             Action.MOVE_UP -> board.current?.let { moveGraph(it.id, -1, board) }
-
             Action.MOVE_DOWN -> board.current?.let { moveGraph(it.id, 1, board) }
-
             Action.NEXT_HEIGHT -> board.current?.let { board.change { resized(it.id, GraphHeight.of(it.height).next.pixels) } }
         }
     }

@@ -13,8 +13,8 @@ import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
 import badlog.viewer.shown.search.hiddenBySearch

@@ -17,6 +17,7 @@ import java.nio.file.Files
 import java.nio.file.LinkOption
 import java.nio.file.OpenOption
 import java.nio.file.Path
+import java.nio.file.StandardCopyOption
 import java.nio.file.attribute.BasicFileAttributes
 import java.nio.file.attribute.FileAttribute
 import java.nio.file.attribute.FileAttributeView
@@ -148,7 +149,9 @@ internal class WindowsFiles : AutoCloseable {
         override fun move(from: Path, to: Path, vararg options: CopyOption) {
             requireFree(unwrapped(from), unwrapped(to))
             requireFree(unwrapped(to), unwrapped(from))
-            inner.move(unwrapped(from), unwrapped(to), *options)
+            // An atomic move replaces on Windows, too (MoveFileEx); in jimfs only if that is asked for.
+            val replacing = if (StandardCopyOption.ATOMIC_MOVE in options) arrayOf(StandardCopyOption.REPLACE_EXISTING) else emptyArray()
+            inner.move(unwrapped(from), unwrapped(to), *options, *replacing)
         }
 
         override fun copy(from: Path, to: Path, vararg options: CopyOption) {

@@ -31,7 +31,7 @@ private val BAD_NAMES = listOf(
 private val DEVICES = setOf("CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$") + "0123456789¹²³".flatMap { listOf("COM$it", "LPT$it") }
 
 class WindowsFilesSpec : FunSpec({
-    fun onWindows(work: WindowsFiles.() -> Unit) = WindowsFiles().use { files ->
+    suspend fun onWindows(work: suspend WindowsFiles.() -> Unit) = WindowsFiles().use { files ->
         files.work()
         files.openCount shouldBe 0
     }

@@ -118,7 +118,15 @@ class XyDrawing(
         val trail = plot.driven?.trail
         if (trail != null && plot.isField) {
             val ends = placed(trail.resetsIn(visible))
-            for (i in 0 until ends.size step 2) pen.ring(ends.values[i], ends.values[i + 1], RESET * density, colors[Shade.MUTED], LINE * density)
+            for (i in 0 until ends.size step 2) {
+                pen.ring(
+                    ends.values[i],
+                    ends.values[i + 1],
+                    RESET * density,
+                    colors[Shade.MUTED],
+                    LINE * density,
+                )
+            }
         }
         if (trail != null && departure != null) {
             val left = x.placeOf(trail.x[departure.index])

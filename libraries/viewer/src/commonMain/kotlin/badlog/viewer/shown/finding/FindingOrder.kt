@@ -33,7 +33,15 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
      * first step; null if there are none. An x that is NaN is not a place.
      */
     fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
-        val index = all.indexOfFirst { step -> if (step.incident == null) isAt(step, current, x) else current != null && current in step.incident }
+        val index = all.indexOfFirst { step ->
+            if (step.incident ==
+                null
+            ) {
+                isAt(step, current, x)
+            } else {
+                current != null && current in step.incident
+            }
+        }
         val next = when {
             index >= 0 -> index + steps
             x.isNaN() || (current == null && ofIncidents.isNotEmpty()) -> if (steps > 0) steps - 1 else all.size + steps

@@ -8,8 +8,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class FindingOrderSpec : FunSpec({
-    fun finding(rule: String, severity: Severity, vararg spans: Span) =
-        Finding(rule, severity, null, rule, spans.firstOrNull()?.from ?: Double.NaN, spans.toList(), spans.size, "s", false, emptyList(), "")
+    fun finding(rule: String, severity: Severity, vararg spans: Span) = Finding(rule, severity, null, rule, spans.firstOrNull()?.from ?: Double.NaN, spans.toList(), spans.size, "s", false, emptyList(), "")
 
     fun orderOf(all: List<Finding>) = FindingOrder(FindingTimeline(all, { it.severity }, { it.places }), emptyList())
 
