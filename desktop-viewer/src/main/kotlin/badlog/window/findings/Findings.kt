@@ -2,6 +2,7 @@ package badlog.window.findings
 
 import badlog.core.recording.Severity
 import badlog.rules.Finding
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.rules.worstFirst
@@ -48,6 +49,7 @@ internal data class Findings(
  * @property skipped the rules that were skipped for it.
  * @property rulesFile where the rules come from; null for the built-in ones.
  * @property incidents which of them belong together, and what came first; the worst first.
+ * @param ran how many rules were not skipped.
  * @property trouble why a file of rules is not used, or the rules could not run, as a sentence; null if all is well.
  */
 internal class FindingList(
@@ -56,7 +58,11 @@ internal class FindingList(
     val rulesFile: Path? = null,
     val trouble: String? = null,
     val incidents: List<Incident> = emptyList(),
+    ran: Int = 0,
 ) {
+    /** What could not be looked at, as a sentence. */
+    val notLookedAt: String = NotLookedAt(ran, skipped).text
+
     val all: List<Finding> = found.worstFirst()
 
     /** The names of the topics that one of them is about. */

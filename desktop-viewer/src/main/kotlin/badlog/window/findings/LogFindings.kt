@@ -143,7 +143,7 @@ internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList 
         val found = rules.rules.over(view, file.fileName.toString(), isEverywhere = true) {
             if (Thread.interrupted()) throw InterruptedException()
         }
-        FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings))
+        FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings), found.ran)
     } catch (_: OutOfMemoryError) {
         FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }

@@ -51,6 +51,7 @@ internal fun FindingDetails(
     }
     val next = findings.nextOf(finding)
     if (next.isNotEmpty()) Text("Next: $next", color = palette.muted, fontSize = 12.sp)
+    for (caveat in finding.caveats) Text(caveat, color = palette.muted, fontSize = 12.sp)
     val offers = remember(open, board.state) { evidenceOffers(open.view, open.vocabulary, board.evidence) }
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         if (board.evidence.graphs.isNotEmpty()) {

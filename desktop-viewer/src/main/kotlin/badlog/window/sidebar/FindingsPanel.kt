@@ -133,7 +133,7 @@ internal fun FindingsPanel(
                     }
                 }
                 if (list.skipped.isNotEmpty()) {
-                    item { SkippedHead(list.skipped.size, showsSkipped) { showsSkipped = !showsSkipped } }
+                    item { SkippedHead(list.notLookedAt, showsSkipped) { showsSkipped = !showsSkipped } }
                     if (showsSkipped) items(list.skipped) { SkippedLine(it) }
                 }
             }
@@ -227,9 +227,9 @@ private fun Time(text: String) {
     )
 }
 
-/** The number of skipped rules; a click shows or hides them. */
+/** What could not be looked at, as [text]; a click shows or hides the rules that were skipped. */
 @Composable
-internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
+internal fun SkippedHead(text: String, isOpen: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
     Row(
         Modifier
@@ -240,7 +240,7 @@ internal fun SkippedHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
         Alignment.CenterVertically,
     ) {
         Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
-        Text("${countText(count, "rule")} skipped (topics missing)", color = palette.muted)
+        Text(text, color = palette.muted)
     }
 }
 

@@ -151,7 +151,7 @@ internal class EvidenceSpec : PageSpec({
             told.first() shouldContain "Likely cause"
             texts(".incident p").first() shouldContain told.first()
             texts("#evidence .severity") shouldBe texts(".incident .severity").take(1)
-            texts("#spoken").single() shouldContain " s: "
+            texts("#spoken").single() shouldContain " s: error: ${told.first()}"
             press(Keys.ARROW_RIGHT)
             texts("#spoken").single() shouldContain " V"
         }

@@ -195,7 +195,7 @@ class XyPaneSpec : FunSpec({
             fun startX() = drawnXys(viewer.board.state.graphs[0], viewer.compared.drawn)[0].plot.driven!!.trail.x[0]
             val blue = startX()
             val menu = graphActions(viewer.graphs, graph).flatten().filter { "origin" in it.label }
-            menu.map { it.label to it.isOn } shouldBe listOf("Blue origin" to true, "Red origin" to false, "Auto origin" to false)
+            menu.map { it.label to it.isOn } shouldBe listOf("Blue origin" to true, "Red origin" to false, "Auto origin" to false, "Center origin" to false)
             menu[1].run()
             waitForPictures(viewer)
             savePicture("path-red-origin")

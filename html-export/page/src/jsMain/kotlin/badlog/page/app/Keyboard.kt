@@ -77,10 +77,7 @@ internal class Keyboard(
         live.tellCursor()
     }
 
-    private fun goToFinding(steps: Int) {
-        findings.step(steps)
-        live.tellFinding()
-    }
+    private fun goToFinding(steps: Int) = live.tellFinding(findings.step(steps))
 
     private fun escape() {
         search.clear()

@@ -4,7 +4,6 @@ import badlog.core.analysis.GraphSeries
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Scene
-import badlog.page.view.findingText
 import badlog.viewer.shown.cursor.spokenAt
 import org.w3c.dom.HTMLElement
 
@@ -21,9 +20,9 @@ internal class LiveRegion(private val scene: Scene, private val lines: () -> Lis
         element.showText(spokenAt(lines(), x, scene.xText(x)))
     }
 
-    /** Tells the finding at the cursor. */
-    fun tellFinding() {
+    /** Tells [found], what was found at the cursor. */
+    fun tellFinding(found: String) {
         val x = scene.cursor.now.pinned ?: return
-        element.showText("${scene.xText(x)}: ${findingText(scene.findingsAt(x), x)}")
+        if (found.isNotEmpty()) element.showText("${scene.xText(x)}: $found")
     }
 }

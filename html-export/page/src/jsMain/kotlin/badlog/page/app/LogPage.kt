@@ -189,7 +189,7 @@ internal class LogPage(
             onFindings = { found ->
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
-                findings.show(found.skipped, incidents)
+                findings.show(found.ran, found.skipped, incidents)
                 if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
                 // `has:finding` now finds more.
                 search.again()

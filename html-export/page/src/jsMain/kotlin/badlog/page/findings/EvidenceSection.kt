@@ -46,6 +46,7 @@ internal class EvidenceSection(
     private lateinit var number: HTMLElement
     private lateinit var text: HTMLElement
     private lateinit var next: HTMLElement
+    private lateinit var caveats: HTMLElement
     private lateinit var body: HTMLElement
     private lateinit var offers: HTMLElement
     private lateinit var keep: HTMLElement
@@ -68,6 +69,7 @@ internal class EvidenceSection(
         }
         text = add("div")
         next = add("p", "evidence-text incident-next")
+        caveats = add("div")
         body = add("div", "folder-body")
         offers = add("div", "evidence-offers")
         isHidden = true
@@ -95,6 +97,8 @@ internal class EvidenceSection(
         val advice = incident.nextOf(finding)
         next.isHidden = advice.isEmpty()
         next.showText("Next: $advice")
+        caveats.textContent = ""
+        for (caveat in finding.caveats) caveats.add("p", "evidence-text evidence-caveat", caveat)
         element.isHidden = false
         draw(evidenceBoard(scene.view, incident.evidenceOf(finding), signals))
         element.bringIntoSight()

@@ -9,7 +9,9 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
+import badlog.page.view.word
 import badlog.rules.Finding
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
@@ -52,6 +54,7 @@ internal class FindingList(
     private var listed = 0
     private val current: Finding? get() = scene.visited?.finding
     private var isSearching = false
+    private var haveRun = false
     private lateinit var count: HTMLElement
     private lateinit var incidentList: HTMLElement
     private lateinit var list: HTMLElement
@@ -96,8 +99,13 @@ internal class FindingList(
         window.setTimeout({ if (isSearching) showFound() }, PATIENCE)
     }
 
-    /** Shows the current findings of the scene, their [incidents], and which rules were skipped or are wrong. */
-    fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList()) {
+    /** Shows the current findings of the scene, their [incidents], and which rules were skipped or are wrong; the others [ran]. */
+    fun show(ran: Int, skippedRules: List<SkippedRule>, incidents: List<Incident>) {
+        haveRun = true
+        show(skippedRules, incidents, NotLookedAt(ran, skippedRules).text)
+    }
+
+    private fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList(), notLookedAt: String = "") {
         this.incidents = incidents
         isSearching = false
         all = scene.findings.worstFirst
@@ -108,7 +116,7 @@ internal class FindingList(
         for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
         if (lacking.isNotEmpty()) {
             skipped.isHidden = false
-            skipped.add("summary", "", "${countText(lacking.size, "skipped rule")} (topics missing)")
+            skipped.add("summary", "", notLookedAt)
             skipped.add("ul") { for (rule in lacking) add("li", "", "${rule.rule}: ${rule.message}") }
         }
         filter(query)
@@ -143,9 +151,17 @@ internal class FindingList(
         list(if (isOnPaper) PAGE else FEW)
     }
 
-    /** Goes to the next finding, or to the previous one if [steps] is negative, see [FindingOrder]. */
-    fun step(steps: Int) {
-        order.beside(current, scene.cursor.x, steps)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
+    /** Goes to the next finding, or to the previous one if [steps] is negative, see [FindingOrder]. Returns what was found there. */
+    fun step(steps: Int): String {
+        val step = order.beside(current, scene.cursor.x, steps) ?: return ""
+        visit(step.place, step.incident, isWhole = step.incident != null)
+        val incident = step.incident
+        val finding = step.place.finding
+        return if (incident == null) {
+            "${finding.word}: ${finding.rule}. ${finding.textAt(step.place.span)}"
+        } else {
+            "${incident.severity.word}: ${incident.sentences.joinToString(" ") { it.text }}"
+        }
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
@@ -192,11 +208,11 @@ internal class FindingList(
             if (number == 0) null else countText(number, severity.name.lowercase())
         }
         val waiting = if (isSearching) listOf("rules are running…") else emptyList()
-        count.showText(share + (parts + waiting).joinToString())
+        count.showText(if (all.isEmpty() && haveRun) "nothing found" else share + (parts + waiting).joinToString())
         val hidden = hiddenBySearch(incidents.size - incidentRows.size, all.size - found.size)
         hiddenNote.isHidden = hidden.isEmpty()
         hiddenCount.showText("$hidden ")
-        element.isHidden = all.isEmpty() && !isSearching && mistakes.isHidden
+        element.isHidden = all.isEmpty() && !isSearching && !haveRun && mistakes.isHidden
         list(FEW)
     }
 
