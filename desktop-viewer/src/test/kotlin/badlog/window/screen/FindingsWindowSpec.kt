@@ -64,7 +64,7 @@ class FindingsWindowSpec : FunSpec({
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitText("Finding, error: Browned out")
             window.press(KeyEvent.VK_N)
-            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.timeline?.places?.first()?.span?.from }
+            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.incidents?.first()?.first?.time }
             window.press(KeyEvent.VK_N)
             window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
             window.click("Finding, error: Browned out")
