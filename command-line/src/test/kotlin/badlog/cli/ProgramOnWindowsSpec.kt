@@ -45,7 +45,7 @@ private class Machine(private val folder: File, private val environment: Map<Str
         .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes().toList() }
 }
 
-/** The whole program under Windows' Java; `./gradlew :command-line:platforms` runs it, not `check`. */
+/** The whole program under Windows' Java; `./gradlew :command-line:underWine` runs it, not `check`. */
 class ProgramOnWindowsSpec : FunSpec({
     val java = System.getProperty("badlog.platforms.java").orEmpty()
     val missing = System.getProperty("badlog.platforms.missing") ?: "run ./gradlew platforms"
