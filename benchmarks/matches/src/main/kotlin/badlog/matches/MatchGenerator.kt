@@ -88,7 +88,9 @@ class MatchGenerator(private val seed: Long) {
             generated("FIRST_DS_${match.name}", planOf(match), Telling.STATION_OF_2027)
 
         private fun planOf(match: GeneratedMatch): RobotPlan {
-            require(match.naming == Naming.WPILIB) { "“${match.name}” is told by ${match.naming.id}; give one of ${Naming.WPILIB.id}." }
+            require(match.naming == Naming.WPILIB) {
+                "The topics of “${match.name}” are named as ${match.naming.id} does; pass a match of ${Naming.WPILIB.id}."
+            }
             val hardship = Hardship.entries.first { it.title == match.hardship }
             return RobotPlan.of(match.seed, match.naming, match.fault, match.strength, hardship)
         }

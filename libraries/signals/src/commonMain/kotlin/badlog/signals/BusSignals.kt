@@ -25,9 +25,8 @@ import badlog.signals.derived.timesOf
 import kotlin.math.abs
 
 /**
- * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is told by their behavior, so a
- * signal
- * may turn out to have no samples; what is found is said of the device.
+ * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is inferred from their behavior, so a
+ * signal may turn out to have no samples; what is found is said of the device.
  */
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<SwerveModule>) {
     private val motors = devices.filter { it.isMotor }

@@ -9,7 +9,6 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
-import badlog.page.view.word
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
@@ -155,13 +154,7 @@ internal class FindingList(
     fun step(steps: Int): String {
         val step = order.beside(current, scene.cursor.x, steps) ?: return ""
         visit(step.place, step.incident, isWhole = step.incident != null)
-        val incident = step.incident
-        val finding = step.place.finding
-        return if (incident == null) {
-            "${finding.word}: ${finding.rule}. ${finding.textAt(step.place.span)}"
-        } else {
-            "${incident.severity.word}: ${incident.sentences.joinToString(" ") { it.text }}"
-        }
+        return step.spoken
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */

@@ -28,9 +28,7 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
     private class Known(val folderRules: RuleSet, val rules: RulesOfFolder, val since: TimeMark)
 
     private val byFolder = ConcurrentHashMap<Path, Known>()
-    private val summaries = ConcurrentHashMap<String, Summaries>()
-
-    private class Summaries(val cache: ResultCache<LogSummary>?)
+    private val summaries = ConcurrentHashMap<String, ResultCache<LogSummary>>()
 
     /** Returns what distinguishes the rules for [file] from others. */
     fun keyOf(file: Path): Int = rulesFor(file).key
@@ -38,18 +36,18 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
     /** Returns what is known of [file] in its current state; null if nothing is. */
     operator fun get(file: LogFile): LogEntry? {
         val rules = rulesFor(file.path)
-        val summary = summariesOf(rules).cache?.get(file) ?: return null
+        val summary = summariesOf(rules)?.get(file) ?: return null
         return LogEntry(file, summary, rules.found(file))
     }
 
     /** Stores the [summary] of [file]. */
     operator fun set(file: LogFile, summary: LogSummary) {
-        summariesOf(rulesFor(file.path)).cache?.set(file, summary)
+        summariesOf(rulesFor(file.path))?.set(file, summary)
     }
 
     /** Writes what has changed. */
     fun save() {
-        for (of in summaries.values) of.cache?.save()
+        for (cache in summaries.values) cache.save()
         for (known in byFolder.values) known.rules.results?.save()
     }
 
@@ -65,8 +63,11 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
         return now.rules
     }
 
-    private fun summariesOf(rules: RulesOfFolder) = summaries.computeIfAbsent(rules.names) { names ->
-        Summaries(cache?.let { ResultCache(it, "$version\nsummary\n$folder\n$names", SummarySerializer) })
+    private fun summariesOf(rules: RulesOfFolder): ResultCache<LogSummary>? {
+        val place = cache ?: return null
+        return summaries.computeIfAbsent(rules.names) { names ->
+            ResultCache(place, "$version\nsummary\n$folder\n$names", SummarySerializer)
+        }
     }
 
     private companion object {

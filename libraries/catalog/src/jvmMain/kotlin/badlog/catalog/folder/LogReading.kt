@@ -29,33 +29,34 @@ class LogReading(private val store: FolderStore) {
      * @param onSummary called with what is known before the rules run.
      */
     fun read(file: LogFile, runsRules: Boolean, checkpoint: () -> Unit = {}, onSummary: (LogEntry) -> Unit = {}): LogEntry {
-        var content: LogContent.Log? = null
-        val summary = orNotRead({ unreadable(file, it) }) {
-            if (!isLikelyLog(
-                    file,
-                )
-            ) {
-                return@orNotRead LogSummary.unreadable(file.name, file.modified, "${file.name} is not a log.", Content.NO_LOG)
-            }
-            when (val read = readLog(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }) {
-                is ReadResult.NotRead -> if (read.cause == ReadResult.Cause.TOO_LARGE) {
-                    withoutSamples(file, checkpoint)
-                } else {
-                    unreadable(file, read)
-                }
+        val read = orNotRead({ Summarized(unreadable(file, it)) }) { summarized(file, checkpoint) }
+        // What is not readable now may be with other permissions, or more memory.
+        if (read.isLasting) store[file] = read.summary
+        val entry = LogEntry(file, read.summary)
+        onSummary(entry)
+        val log = read.log?.takeIf { runsRules && !entry.isGray } ?: return entry
+        return entry.copy(found = store.rulesFor(file.path).found(file) ?: examined(file, log, checkpoint))
+    }
 
-                is ReadResult.Read -> {
-                    val view = viewOf(read.recording, file)
-                    content = LogContent.Log(read.recording, view, emptyList())
-                    summaryOf(file, view)
-                }
+    private class Summarized(val summary: LogSummary, val log: LogContent.Log? = null, val isLasting: Boolean = false)
+
+    private fun summarized(file: LogFile, checkpoint: () -> Unit): Summarized {
+        if (!isLikelyLog(file)) {
+            val other = LogSummary.unreadable(file.name, file.modified, "${file.name} is not a log.", Content.NO_LOG)
+            return Summarized(other, isLasting = true)
+        }
+        return when (val read = readLog(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }) {
+            is ReadResult.Read -> {
+                val view = viewOf(read.recording, file)
+                Summarized(summaryOf(file, view), LogContent.Log(read.recording, view, emptyList()), isLasting = true)
+            }
+
+            is ReadResult.NotRead -> if (read.cause == ReadResult.Cause.TOO_LARGE) {
+                Summarized(withoutSamples(file, checkpoint))
+            } else {
+                Summarized(unreadable(file, read), isLasting = read.isLasting)
             }
         }
-        store[file] = summary
-        val entry = LogEntry(file, summary)
-        onSummary(entry)
-        val log = content?.takeIf { runsRules && !entry.isGray } ?: return entry
-        return entry.copy(found = store.rulesFor(file.path).found(file) ?: examined(file, log, checkpoint))
     }
 
     /** Returns what the rules find in [file]: as stored, or else by reading it again. */

@@ -73,6 +73,17 @@ class FolderStoreSpec : FunSpec({
         LogReading(FolderStore(logs, cache, "1")).found(file) shouldBe read.found
     }
 
+    test("a log that cannot be read now is read again the next time, and something that is no log is not") {
+        val logs = tempdir().toPath()
+        val store = FolderStore(logs, tempdir().toPath(), "1")
+        val gone = LogFile(logs.resolve("gone.bag"), 10, 0)
+        LogReading(store).read(gone, runsRules = true).isReadable shouldBe false
+        store[gone].shouldBeNull()
+        val diary = LogFile.of(logs.put("diary.csv", "Dear diary\ntoday I was happy\n"))
+        LogReading(store).read(diary, runsRules = true).summary.content shouldBe Content.NO_LOG
+        store[diary]?.summary?.content shouldBe Content.NO_LOG
+    }
+
     test("two that store at the same time lose nothing of each other") {
         val cache = tempdir().toPath()
         val (one, other) = List(2) { FolderStore(folder, cache, "1") }

@@ -140,7 +140,7 @@ class LogReadingSpec : FunSpec({
         shouldThrow<CancellationException> { reading(folder).found(LogFile(log, Files.size(log), 0)) { throw CancellationException() } }
     }
 
-    test("the summary is told before the rules run, and a log with nothing to see is not searched") {
+    test("the summary is there before the rules run, and a log with nothing to see is not searched") {
         val told = ArrayList<LogEntry>()
         val file = folder.put("told.bag", bag(voltage = { 6.0 + it * 0.001 }))
         val entry = reading().read(LogFile(file, Files.size(file), 0), runsRules = true) { told += it }

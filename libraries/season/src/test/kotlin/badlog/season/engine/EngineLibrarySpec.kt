@@ -5,7 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class EngineLibrarySpec : FunSpec({
-    test("a system for which DuckDB has no library is told so, and what works") {
+    test("where DuckDB has no library for the system, an error says so, and what works instead") {
         shouldThrow<NoEngineException> { requireEngine("Windows 11", "aarch64") }.message shouldBe
             "DuckDB, which makes and reads lakes, has no library for Windows 11 on aarch64; use a Java for x64, which Windows on ARM can run."
     }

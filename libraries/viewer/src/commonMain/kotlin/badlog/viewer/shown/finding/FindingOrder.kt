@@ -1,5 +1,6 @@
 package badlog.viewer.shown.finding
 
+import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
@@ -11,7 +12,17 @@ import badlog.viewer.draw.mark.FindingTimeline
  * @property place where it leads.
  * @property incident the incident that begins there; null if the finding belongs to none.
  */
-class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?)
+class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?) {
+    /** What a screen reader says of it: the whole incident, or what was found at the place. */
+    val spoken: String
+        get() = if (incident == null) {
+            "${wordOf(place.severity)}: ${place.finding.rule}. ${place.finding.textAt(place.span)}"
+        } else {
+            "${wordOf(incident.severity)}: ${incident.sentences.joinToString(" ") { it.text }}"
+        }
+
+    private fun wordOf(severity: Severity) = severity.name.lowercase()
+}
 
 /**
  * The order in which keys go through the findings of [timeline]: first the [incidents], as they are listed, then what belongs to none, in
@@ -22,7 +33,8 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
         val first = (listOf(incident.first) + incident.sentences.map { it.finding }).firstOrNull { it.places.isNotEmpty() }
         first?.let { FindingStep(FindingPlace(it, it.severity, it.places[0]), incident) }
     }
-    private val others = timeline.places.filter { place -> incidents.none { place.finding in it } }
+    private val ofAnyIncident = incidents.flatMapTo(HashSet()) { it.causes + it.effects }
+    private val others = timeline.places.filter { it.finding !in ofAnyIncident }
         .groupBy { it.span.from }.values
         .map { ofInstant -> FindingStep(ofInstant.maxBy { it.severity }, incident = null) }
     private val all = ofIncidents + others
