@@ -1,19 +1,19 @@
 package badlog.cli.lake
 
 import badlog.cli.BAG
+import badlog.cli.IF_INTERRUPTS
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
+import badlog.cli.interrupt
 import badlog.cli.part.SeasonService
 import badlog.cli.part.javaCommand
 import badlog.cli.with
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.core.test.Enabled
 import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
-import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.ServiceLoader
@@ -24,10 +24,6 @@ import kotlin.time.Duration.Companion.minutes
 
 /** More than are written before the tables are written for the first time. */
 private const val LOGS = 1_200
-
-/** Signals that one program sends to another. */
-private val IF_SIGNALS =
-    if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no signals that one program could send to another")
 
 class KilledLakeSpec : FunSpec({
     fun makeLogs(folder: Path) {
@@ -95,11 +91,11 @@ class KilledLakeSpec : FunSpec({
         }
     }
 
-    test("a lake whose making is canceled by Ctrl+C keeps what is done, and the next run does the rest").config(enabledOrReasonIf = { IF_SIGNALS }) {
+    test("a lake whose making is canceled by Ctrl+C keeps what is done, and the next run does the rest").config(enabledOrReasonIf = { IF_INTERRUPTS }) {
         inFolder { folder ->
             makeLogs(folder)
             untilInTheMiddle(folder) {
-                isStopped(folder, { filesIn(it / "matches") >= 3 }) { ProcessBuilder("kill", "-INT", "${it.pid()}").inheritIO().start().waitFor() }
+                isStopped(folder, { filesIn(it / "matches") >= 3 }) { interrupt(it) }
             }
             readable(folder / "lake") shouldBeGreaterThanOrEqual 1
             isUndisturbed(folder)

@@ -2,12 +2,14 @@ package badlog.cli.record
 
 import badlog.cli.BAG
 import badlog.cli.Ended
+import badlog.cli.IF_INTERRUPTS
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogBeside
 import badlog.cli.besideRobot
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
+import badlog.cli.interrupt
 import badlog.cli.part.javaCommand
 import badlog.cli.with
 import badlog.core.analysis.LogView
@@ -25,7 +27,6 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
 import kotlinx.serialization.json.jsonPrimitive
 import kotlinx.serialization.json.long
-import java.io.File
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -137,14 +138,13 @@ class RecordCommandSpec : FunSpec({
         }
     }
 
-    // Windows has no signals that one program could send to another.
-    test("Ctrl+C closes the log and says where it is").config(enabled = File.separatorChar == '/') {
+    test("Ctrl+C closes the log and says where it is").config(enabledOrReasonIf = { IF_INTERRUPTS }) {
         besideReplay { robot ->
             inFolder { folder ->
                 val process = ProcessBuilder(javaCommand("record", robot, "--out", "$folder")).redirectErrorStream(true).start()
                 try {
                     eventually(1.minutes) { folder.logs().any { it.fileSize() > 50_000 } shouldBe true }
-                    ProcessBuilder("kill", "-INT", "${process.pid()}").start().waitFor() shouldBe 0
+                    interrupt(process)
                     val said = process.inputStream.bufferedReader().readLines()
                     process.waitFor(1, TimeUnit.MINUTES) shouldBe true
                     val log = folder.logs().single()
