@@ -35,6 +35,7 @@ internal fun actionCommands(
     board: GraphBoard,
     formulas: FormulaStore,
     findings: LogFindings,
+    notes: LogNotes,
     panels: WindowPanels,
     video: LogVideo,
 ): List<Command> = Action.entries.map { action ->
@@ -55,6 +56,7 @@ internal fun actionCommands(
             Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
             Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
             Action.NEW_FORMULA -> formulas.write()
+            Action.NEW_NOTE -> writeNote(notes, panels, view)
             Action.NEXT_FINDING -> stepFinding(1, findings, panels)
             Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
             Action.PREVIOUS_FRAME -> video.step(-1)
@@ -67,6 +69,13 @@ internal fun actionCommands(
             Action.NEXT_HEIGHT -> board.current?.let { board.change { resized(it.id, GraphHeight.of(it.height).next.pixels) } }
         }
     }
+}
+
+/** Begins a note at the cursor of [view], in its panel. */
+private fun writeNote(notes: LogNotes, panels: WindowPanels, view: AxisView) {
+    if (notes.state.log == null) return
+    panels.change { inspecting(InspectorTab.NOTES) }
+    notes.write(placeOfNote(view))
 }
 
 /** Goes [steps] findings forward. The panel shows what to look at next, unless a person is reading another panel. */
@@ -102,16 +111,6 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
         panels.change { toggled(tab) }
     }
 }
-
-/** Returns the keys for notes. */
-internal fun noteCommands(notes: LogNotes, panels: WindowPanels, view: AxisView): List<Command> = listOf(
-    Command("Notes", "Write a note at the cursor", listOf(KeyPress(Key.M, "M"))) {
-        if (notes.state.log != null) {
-            panels.change { inspecting(InspectorTab.NOTES) }
-            notes.write(placeOfNote(view))
-        }
-    },
-)
 
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
 private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)

@@ -163,12 +163,12 @@ internal class Viewer(
             library,
             panels,
             opener,
-        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, panels, video) +
+        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, notes, panels, video) +
             graphCommands(
                 view,
                 graphs::scroll,
             ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
-            windowCommands(panels, formulas, view) + noteCommands(notes, panels, view)
+            windowCommands(panels, formulas, view)
 
     init {
         unpackFfmpegInto(folders.cache.resolve("ffmpeg"))

@@ -48,6 +48,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.expression.ExpressionError
+import badlog.viewer.choices.formula.reasonToKeepName
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -62,7 +63,9 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     // A log that grows keeps its topics.
     val writer = remember(sheet, open.file) { FormulaWriter(sheet.start, vocabularyFor(open, sheet.before)) }
     val close = formulas::closeSheet
-    val keep = { keepFormula(formulas, sheet, writer) }
+    val reason = writer.error?.message ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
+    val isReady = reason == null && writer.topic != null
+    val keep = { if (isReady) keepFormula(formulas, sheet, writer) }
     Column(
         modifier
             .sheet("Formula sheet", widest = 640.dp)
@@ -77,9 +80,8 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
             ToolButton("Close the formula sheet", Icons.Close, onClick = close)
         }
         FormulaField(writer)
-        val error = writer.error
-        if (error != null) {
-            Text(error.message, color = palette.error)
+        if (reason != null) {
+            Text(reason, color = palette.error)
         } else {
             Text(writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = palette.muted)
         }
@@ -88,12 +90,10 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
             sheet.before?.let { before ->
                 ToolButton("Remove this formula", text = "Remove", color = palette.error) {
-                    formulas.remove(before)
-                    close()
+                    if (formulas.remove(before)) close()
                 }
             }
-            val isTopic = writer.topic != null
-            ToolButton("Keep the formula (Enter)", text = "OK", isOn = isTopic, isEnabled = isTopic, onClick = keep)
+            ToolButton("Keep the formula (Enter)", text = "OK", isOn = isReady, isEnabled = isReady, onClick = keep)
         }
     }
 }

@@ -8,6 +8,7 @@ import badlog.expression.signals.Vocabulary
 import badlog.signals.namesWith
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.nameInExpression
+import badlog.viewer.choices.formula.reasonToKeep
 import badlog.window.compare.ComparedRecordings
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -70,11 +71,16 @@ internal class FormulaStore(
         nameIn(before)?.let { board.change { renamed(it, name) } }
     }
 
-    /** Removes [definition], also from the graphs. */
-    fun remove(definition: String) {
+    /** Removes [definition], also from the graphs, and returns true; false, with a notice, if other formulas need it. */
+    fun remove(definition: String): Boolean {
+        current.recording?.formulas?.reasonToKeep(definition)?.let { reason ->
+            notices.complain(reason)
+            return false
+        }
         removed += definition
         definitions = definitions - definition
         nameIn(definition)?.let { board.change { withoutSignal(it) } }
+        return true
     }
 
     /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed. */

@@ -13,6 +13,7 @@ import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.draw.axis.AxisSide
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
@@ -52,6 +53,8 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
                 board.change { withXy(spec.id, !spec.isXy) }
             }
                 .takeIf { spec.lines.size > 1 },
+            GraphAction("Swap axes") { board.change { withSwappedAxes(spec.id) } }
+                .takeIf { spec.canSwapAxes(scene.current.recording?.poses.orEmpty()) },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
         if (spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField }) fieldActions(scene, spec) else emptyList(),

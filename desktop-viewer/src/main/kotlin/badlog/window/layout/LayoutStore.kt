@@ -112,13 +112,13 @@ internal class LayoutStore(
         applyRange(layout)
     }
 
-    /** Shows the graphs according to the attributes of the open recording's topics, and all of x; offers to restore the previous ones. */
-    fun showDefaultGraphs() {
+    /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */
+    fun showStartBoard() {
         val open = current.recording ?: return
         val before = board.state
         board.change { open.standardGraphs }
         view.change { reset() }
-        if (!before.showsSame(board.state)) notices.say("The default graphs are shown.", NoticeAction("Undo") { board.change { before } })
+        if (!before.showsSame(board.state)) notices.say("The graphs that this log begins with are shown.", NoticeAction("Undo") { board.change { before } })
     }
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */

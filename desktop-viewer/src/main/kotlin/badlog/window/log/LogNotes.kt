@@ -1,12 +1,13 @@
 package badlog.window.log
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableStateOf
-import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import badlog.exporter.NotesFile
-import badlog.protocol.Note
-import badlog.protocol.NotesException
+import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteDraft
+import badlog.viewer.choices.note.Notebook
+import badlog.viewer.choices.note.NotesException
 import badlog.window.state.StateHolder
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
@@ -15,85 +16,80 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The notes about moments of the log, in the order of x.
+ * The notes of a log, and the file beside it that stores them.
  *
  * @property log the log; null while none is open, and until its notes are read.
- * @property isDamaged whether the log's file of notes could not be read, and so must not be replaced.
+ * @property stored the notes as they were last in the file.
+ * @property isDamaged whether the file could not be read, and so must not be replaced.
  */
-internal data class WrittenNotes(val log: Path? = null, val notes: List<Note> = emptyList(), val isDamaged: Boolean = false)
+internal data class StoredNotes(
+    val log: Path? = null,
+    val notebook: Notebook = Notebook(),
+    val stored: List<Note> = emptyList(),
+    val isDamaged: Boolean = false,
+)
 
-/** The notes of the [current] log, and the file beside it that stores them. */
-internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : StateHolder<WrittenNotes>(WrittenNotes()) {
+/** The notes of the [current] log. */
+internal class LogNotes(private val current: CurrentRecording, private val notices: Notices) : StateHolder<StoredNotes>(StoredNotes()) {
+    /** The notes, in the order of x; observers of this alone do not see how a note is written. */
+    val all: List<Note> by derivedStateOf { state.notebook.notes }
+
     /** The note that is being written, or changed; null for none. */
-    var draft: NoteDraft? by mutableStateOf(null)
-        private set
+    val draft: NoteDraft? get() = state.notebook.draft
 
     /** Reads the notes of each log that is opened; ends with the window. */
     suspend fun run() = snapshotFlow { current.recording?.file }.collect { log ->
-        draft = null
-        change { WrittenNotes() }
+        change { StoredNotes() }
         if (log == null) return@collect
         try {
             val notes = withContext(Dispatchers.IO) { NotesFile.read(log) }
-            change { WrittenNotes(log, notes) }
+            // Somebody may already be writing one.
+            change { StoredNotes(log, notebook.with(notes), notes) }
         } catch (e: NotesException) {
-            change { WrittenNotes(log, isDamaged = true) }
+            change { StoredNotes(log, isDamaged = true) }
             notices.complain(e.message.orEmpty())
         }
     }
 
-    /** Begins a note at [x], or an edit of [note]. */
-    fun write(x: Double, note: Note? = null) {
-        if (state.isDamaged) return notices.complain("The notes of this log cannot be read; repair or delete their file first.")
-        draft = NoteDraft(note?.x ?: x, note?.text.orEmpty(), note)
-    }
+    /** Begins a note at [x]. */
+    fun write(x: Double) = begin { begun(x) }
+
+    /** Begins to change [note]. */
+    fun rewrite(note: Note) = begin { changing(note) }
 
     /** Sets the text of the note being written. */
-    fun type(text: String) {
-        draft = draft?.copy(text = text.take(Note.MAX_TEXT))
-    }
+    fun type(text: String) = step { typed(text) }
 
     /** Discards the note being written. */
-    fun cancel() {
-        draft = null
-    }
+    fun cancel() = step { cancelled() }
 
     /** Saves the note being written, if it has text. */
     fun keep() {
-        val written = draft ?: return
-        if (written.text.isBlank()) return cancel()
-        if (written.replaced == null && state.notes.size >= Note.MAX_NOTES) {
-            return notices.complain("This log has ${Note.MAX_NOTES} notes; remove one first.")
-        }
-        if (save(state.notes - setOfNotNull(written.replaced) + Note(written.x, written.text.trim()))) draft = null
+        if (draft?.replaced == null) state.notebook.fullness?.let { return notices.complain(it) }
+        save { kept() }
     }
 
     /** Removes [note]. */
-    fun remove(note: Note) {
-        save(state.notes - note)
+    fun remove(note: Note) = save { without(note) }
+
+    private fun begin(step: Notebook.() -> Notebook) {
+        if (state.isDamaged) return notices.complain("The notes of this log cannot be read; repair or delete their file first.")
+        step(step)
     }
 
-    private fun save(notes: List<Note>): Boolean {
-        val log = state.log
-        if (log == null) {
-            notices.complain("The notes of this log are still being read; try again in a moment.")
-            return false
-        }
-        val sorted = notes.sortedBy { it.x }
-        return try {
-            NotesFile.write(log, sorted)
-            change { copy(notes = sorted) }
-            true
+    private fun step(step: Notebook.() -> Notebook) = change { copy(notebook = notebook.step()) }
+
+    private fun save(step: Notebook.() -> Notebook) {
+        val changed = state.notebook.step()
+        if (changed.notes == all) return change { copy(notebook = changed) }
+        val log = state.log ?: return notices.complain("The notes of this log are still being read; try again in a moment.")
+        try {
+            val notes = NotesFile.update(log, changed.notes, state.stored)
+            change { copy(notebook = changed.with(notes), stored = notes) }
         } catch (e: IOException) {
             notices.complain(e.message ?: "The notes could not be written.")
-            false
+        } catch (e: NotesException) {
+            notices.complain(e.message.orEmpty())
         }
     }
 }
-
-/**
- * A note that is being written.
- *
- * @property replaced the note that it changes; null for a new one.
- */
-internal data class NoteDraft(val x: Double, val text: String, val replaced: Note?)

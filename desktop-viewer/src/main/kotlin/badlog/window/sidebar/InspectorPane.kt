@@ -133,7 +133,7 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.PROBLEMS -> problemsIn(open.view)
     InspectorTab.STATISTICS, InspectorTab.CURSOR, InspectorTab.VIDEO -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
-    InspectorTab.NOTES -> notes.state.notes.size
+    InspectorTab.NOTES -> notes.all.size
 }
 
 /** Returns how many of the problems of [view] matter; notes, which healthy logs also have, do not. */

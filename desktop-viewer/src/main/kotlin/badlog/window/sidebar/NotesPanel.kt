@@ -35,10 +35,10 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.exporter.NotesFile
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteDraft
 import badlog.window.log.AxisView
 import badlog.window.log.LogNotes
-import badlog.window.log.NoteDraft
 import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -56,11 +56,11 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
         } else {
             NoteField(notes, draft, times)
         }
-        if (notes.state.notes.isEmpty()) {
+        if (notes.all.isEmpty()) {
             PanelHint("Notes are kept beside the log, in ${NotesFile.of(open.file).fileName}, and exported with its page.")
         }
         LazyColumn {
-            items(notes.state.notes) { note ->
+            items(notes.all) { note ->
                 NoteLine(notes, note, times) {
                     view.goTo(note.x)
                     onGo()
@@ -121,7 +121,7 @@ private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, onClick: ()
     Column(Modifier.inspectorLine("Note: ${note.text}", isSelected = false, gap = 4.dp, onClick)) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)
-            ToolButton("Change the note at ${times.logged(note.x)}", text = "Change") { notes.write(note.x, note) }
+            ToolButton("Change the note at ${times.logged(note.x)}", text = "Change") { notes.rewrite(note) }
             ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note) }
         }
         Text(note.text)

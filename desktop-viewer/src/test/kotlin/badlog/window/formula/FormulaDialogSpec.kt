@@ -88,6 +88,22 @@ class FormulaDialogSpec : FunSpec({
         }
     }
 
+    test("one that others need keeps its name, and is not removed; both say which need it") {
+        val definitions = listOf("Power = System/Battery Voltage * 2", "Half = Power / 2")
+        val viewer = viewerOf(bag(12).withFormulas(definitions))
+        viewer.formulas.replaceAll(definitions)
+        over(viewer) {
+            viewer.formulas.edit(definitions[0])
+            waitForIdle()
+            onNodeWithContentDescription(field).performTextReplacement("Double = System/Battery Voltage * 2")
+            onNodeWithText("“Half = Power / 2” needs this name; change that first.").assertExists()
+            onNodeWithContentDescription("Keep the formula (Enter)").performClick()
+            onNodeWithContentDescription("Remove this formula").performClick()
+            viewer.formulas.definitions shouldBe definitions
+            viewer.notices.all.single().text shouldBe "“Half = Power / 2” needs it; remove that first."
+        }
+    }
+
     test("one that makes no topic here says why in its line; a click changes it") {
         val viewer = viewerOf(bag(12).withFormulas(listOf("A = Arm/Angle * 2")))
         viewer.formulas.replaceAll(listOf("A = Arm/Angle * 2"))

@@ -40,7 +40,7 @@ class LayoutMenuSpec : FunSpec({
             setContent { ViewerScreen(Viewer(MainScope(), UserFolders(home, home))) }
             onNodeWithText("Layout").performClick()
             onNodeWithContentDescription("Save the layout as…").assertIsNotEnabled()
-            onNodeWithContentDescription("Default graphs").assertIsNotEnabled()
+            onNodeWithContentDescription("Start board").assertIsNotEnabled()
         }
     }
 
@@ -65,7 +65,7 @@ class LayoutMenuSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             choose("Save the layout as…")
             waitForNotice(viewer, "Saved the layout to $file")
-            choose("Default graphs")
+            choose("Start board")
             waitForIdle()
             viewer.board.state shouldBe defaultBoard(recording.view)
             choose("Open a layout…")

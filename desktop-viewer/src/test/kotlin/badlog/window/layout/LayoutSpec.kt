@@ -97,7 +97,7 @@ class LayoutSpec : FunSpec({
     test("the default graphs are kept as such, and bring back what the attributes ask for") {
         viewerOver().layouts.layout.graphs shouldBe null
         val viewer = viewerOver(Board(listOf(chosen)))
-        viewer.layouts.showDefaultGraphs()
+        viewer.layouts.showStartBoard()
         viewer.board.state shouldBe defaultBoard(arm.view)
     }
 

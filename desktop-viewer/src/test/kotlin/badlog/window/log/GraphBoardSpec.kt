@@ -87,7 +87,7 @@ class GraphBoardSpec : FunSpec({
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.board.replace(Board().withGraph(listOf("System/Battery Voltage")))
         val own = viewer.board.state
-        viewer.layouts.showDefaultGraphs()
+        viewer.layouts.showStartBoard()
         (viewer.board.state == own) shouldBe false
         viewer.notices.all.single().action?.run?.invoke()
         viewer.board.state shouldBe own

@@ -8,7 +8,7 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.exporter.NotesFile
 import badlog.files.UserFolders
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.sidebar.FrontPart
@@ -60,7 +60,7 @@ class LogNotesSpec : FunSpec({
             waitFor { viewer.notes.draft == null }
             NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
             onNodeWithText("Remove").performClick()
-            waitFor { viewer.notes.state.notes.isEmpty() }
+            waitFor { viewer.notes.all.isEmpty() }
             Files.exists(NotesFile.of(log)) shouldBe false
             scope.coroutineContext[Job]?.cancel()
         }

@@ -10,14 +10,15 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.LogView
 import badlog.formats.wpilog.largeLog
 import badlog.formats.wpilog.parseLog
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
 import badlog.window.TestTopics
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
 import badlog.window.log.OpenRecording
-import badlog.window.log.WrittenNotes
+import badlog.viewer.choices.note.Notebook
+import badlog.window.log.StoredNotes
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
@@ -60,7 +61,7 @@ class LargeLogSpec : FunSpec({
     test("its graphs are drawn, with a note where one was written") {
         val viewer = viewerOf(large).apply {
             board.replace(large.standardGraphs)
-            notes.change { WrittenNotes(notes = listOf(Note(4.0, "hit by 254"))) }
+            notes.change { StoredNotes(notebook = Notebook(listOf(Note(4.0, "hit by 254")))) }
             view.placeCursor(4.0)
         }
         runDesktopComposeUiTest(1006, 600) {

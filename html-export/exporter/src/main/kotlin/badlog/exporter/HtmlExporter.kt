@@ -10,7 +10,7 @@ import badlog.files.partsOfLog
 import badlog.files.unpacked
 import badlog.files.withGzipCut
 import badlog.formats.LOG_FORMATS
-import badlog.protocol.NotesException
+import badlog.viewer.choices.note.NotesException
 import badlog.protocol.PageAdditions
 import badlog.terminal.Progress
 import java.io.ByteArrayInputStream

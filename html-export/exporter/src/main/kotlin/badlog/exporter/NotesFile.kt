@@ -1,10 +1,11 @@
 package badlog.exporter
 
 import badlog.files.writeAtomically
-import badlog.protocol.Note
-import badlog.protocol.NotesException
-import badlog.protocol.notesOfJson
-import badlog.protocol.toJson
+import badlog.viewer.choices.mergedWith
+import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.notesOfJson
+import badlog.viewer.choices.note.toJson
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
@@ -36,6 +37,18 @@ object NotesFile {
         } catch (e: IOException) {
             throw NotesException("The notes in ${file.fileName} cannot be read: ${e.message}")
         }
+    }
+
+    /**
+     * Stores [notes] as those of [log], with what others have changed since they were [read]. Returns what is stored.
+     *
+     * @throws IOException with a sentence for the user, if it cannot be written.
+     * @throws NotesException if somebody has damaged the file meanwhile; it stays as it is.
+     */
+    fun update(log: Path, notes: List<Note>, read: List<Note>): List<Note> {
+        val merged = notes.mergedWith(read(log), read).sortedBy { it.x }
+        write(log, merged)
+        return merged
     }
 
     /**

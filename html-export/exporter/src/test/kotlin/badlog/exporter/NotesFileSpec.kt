@@ -2,10 +2,10 @@ package badlog.exporter
 
 import badlog.core.bag.Mutant
 import badlog.files.FolderScan
-import badlog.protocol.Note
-import badlog.protocol.NotesException
-import badlog.protocol.notesOfJson
-import badlog.protocol.toJson
+import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.notesOfJson
+import badlog.viewer.choices.note.toJson
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -29,6 +29,15 @@ class NotesFileSpec : FunSpec({
         FolderScan.of(log.parent).files.map { it.path } shouldBe listOf(log)
         NotesFile.write(log, emptyList())
         Files.exists(NotesFile.of(log)) shouldBe false
+    }
+
+    test("what two windows write and remove is in the file, whichever of them writes last") {
+        NotesFile.write(log, notes)
+        val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes)
+        first shouldBe listOf(notes[0], Note(5.0, "first window"))
+        val second = NotesFile.update(log, notes + Note(99.0, "second window"), read = notes)
+        second shouldBe listOf(notes[0], Note(5.0, "first window"), Note(99.0, "second window"))
+        NotesFile.read(log) shouldBe second
     }
 
     test("damaged notes say which file is to be mended") {

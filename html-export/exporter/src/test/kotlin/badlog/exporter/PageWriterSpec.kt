@@ -2,7 +2,7 @@ package badlog.exporter
 
 import badlog.core.recording.Severity
 import badlog.protocol.HookPart
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding

@@ -9,6 +9,7 @@ import badlog.page.app.failureScreen
 import badlog.page.app.setPageState
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
+import badlog.page.embedded.PageSource
 import badlog.page.embedded.findAdditions
 import badlog.page.formula.Formulas
 import badlog.page.header.AxisChoice
@@ -29,6 +30,7 @@ import org.w3c.dom.HTMLElement
 internal class Startup {
     private val root = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
     private val theme = ThemeSwitch { page?.repaint() }
+    private val source = PageSource(root)
     private var page: LogPage? = null
 
     /** Starts the page. */
@@ -104,7 +106,7 @@ internal class Startup {
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
         val axis = AxisChoice(read, about.fileKey, mayAsk = !hasFound)
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element)
+        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, source)
         page = shown
         show(shown.element)
         shown.start()

@@ -99,6 +99,20 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("the start board brings back what the page begins with, and is undone like any change") {
+        onPage(TestPages.of(stepBag(graphs = 3))) {
+            val before = texts(".board .graph-title")
+            graph("Step 2").scrollTo().hover(0.5)
+            press("p")
+            val own = texts(".board .graph-title")
+            (own != before) shouldBe true
+            click("#start-board")
+            texts(".board .graph-title") shouldBe before
+            click("#undo")
+            texts(".board .graph-title") shouldBe own
+        }
+    }
+
     browserTest("graphs are pinned by a button and a key, stay when the page is opened again, and every step is undone") {
         onPage(page) {
             element("#board").text shouldContain "Pin graphs"

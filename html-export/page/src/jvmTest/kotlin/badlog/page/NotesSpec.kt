@@ -2,7 +2,7 @@ package badlog.page
 
 import badlog.exporter.HtmlExporter
 import badlog.exporter.NotesFile
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
@@ -57,5 +57,73 @@ internal class NotesSpec : PageSpec({
 
     browserTest("a log without notes has no list of them") {
         onPage(TestPages.of(stepBag(graphs = 1))) { element("#notes").isDisplayed shouldBe false }
+    }
+
+    /** Writes [text] as a note at the cursor. */
+    fun OpenPage.write(text: String) {
+        press("m")
+        press(text, Keys.ENTER)
+        settle()
+    }
+
+    browserTest("a note is written at the cursor, changed and removed, and the page opens with it again") {
+        onPage(TestPages.of(stepBag(graphs = 1))) {
+            graph("Step 1").click(0.3)
+            write("hit by 254")
+            element("#note-dialog").isDisplayed shouldBe false
+            texts("#notes .note-text") shouldBe listOf("hit by 254")
+            texts("#notes .event-go") shouldBe listOf("3.000")
+            keepScreenshot("note-written")
+            elements("#notes .note-tools button")[0].click()
+            texts("#note-title").single() shouldStartWith "Note at 3.0"
+            press(" again", Keys.ENTER)
+            reload()
+            texts("#notes .note-text") shouldBe listOf("hit by 254 again")
+            press("m")
+            press("never mind", Keys.ESCAPE)
+            texts("#notes .note-text") shouldBe listOf("hit by 254 again")
+            elements("#notes .note-tools button")[1].click()
+            element("#notes").isDisplayed shouldBe false
+            reload()
+            element("#notes").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("what two tabs write and remove is in the notes of both, whichever of them writes last") {
+        val page = pageOf(tempdir().toPath()) { NotesFile.write(it, listOf(Note(1.0, "first"), Note(2.0, "second"))) }
+        onPage(page) {
+            // As another tab with the same page does.
+            val other = "{\"version\":1,\"notes\":[{\"x\":2,\"text\":\"second\"},{\"x\":9,\"text\":\"of the other tab\"}]}"
+            val given = "{\"version\":1,\"notes\":[{\"x\":1,\"text\":\"first\"},{\"x\":2,\"text\":\"second\"}]}"
+            script(
+                "const key = 'badlog:notes:match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                    "localStorage.setItem(key, arguments[0] + '\\0' + arguments[1])",
+                given,
+                other,
+            )
+            graph("Step 1").click(0.5)
+            write("of this tab")
+            texts("#notes .note-text") shouldBe listOf("second", "of this tab", "of the other tab")
+            reload()
+            texts("#notes .note-text") shouldBe listOf("second", "of this tab", "of the other tab")
+        }
+    }
+
+    browserTest("a copy of the page has the notes, the board and the log's very bytes, and needs nothing of the browser that made it") {
+        val copy = tempdir().toPath().resolve("copy.html")
+        onPage(TestPages.of(stepBag(graphs = 2))) {
+            graph("Step 2").click(0.3)
+            press("p")
+            write("hit </script> by 254")
+            Files.write(copy, exported("A copy of this page, with your notes and board", "test.html"))
+        }
+        onPage(copy, script = "localStorage.clear()") {
+            texts("#notes .note-text") shouldBe listOf("hit </script> by 254")
+            texts(".board .graph-title") shouldBe listOf("Step 2")
+            saved("test.bag") { click("#download") } shouldBe stepBag(graphs = 2)
+            // A copy of a copy is the same page once more.
+            val again = exported("A copy of this page, with your notes and board", "test.html")
+            again shouldBe Files.readAllBytes(copy)
+        }
     }
 })

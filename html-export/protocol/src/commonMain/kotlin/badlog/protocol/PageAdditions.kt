@@ -4,6 +4,7 @@ import badlog.core.analysis.Series
 import badlog.core.recording.Value
 import badlog.rules.Finding
 import badlog.rules.RuleSet
+import badlog.viewer.choices.note.Note
 
 /**
  * What a page shows besides the recording itself.

@@ -8,6 +8,9 @@ import badlog.core.recording.Value
 import badlog.rules.RuleSet
 import badlog.rules.fromJson
 import badlog.rules.toJson
+import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.notesOfJson
+import badlog.viewer.choices.note.toJson
 
 /**
  * Returns these additions as JSON that is safe in a script element. Samples are written as base64 of their doubles, which is exact

@@ -70,7 +70,7 @@ internal class FigureSaver(
         options.graphHeight,
         events.matching,
         findings.state.list?.timeline,
-        notes.state.notes.map { it.x },
+        notes.all.map { it.x },
         board.state.graphs,
         // The pointer's accidental place does not belong in a figure.
         view.cursors.copy(hover = null),

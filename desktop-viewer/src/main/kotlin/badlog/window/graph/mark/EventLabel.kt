@@ -53,7 +53,7 @@ private class Said(val x: Double, val text: String)
 
 private fun saidNear(scene: GraphScene, cursor: Double): Said? {
     val reach = scene.view.viewport.visible.width * REACH
-    val note = scene.notes.state.notes.minByOrNull { abs(it.x - cursor) }?.takeIf { abs(it.x - cursor) <= reach }
+    val note = scene.notes.all.minByOrNull { abs(it.x - cursor) }?.takeIf { abs(it.x - cursor) <= reach }
     if (note != null) return Said(note.x, note.text)
     return scene.events.matching.nearest(cursor, reach)?.let { Said(it.x, it.text) }
 }

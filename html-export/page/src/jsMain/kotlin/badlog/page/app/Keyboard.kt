@@ -5,6 +5,7 @@ import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.formula.FormulaDialog
 import badlog.page.header.SearchBox
+import badlog.page.note.NoteDialog
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.video.VideoPanel
@@ -24,6 +25,7 @@ internal class Keyboard(
     private val board: BoardKeys,
     private val values: CursorPanel,
     private val formulas: FormulaDialog,
+    private val notes: NoteDialog,
     private val help: HelpOverlay,
     private val video: VideoPanel,
     private val live: LiveRegion,
@@ -63,6 +65,7 @@ internal class Keyboard(
         Action.PAN_RIGHT -> scene.range.change { panned(Action.PAN_SHARE) }
         Action.CURSOR_VALUES -> values.toggle()
         Action.NEW_FORMULA -> formulas.open()
+        Action.NEW_NOTE -> notes.write()
         Action.NEXT_FINDING -> goToFinding(1)
         Action.PREVIOUS_FINDING -> goToFinding(-1)
         Action.PREVIOUS_FRAME -> video.step(-1)

@@ -12,8 +12,10 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
+import badlog.page.embedded.PageSource
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.folder.EventsLink
@@ -21,6 +23,7 @@ import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
 import badlog.page.folder.folderOf
 import badlog.page.formula.FormulaDialog
+import badlog.page.formula.FormulaGraphs
 import badlog.page.formula.Formulas
 import badlog.page.graph.VisibleGraphs
 import badlog.page.header.Downloads
@@ -34,9 +37,11 @@ import badlog.page.header.ZoomBar
 import badlog.page.header.additionProblems
 import badlog.page.header.infoSection
 import badlog.page.header.pageHeader
+import badlog.page.note.NoteDialog
+import badlog.page.note.NoteList
+import badlog.page.note.PageNotes
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
-import badlog.page.panel.NoteList
 import badlog.page.rules.RuleSearch
 import badlog.page.video.VideoPanel
 import badlog.page.view.Hits
@@ -54,7 +59,6 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.board.fittedTo
-import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
 import badlog.viewer.session.link.OpenedParts
@@ -64,6 +68,7 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
+import kotlin.js.Promise
 
 /** Puts together the page of a recording. */
 internal class LogPage(
@@ -74,6 +79,7 @@ internal class LogPage(
     downloads: Downloads,
     theme: ThemeSwitch,
     axisChoice: HTMLElement?,
+    private val source: PageSource,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -81,9 +87,10 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
+    private val notes = PageNotes(about.fileKey, this.additions.notes)
     private val scene = Scene(view, about.name, theme.palette, board, downloads.notice).apply {
         findings = timelineOf(embeddedFindings)
-        notes = this@LogPage.additions.notes
+        notes = this@LogPage.notes.now.notes
         this@LogPage.additions.field?.let { field = fieldOfJson(it) }
     }
     private val graphs = VisibleGraphs(scene)
@@ -92,9 +99,10 @@ internal class LogPage(
         if (formulas.formulaOf(it) == null) "" else "formula"
     }
     private val navigation = FolderNavigation(folders)
+    private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, ::beforeFormulas, ::linesNow)
     private val search = SearchBox(::filter)
     private val eventsLink = EventsLink(folders)
-    private val formulaDialog = FormulaDialog(formulas, ::addFormula, ::changeFormula, ::removeFormula)
+    private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
     private val formulaButton = element("div", "formula-button") {
         addButton("", "", "Add a formula (F)") { formulaDialog.open() }.apply {
             id = "add-formula"
@@ -104,20 +112,21 @@ internal class LogPage(
         }
     }
     private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
-    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, values.button)
+    private val noteDialog = NoteDialog(scene, notes)
+    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
-    private val link = PageLink(scene, formulas, video, { addFormulas(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
+    private val link = PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
-    private val notes = NoteList(scene)
+    private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
     private val topicDialog = TopicDialog(scene)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open, video::open)
     private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
-    private val export = ExportMenu(scene, printing) { boardSection.cards }
+    private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
@@ -138,7 +147,7 @@ internal class LogPage(
         axisChoice?.let(::appendChild)
         appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
         appendChild(findings.element)
-        appendChild(notes.element)
+        appendChild(noteList.element)
         appendChild(printing.element)
         appendChild(zoomBar.element)
         appendChild(evidence.element)
@@ -156,6 +165,7 @@ internal class LogPage(
         appendChild(help.element)
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
+        appendChild(noteDialog.element)
         appendChild(scene.notice.element)
         appendChild(live.element)
     }
@@ -163,8 +173,12 @@ internal class LogPage(
     init {
         nothingFound.isHidden = true
         board.onChange(values::refresh)
+        notes.onChange {
+            scene.notes = notes.now.notes
+            redraw()
+        }
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, help, video, live)
+        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, noteDialog, help, video, live)
     }
 
     /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */
@@ -196,10 +210,7 @@ internal class LogPage(
                 // The place in the address is known only now.
                 link.followAgain()
                 // Draws into the existing graphs, since somebody may be dragging over one.
-                if (found.findings.isNotEmpty()) {
-                    graphs.redraw()
-                    zoomBar.repaint()
-                }
+                if (found.findings.isNotEmpty()) redraw()
                 setRulesState("done")
             },
             onFailure = { reason ->
@@ -207,6 +218,11 @@ internal class LogPage(
                 setRulesState("failed")
             },
         )
+    }
+
+    private fun redraw() {
+        graphs.redraw()
+        zoomBar.repaint()
     }
 
     /** Redraws everything that has its own colors. */
@@ -218,7 +234,7 @@ internal class LogPage(
     private fun filter(query: Query): Hits {
         boardSection.filter(query)
         val inFolders = folders.filter(query)
-        val hits = inFolders + Hits(findings = findings.filter(query), notes = notes.filter(query))
+        val hits = inFolders + Hits(findings = findings.filter(query), notes = noteList.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update(isSearching = !query.isEmpty)
         eventsLink.update()
@@ -237,26 +253,9 @@ internal class LogPage(
         scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
             .filter { it.states != null || it.topic.samples.isNotEmpty() }
 
-    private fun addFormula(definition: String) {
+    private fun beforeFormulas() {
         link.leave()
         search.clear()
-        graphs.add(folders.add(formulas.add(definition)))
-        board.lines = linesNow()
-        navigation.list()
-    }
-
-    /** Adds those of [definitions], from a link or a layout, that can be calculated here. Returns sentences that say why others cannot. */
-    private fun addFormulas(definitions: List<String>, isRemembered: Boolean): List<String> {
-        val problems = ArrayList<String>()
-        for (definition in definitions.filter { !formulas.has(it) }) {
-            val mistake = formulas.mistakeIn(definition)
-            if (mistake != null) problems += "Skipped “$definition”: ${mistake.message}"
-            if (mistake == null) graphs.add(folders.add(formulas.add(definition, isRemembered), isWanted = false))
-        }
-        if (definitions.isEmpty()) return problems
-        board.lines = linesNow()
-        navigation.list()
-        return problems
     }
 
     private fun linesNow() = BoardLines(formulas.view, hookGraphs)
@@ -264,12 +263,18 @@ internal class LogPage(
     private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
     private fun open(opened: BoardLayout) {
-        val problems = addFormulas(opened.formulas, isRemembered = true)
+        val problems = formulaGraphs.addAll(opened.formulas, isRemembered = true)
         val fitted = opened.board?.fittedTo { board.lines[it] != null }
         board.change { fitted?.board ?: boardAbove(view, signals) }
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
         scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()
+    }
+
+    private fun saveCopy() {
+        Promise.resolve(Unit).then { source.copyWith(notes.now.notes, layoutNow().toJson()) }
+            .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
+            .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }
 
     private fun openedNow(): OpenedParts {
@@ -295,36 +300,10 @@ internal class LogPage(
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 
-    private fun changeFormula(from: String, to: String) {
-        link.leave()
-        search.clear()
-        val users = formulas.usersOf(from)
-        for (definition in users + from) takeAway(definition)
-        formulas.replace(from, to)
-        for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
-        // Before the old name becomes unknown, because the board drops what nothing draws.
-        nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
-        board.lines = linesNow()
-        navigation.list()
-    }
-
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         evidence.show(place, incident, isWhole)
         values.refresh()
         if (evidence.cards.isEmpty()) showAnyGraph()
-    }
-
-    private fun removeFormula(definition: String) {
-        link.leave()
-        takeAway(definition)
-        formulas.remove(definition)
-        nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }
-        board.lines = linesNow()
-        navigation.list()
-    }
-
-    private fun takeAway(definition: String) {
-        formulas.nameOf(definition)?.let(folders::remove)?.let(graphs::remove)
     }
 
     private fun skip() {

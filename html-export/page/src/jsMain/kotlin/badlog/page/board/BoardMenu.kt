@@ -5,6 +5,7 @@ import badlog.page.view.PageBoard
 import badlog.signals.pose.Pose
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
 
@@ -33,6 +34,7 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
             }
             if (graph.lines.size > 1) {
                 add(MenuEntry(xyLabelOf(graph.lines, poses), graph.isXy) { board.change { withXy(id, !graph.isXy) } })
+                if (graph.canSwapAxes(poses)) add(MenuEntry("Swap axes") { board.change { withSwappedAxes(id) } })
             }
         }
         if (graph.isXy && poses.any { it.x in graph.lines }) {

@@ -1,7 +1,5 @@
 package badlog.page.embedded
 
-import org.khronos.webgl.Int8Array
-import org.khronos.webgl.Uint8Array
 import org.w3c.dom.Element
 import org.w3c.files.Blob
 import kotlin.js.Promise
@@ -12,7 +10,7 @@ internal class EmbeddedFile(private val element: Element) {
     fun compressed(): Blob {
         val parts = BlobParts()
         val text = Base64Text(element)
-        while (true) parts.add(Base64.decode(text.next() ?: break))
+        while (true) parts.addBytes(Base64.decode(text.next() ?: break))
         return parts.toBlob()
     }
 
@@ -23,7 +21,7 @@ internal class EmbeddedFile(private val element: Element) {
         filter: (ByteArray) -> ByteArray = { it },
     ): Promise<Blob> {
         val parts = BlobParts()
-        val inflation = Inflation(expectedBytes, isWhole) { parts.add(filter(it)) }
+        val inflation = Inflation(expectedBytes, isWhole) { parts.addBytes(filter(it)) }
         val text = Base64Text(element)
         fun feed() {
             val piece = text.next()
@@ -31,34 +29,5 @@ internal class EmbeddedFile(private val element: Element) {
         }
         feed()
         return inflation.finished.then { parts.toBlob() }
-    }
-
-    /** Collects bytes, and from time to time passes them to the browser's blob store, which may be on disk. */
-    private class BlobParts {
-        private var blob = Blob()
-        private var parts = ArrayList<Any>()
-        private var bytes = 0
-
-        fun add(chunk: ByteArray) {
-            val view = chunk.unsafeCast<Int8Array>()
-            parts.add(Uint8Array(view.buffer, view.byteOffset, view.length))
-            bytes += chunk.size
-            if (bytes > HELD_BYTES) fold()
-        }
-
-        fun toBlob(): Blob {
-            fold()
-            return blob
-        }
-
-        private fun fold() {
-            blob = Blob((listOf<Any>(blob) + parts).toTypedArray())
-            parts = ArrayList()
-            bytes = 0
-        }
-    }
-
-    private companion object {
-        const val HELD_BYTES = 1 shl 23
     }
 }

@@ -8,8 +8,9 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.viewer.choices.formula.Suggestions
-import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.nameInExpression
+import badlog.viewer.choices.formula.reasonToKeep
+import badlog.viewer.choices.formula.reasonToKeepName
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
@@ -116,22 +117,16 @@ internal class FormulaDialog(
         // Leading spaces must not move the mark.
         val text = input.value.trim()
         val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
-        val orphans = if (mistake == null) orphansOf(text) else emptyList()
-        show(mistake?.message ?: needed(orphans), isFinal)
+        val reason = mistake?.message ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
+        show(reason.orEmpty(), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
         pointer.isHidden = mistake == null
         // A long formula does not fit, and its mistake is mostly at its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()
         if (isFinal) input.focus()
-        return mistake == null && orphans.isEmpty() && text.isNotEmpty()
+        return reason == null && text.isNotEmpty()
     }
-
-    /** Returns what could no longer be calculated if [text] replaced the definition that is being changed. */
-    private fun orphansOf(text: String): List<String> = changed?.takeIf { nameIn(it) != nameIn(text) }?.let(formulas::usersOf).orEmpty()
-
-    private fun needed(users: List<String>) =
-        if (users.isEmpty()) "" else "“${users.joinToString("”, “")}” needs this name; change that first."
 
     private fun show(text: String, isError: Boolean) {
         message.showText(text)
@@ -165,8 +160,7 @@ internal class FormulaDialog(
     }
 
     private fun remove(definition: String) {
-        val users = formulas.usersOf(definition)
-        if (users.isNotEmpty()) return show("“${users.joinToString("”, “")}” needs it; remove that first.", isError = true)
+        formulas.all.reasonToKeep(definition)?.let { return show(it, isError = true) }
         onRemove(definition)
         listOwn()
         if (changed == definition) edit(null) else input.focus()

@@ -11,6 +11,8 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
+import badlog.viewer.choices.formula.usersOf
+import badlog.viewer.choices.mergedWith
 
 /**
  * The topics of the page that are calculated from others: those it was made with, and those of its reader, which the browser
@@ -23,7 +25,11 @@ import badlog.viewer.choices.formula.formulasOf
  */
 internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
-    private val persons = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in given }.toMutableList()
+    private val ofPage = given
+    private val persons = remembered().toMutableList()
+
+    /** The person's definitions as this tab last read or stored them. */
+    private var known = remembered()
     private val formulas = ArrayList<Formula>()
 
     /** The recording with the topics that could be calculated. */
@@ -66,21 +72,15 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
     /** Returns the name of the topic that [definition], one of [own], defines; null if it defines none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** Returns those of [own] that cannot be calculated without the topic of [definition], in order. */
-    fun usersOf(definition: String): List<String> {
-        val needed = hashSetOf(nameOf(definition) ?: return emptyList())
-        return formulas.filter { formula ->
-            val topic = formula.topic
-            topic != null && topic.expression.topics.any { it in needed } && needed.add(topic.name)
-        }.map { it.definition }
-    }
+    /** The results of all definitions, in the order in which they may use each other. */
+    val all: List<Formula> get() = formulas
 
     /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
         val known = if (replaced == null) {
             vocabulary
         } else {
-            viewOf(persons - replaced - usersOf(replaced).toSet()).namesWith(signals).vocabulary
+            viewOf(persons - replaced - formulas.usersOf(replaced).toSet()).namesWith(signals).vocabulary
         }
         return VirtualTopic.parse(text, known) as? ExpressionError
     }
@@ -93,10 +93,14 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         return graphOf(definition)
     }
 
-    /** Remembers all of [own]. */
+    /** Remembers all of [own], and what other tabs have changed meanwhile, which this one calculates when it is opened again. */
     fun remember() {
-        LocalStorage[key] = own.joinToString("\n")
+        val merged = own.mergedWith(remembered(), known)
+        known = own.toList()
+        LocalStorage[key] = merged.joinToString("\n")
     }
+
+    private fun remembered() = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in ofPage }
 
     /** Removes [definition], which no other one uses. */
     fun remove(definition: String) = change(persons - definition)

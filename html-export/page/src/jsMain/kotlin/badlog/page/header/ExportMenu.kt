@@ -13,8 +13,18 @@ import badlog.page.view.Scene
 import badlog.viewer.shown.table.CsvDraft
 import org.w3c.dom.HTMLElement
 
-/** The menu of what can be exported: on paper, as pictures, as tables. [board] has the graphs of the board. */
-internal class ExportMenu(private val scene: Scene, private val printing: Printing, private val board: () -> List<GraphCard>) {
+/**
+ * The menu of what can be exported: this page with its notes, on paper, as pictures, as tables.
+ *
+ * @param onCopy saves a copy of the page.
+ * @param board returns the graphs of the board.
+ */
+internal class ExportMenu(
+    private val scene: Scene,
+    private val printing: Printing,
+    private val onCopy: () -> Unit,
+    private val board: () -> List<GraphCard>,
+) {
     val element: HTMLElement = element("div", "export") {
         val button = addButton("", "", "Print, pictures and tables") {}
         button.id = "export"
@@ -29,6 +39,7 @@ internal class ExportMenu(private val scene: Scene, private val printing: Printi
         val shown = scene.range.now.takeIf { scene.range.isZoomed }
         val cards = board()
         return buildList {
+            add(MenuEntry("A copy of this page, with your notes and board") { onCopy() })
             add(MenuEntry("Print, or save as PDF: findings and board") { printing.open(isWhole = false) })
             add(MenuEntry("Print all graphs") { printing.open(isWhole = true) })
             add(MenuEntry("Visible range as a table (CSV)") { saveTable(scene, "range", CsvDraft.ofAll(scene.view, shown)) })

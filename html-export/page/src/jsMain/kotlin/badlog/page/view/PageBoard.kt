@@ -22,6 +22,12 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     /** The board it began with, unless the browser remembered one. */
     private var begun: BoardHistory? = null
 
+    /** The board as this tab last read or stored it. */
+    private var known: Board? = null
+
+    /** Returns the board that the page begins with for everybody. */
+    private var start: () -> Board = { Board() }
+
     /** Called when the reader has changed it. */
     var onKeep: () -> Unit = {}
 
@@ -53,6 +59,8 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
      */
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
+        known = own
+        start = board
         val first = BoardHistory(own ?: board())
         if (own == null) begun = first
         show(if (visited == null) first else first.changed(visited))
@@ -60,9 +68,13 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
 
     /** Begins with [board] instead, unless the reader already has another one. */
     fun beginAgain(board: Board) {
+        start = { board }
         if (history !== begun || board.showsSame(history.now)) return
         begun = BoardHistory(board).also(::show)
     }
+
+    /** Shows the board that the page begins with for everybody; can be undone. */
+    fun startAgain() = change { start() }
 
     /** Performs [step], which can be undone, and remembers the result. */
     fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
@@ -78,7 +90,11 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
 
     private fun keep(changed: BoardHistory) {
         if (changed === history) return
-        show(changed)
+        // Another tab may have changed it meanwhile. What neither of them remembered before is not merged: each began with the same.
+        val read = known
+        val stored = if (read == null) null else remembered()
+        show(if (read == null || stored == null) changed else changed.mergedWith(stored, read))
+        known = history.now
         LocalStorage[key] = history.now.toJson()
         onKeep()
     }

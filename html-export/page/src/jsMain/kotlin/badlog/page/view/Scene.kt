@@ -6,7 +6,7 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
-import badlog.protocol.Note
+import badlog.viewer.choices.note.Note
 import badlog.rules.Finding
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf

@@ -71,6 +71,9 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     /** Opens the dialog for a formula. */
     NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
 
+    /** Begins a note at the cursor, or in the middle of the visible range. */
+    NEW_NOTE("Notes", "Write a note at the cursor", KeyStroke("M")),
+
     /** Moves the cursor to the next finding. */
     NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
 

@@ -1,6 +1,7 @@
 package badlog.viewer.choices.board
 
 import badlog.core.analysis.Span
+import badlog.signals.pose.Pose
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.Plane
 
@@ -130,6 +131,13 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
     /** With [isXy], draws the lines of graph [id] over its first one, or poses as paths; otherwise over the x axis again. */
     fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
 
+    /** Draws the first line of graph [id] over the second instead. */
+    fun withSwappedAxes(id: Int): Board = change(id) { graph ->
+        if (graph.lines.size < 2) return@change graph
+        val (x, y) = graph.lines
+        graph.copy(lines = listOf(y, x) + graph.lines.drop(2), xRange = graph.yRange, yRange = graph.xRange)
+    }
+
     /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
     fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
 
@@ -214,3 +222,6 @@ data class BoardGraph(
 
 /** Says in a sentence why a text is not a board. */
 class BoardException(message: String) : IllegalArgumentException(message)
+
+/** Whether this graph draws one line over another, and not the paths of [poses]. */
+fun BoardGraph.canSwapAxes(poses: List<Pose>): Boolean = isXy && lines.size == 2 && poses.none { it.x in lines && it.y in lines }

@@ -1,5 +1,7 @@
 package badlog.viewer.choices.board
 
+import badlog.viewer.choices.mergedWith
+
 /**
  * A board with its undo and redo history. Immutable; each step returns a new one.
  *
@@ -24,6 +26,22 @@ class BoardHistory private constructor(val now: Board, private val before: List<
 
     /** Redoes what [undone] undid. */
     fun redone(): BoardHistory = if (canRedo) BoardHistory(after.last(), before + now, after.dropLast(1)) else this
+
+    /**
+     * Returns this history with what other tabs or windows have changed of the board that they remember in one place, see
+     * [mergedWith][badlog.viewer.choices.mergedWith]: in each of its boards, so that undoing does not undo what others did.
+     */
+    fun mergedWith(stored: Board, read: Board): BoardHistory = if (stored.showsSame(read)) {
+        this
+    } else {
+        BoardHistory(now.mergedWith(stored, read), before.map { it.mergedWith(stored, read) }, after.map { it.mergedWith(stored, read) })
+    }
+
+    private fun Board.mergedWith(stored: Board, read: Board): Board {
+        val merged = graphs.mergedWith(stored.graphs, read.graphs) { it.copy(id = 0) }
+        val (own, others) = merged.partition { graph -> graphs.any { it === graph } }
+        return Board(own).withGraphs(others)
+    }
 
     private companion object {
         const val MAX_STEPS = 100

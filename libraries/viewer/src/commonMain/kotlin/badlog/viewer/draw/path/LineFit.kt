@@ -14,14 +14,17 @@ import kotlin.math.log10
  *
  * @property slope the increase of y per x.
  * @property offset the y at x = 0.
+ * @property inverseSlope the increase of x per y, fitted the other way round: scattered samples have two such lines.
  */
-class LineFit private constructor(val slope: Double, val offset: Double) {
-    /** Returns the result as text: for volts over amperes, the resistance that causes the drop; otherwise the slope. */
-    fun text(xUnit: String, yUnit: String): String = if (xUnit == "A" && yUnit == "V") {
-        "Resistance ${withUnit(roundedTo(-slope * MILLI), "mΩ")}"
-    } else {
-        "Slope ${withUnit(roundedTo(slope), Units.ofDerivative(yUnit, xUnit))}"
+class LineFit private constructor(val slope: Double, val offset: Double, private val inverseSlope: Double) {
+    /** Returns the result as text: for volts and amperes, the resistance that causes the drop, on whichever axes; otherwise the slope. */
+    fun text(xUnit: String, yUnit: String): String = when {
+        xUnit == "A" && yUnit == "V" -> resistanceText(-slope)
+        xUnit == "V" && yUnit == "A" && inverseSlope.isFinite() -> resistanceText(-inverseSlope)
+        else -> "Slope ${withUnit(roundedTo(slope), Units.ofDerivative(yUnit, xUnit))}"
     }
+
+    private fun resistanceText(ohms: Double) = "Resistance ${withUnit(roundedTo(ohms * MILLI), "mΩ")}"
 
     // Three digits, since scattered samples do not justify more.
     private fun roundedTo(value: Double) = fixedText(value, (2 - floor(log10(abs(value)))).coerceIn(0.0, MAX_DECIMALS).toInt())
@@ -42,12 +45,14 @@ class LineFit private constructor(val slope: Double, val offset: Double) {
             y /= count
             var xx = 0.0
             var xy = 0.0
+            var yy = 0.0
             eachIn(trail, visible) { i ->
                 xx += (trail.x[i] - x) * (trail.x[i] - x)
                 xy += (trail.x[i] - x) * (trail.y[i] - y)
+                yy += (trail.y[i] - y) * (trail.y[i] - y)
             }
             val slope = xy / xx
-            return if (slope.isFinite()) LineFit(slope, y - slope * x) else null
+            return if (slope.isFinite()) LineFit(slope, y - slope * x, xy / yy) else null
         }
 
         private inline fun eachIn(trail: Trail, visible: Span, visit: (Int) -> Unit) {

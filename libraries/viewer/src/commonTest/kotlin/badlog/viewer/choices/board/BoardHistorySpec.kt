@@ -47,4 +47,20 @@ class BoardHistorySpec : FunSpec({
         }
         (steps in 50..200) shouldBe true
     }
+
+    test("what another tab changed stays when this one undoes: it adds and removes its own graphs only") {
+        val read = Board().withGraph(listOf("A")).withGraph(listOf("B"))
+        val history = BoardHistory(read).changed(read.withGraph(listOf("Mine")))
+        val stored = read.without(read.graphs[0].id).withGraph(listOf("Theirs"))
+        val merged = history.mergedWith(stored, read)
+        merged.now.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("Mine"), listOf("Theirs"))
+        merged.now.graphs.map { it.id }.distinct().size shouldBe 3
+        merged.undone().now.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("Theirs"))
+    }
+
+    test("without changes of other tabs, a history stays the same") {
+        val board = Board().withGraph(listOf("A"))
+        val history = BoardHistory(board).changed(board.withGraph(listOf("B")))
+        (history.mergedWith(board, board) === history) shouldBe true
+    }
 })

@@ -197,6 +197,15 @@ class BoardSpec : FunSpec({
         over.withXy(1, false).showsSame(Board().withGraph(listOf("A", "B"))) shouldBe true
     }
 
+    test("swapped axes draw the first line over the second, with what was visible of each; twice is once") {
+        val over = Board().withGraph(listOf("A", "B")).withXy(1, true).withPlane(1, Span(0.0, 1.0), Span(5.0, 7.0))
+        val swapped = over.withSwappedAxes(1)
+        swapped.graphs.single().run { listOf(lines, xRange, yRange) } shouldBe listOf(listOf("B", "A"), Span(5.0, 7.0), Span(0.0, 1.0))
+        swapped.withSwappedAxes(1) shouldBe over
+        over.graphs.single().canSwapAxes(emptyList()) shouldBe true
+        over.withXy(1, false).graphs.single().canSwapAxes(emptyList()) shouldBe false
+    }
+
     test("what draws a signal goes with it, and takes its new name") {
         val board = Board().withGraph(listOf("Power")).withGraph(listOf("Power", "Other")).withGraph(listOf("Other"))
         board.withoutSignal("Power").lines() shouldBe listOf(listOf("Other"), listOf("Other"))

@@ -1,4 +1,4 @@
-package badlog.protocol
+package badlog.viewer.choices.note
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.pair
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
-class NoteSpec : FunSpec({
+class NotesJsonSpec : FunSpec({
     test("notes are read as they were written, in the order of x") {
         val notes = Arb.list(Arb.pair(Arb.double(), Arb.string(1..50)), 0..20)
             // JavaScript writes -0 as 0.

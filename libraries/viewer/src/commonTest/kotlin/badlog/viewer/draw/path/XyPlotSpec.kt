@@ -124,6 +124,15 @@ class XyPlotSpec : FunSpec({
         plot.marksAt(Double.NaN, emptySet()) shouldBe emptyList()
     }
 
+    test("volts and amperes give the same resistance on whichever axes they are, also where samples are scattered") {
+        val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016 + it % 3 * 0.1}" }
+        val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
+        val whole = Span(0.0, 50.0)
+        val over = view.plot("Current", "Voltage")!!.lineFit(whole)!!.text("A", "V")
+        over.startsWith("Resistance 1") shouldBe true
+        view.plot("Voltage", "Current")!!.lineFit(whole)!!.text("V", "A") shouldBe over
+    }
+
     test("other lines are drawn over the first one; volts over amperes give the resistance") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
