@@ -147,6 +147,7 @@ private val KEYS = mapOf(
     "B" to listOf(Key.B),
     "E" to listOf(Key.E),
     "F" to listOf(Key.F),
+    "M" to listOf(Key.M),
     "N" to listOf(Key.N),
     "H" to listOf(Key.H),
     "P" to listOf(Key.P),

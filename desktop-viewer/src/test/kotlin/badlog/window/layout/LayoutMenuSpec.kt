@@ -54,7 +54,7 @@ class LayoutMenuSpec : FunSpec({
         viewer.library.state.folder shouldBe home
     }
 
-    test("a layout is saved and opened, the default graphs come back, and a file that is not a layout is reported") {
+    test("a layout is saved and opened, the start board comes back, and a file that is not a layout is reported") {
         val file = home.resolve("mine${Layout.ENDING}")
         val files = ChosenFiles(file)
         runDesktopComposeUiTest(1200, 800) {
