@@ -23,7 +23,8 @@ internal class StandardStreams(typed: List<String>, private val input: InputStre
     val arguments: List<String> = withFiles(typed)
 
     /** The names of these files for people. */
-    val names: Map<String, String> get() = listOfNotNull(log, result).associate { it.toString() to "-" }
+    val names: Map<String, String>
+        get() = listOfNotNull(log?.let { "$it" to "standard input" }, result?.let { "$it" to "standard output" }).toMap()
 
     /** Whether the standard output receives a result, so that nothing else may be printed there. */
     val hasResult: Boolean get() = result != null
