@@ -27,7 +27,7 @@ internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: 
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
         listOfNotNull(
-            MenuEntry("Default graphs", "As the log's attributes define", why) { layouts.showDefaultGraphs() },
+            MenuEntry("Default graphs", "The graphs that the log's attributes define", why) { layouts.showDefaultGraphs() },
             MenuEntry("Save the layout as…", "A file for another folder, or for a teammate", why, SAVE_LAYOUT.text) { files.save() },
             MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages begin with it", why) {
                 files.saveDefault()
