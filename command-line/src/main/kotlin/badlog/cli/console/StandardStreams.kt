@@ -51,7 +51,7 @@ internal class StandardStreams(typed: List<String>, private val input: InputStre
         return if (isBesideLog && typed.first() in WRITERS) replaced + listOf("--out", resultFile().toString()) else replaced
     }
 
-    private fun resultFile(): Path = result ?: (ownFolder() / "stdout").also { result = it }
+    private fun resultFile(): Path = result ?: (ownFolder() / "badlog.stdout").also { result = it }
 
     private fun logFile(): Path = log ?: (ownFolder() / "stdin").also { file ->
         log = file

@@ -48,7 +48,7 @@ class InfoSpec : FunSpec({
         for (options in listOf(listOf(), listOf("--topics"), listOf("--attributes", "--values", "--problems"))) {
             for (log in listOf("practice.bag", "qualification-42.bag", "qualification-57.bag.gz", "elevator-bench.csv", "")) {
                 val ended = badlog("info", SAMPLES / log, *options.toTypedArray())
-                ended.err shouldBe if (log.isEmpty()) "4 logs: 2 complete, 2 incomplete.\n" else ""
+                ended.err shouldBe if (log.isEmpty()) "5 logs: 3 complete, 2 incomplete.\n" else ""
                 ended.out.lines().filter { it.length > 80 }.shouldBeEmpty()
             }
         }
