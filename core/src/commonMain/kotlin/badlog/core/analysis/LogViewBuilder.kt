@@ -126,7 +126,8 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         if (backwards > 0) {
             plan.report(
                 ProblemKind.X_BACKWARDS,
-                "The x axis “$name” goes backwards${timesText(backwards)}, as when the robot's clock is set; derivatives have a gap there.",
+                "The x axis “$name” goes backwards${timesText(backwards)}, as when the robot's clock is set; " +
+                    "derivatives have a gap there.",
             )
         }
         if (repeats > 0) {

@@ -15,8 +15,8 @@ import kotlin.math.round
  * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
  * that time, and nothing before its first sample. A sample less than a nanosecond after a row, as rounding makes them, is in it. An event
  * is in the first row that is not before it; several events of one row are joined by `; `. So is the sample of a topic that
- * [was sparse][Topic.wasSparse]; of several in one row, it is the last. The first topic is `Time`, with these times, as the x axis. If the recording was made from rows, the
- * topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
+ * [was sparse][Topic.wasSparse]; of several in one row, it is the last. The first topic is `Time`, with these times, as the x axis. If the
+ * recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException if they are not.

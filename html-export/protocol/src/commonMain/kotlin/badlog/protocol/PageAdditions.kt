@@ -40,8 +40,10 @@ class PageAdditions(
         PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
     /** Returns the same without rules, because of [problem]; the names of signals' topics stay. */
-    fun withoutRules(problem: String): PageAdditions =
-        PageAdditions(virtualTopics, RuleSet.NONE.with(rules.signals), problem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+    fun withoutRules(problem: String): PageAdditions {
+        val names = RuleSet.NONE.with(rules.signals)
+        return PageAdditions(virtualTopics, names, problem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+    }
 
     /** Reads what [toJson] wrote. */
     companion object
