@@ -153,6 +153,6 @@ internal class Startup {
         /** Milliseconds until the page is checked again for what has arrived. */
         const val PAUSE = 5
 
-        const val DAMAGED = "This page was damaged in copying: any number, time or text may be wrong. No rules ran. Export it again."
+        const val DAMAGED = "Damaged in copying: anything shown may be wrong. No rules ran. Export it again."
     }
 }

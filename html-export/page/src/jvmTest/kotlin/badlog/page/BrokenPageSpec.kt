@@ -93,7 +93,7 @@ internal class BrokenPageSpec : PageSpec({
     for ((log, pageWith) in logs) {
         browserTest("one changed letter in the page of $log is reported, and what it still has is shown without rules") {
             val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
-            onPage(page) { texts(".problem-text").filter { "damaged" in it }.shouldBeEmpty() }
+            onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
             onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
                 text shouldContain "This page is not complete"
                 text shouldContain "damaged in copying; export it again."
@@ -101,9 +101,9 @@ internal class BrokenPageSpec : PageSpec({
                 click("#show-damaged")
                 awaitState("ready")
                 graphNames.isEmpty() shouldBe false
-                texts(".problem-text").first { "damaged" in it } shouldContain "No rules ran."
+                texts(".problem-text").first { "Damaged" in it } shouldContain "No rules ran."
                 elements(".findings-title").filter { it.isDisplayed }.shouldBeEmpty()
-                elements("#download").single().getDomAttribute("title") shouldContain "as far as this damaged page has it"
+                elements("#download").single().getDomAttribute("title") shouldContain "as this damaged page has it"
             }
         }
     }

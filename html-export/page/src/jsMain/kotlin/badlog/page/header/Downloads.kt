@@ -28,7 +28,7 @@ import kotlin.js.Promise
  */
 internal class Downloads(private val about: About, recording: Element, private val read: Recording, isDamaged: Boolean = false) {
     private val file = EmbeddedFile(recording)
-    private val exactness = if (isDamaged) "as far as this damaged page has it" else "byte for byte"
+    private val exactness = if (isDamaged) "as this damaged page has it" else "byte for byte"
 
     /** Shows the progress of longer work. */
     val notice: Notice = Notice()

@@ -11,28 +11,18 @@ import badlog.core.recording.TopicKind
 /** The metadata that marks an entry as a value. */
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
-/** What the metadata of an entry say that a topic was in a bag. */
-internal enum class FormerRole {
-    /** The x axis of the rows. */
-    XAXIS,
+/** What the metadata of an entry say of a topic that was the x axis of a bag. */
+internal const val X_AXIS: String = "xaxis"
 
-    /** Sampled in few rows. */
-    SPARSE,
-    ;
+/** What they say of one that had few samples there. */
+internal const val SPARSE: String = "sparse"
 
-    /** How the metadata say it. */
-    val text: String get() = name.lowercase()
-}
+/** Returns what [metadata] say that a topic was in a bag, mostly null; a program's property of the same name says nothing. */
+internal fun formerRoleIn(metadata: String): String? = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text
 
-/** Returns what [metadata] say that a topic was in a bag; a program's property of the same name says nothing. */
-internal fun formerRoleIn(metadata: String): FormerRole? {
-    val text = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text ?: return null
-    return FormerRole.entries.find { it.text == text }
-}
-
-private fun roleOf(topic: Topic): FormerRole? = when {
-    X_AXIS in topic.attributes -> FormerRole.XAXIS
-    topic.isSparse && (topic.kind == TopicKind.NUMERIC || topic.kind == TopicKind.BOOLEAN) -> FormerRole.SPARSE
+private fun roleOf(topic: Topic): String? = when {
+    X_AXIS in topic.attributes -> X_AXIS
+    topic.isSparse && (topic.kind == TopicKind.NUMERIC || topic.kind == TopicKind.BOOLEAN) -> SPARSE
     else -> null
 }
 
@@ -73,7 +63,7 @@ internal fun metadataOf(topic: Topic): String {
         if (member.key != UNIT && member.key != ATTRIBUTES) members += quotedJson(member.key) + ":" + member.value.json
     }
     if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
-    if (role != null) members += quotedJson(BADLOG) + ":" + quotedJson(role.text)
+    if (role != null) members += quotedJson(BADLOG) + ":" + quotedJson(role)
     if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
     val others = if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
     // An empty list, too, if there would be other ones without it.
@@ -109,4 +99,3 @@ private const val BADLOG = "badlog"
 
 /** The attribute of texts that are events. */
 internal const val LOG: String = "log"
-private const val X_AXIS = "xaxis"
