@@ -188,3 +188,15 @@ def test_another_reader_finds_the_same_values_in_real_logs() -> None:
         for channel in range(len(amps[0]) if amps else 0):
             own = [float(number) for number in recording[power.replace("0", str(channel))].samples]
             assert [number for number in own if not math.isnan(number)] == [record[channel] for record in amps]
+
+
+def test_rows_every_20_ms_hold_each_record_at_its_own_time() -> None:
+    # 829 times 0.02 s is a little more than 16.58 s.
+    log = DslogWriter()
+    for index in range(1500):
+        log.record(cpu=index % 100)
+    whole = badlog.read(log.data)
+    rows = whole.resampled(0.02)
+    assert rows.row_count == 1500
+    for name in ("Driver Station/Battery Voltage", "Driver Station/CPU Utilization"):
+        assert list(map(str, rows[name].samples)) == list(map(str, whole[name].samples))

@@ -310,6 +310,17 @@ def test_rows_are_made_of_the_last_values() -> None:
     assert list(at_states["Time"].samples) == [0.01, 0.035] and list(at_states["a"].samples) == [1.0, 3.0]
 
 
+def test_a_topic_that_was_sparse_in_a_bag_is_sparse_in_rows_again() -> None:
+    log = WpilogWriter().start(1, "t", "double").start(2, "seen", "double", '{"badlog":"sparse"}')
+    for index in range(10):
+        log.double(1, index * 20_000, 1.0)
+    log.double(2, 20_000, 5.0).double(2, 110_000, 6.0).double(2, 115_000, 7.0)
+    rows = badlog.read(log.data).resampled(0.02)
+    seen = _floats(rows["seen"].samples)
+    assert [(row, number) for row, number in enumerate(seen) if number == number] == [(1, 5.0), (6, 7.0)]
+    assert rows["seen"].is_sparse and rows["seen"].counts.empty == 8
+
+
 def test_rows_are_refused_in_one_sentence() -> None:
     log = badlog.read(moving_robot(5))
     for wrong in (0.0, -1.0, math.nan):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from badlog.problem import Problem, ProblemKind
+from badlog.problem import Problem, ProblemKind, times_text
 from badlog.recording import Topic, TopicKind
 
 if TYPE_CHECKING:
@@ -108,10 +108,10 @@ class _AttributeReader:
             message = f"The x axis “{name}” is far off in {wild} of {len(positions)} rows. Check the robot's clock."
             self._report(ProblemKind.X_WILD, axis, message)
         if backwards > 0:
-            message = f"The x axis “{name}” goes backwards ({backwards}×), as when the robot's clock is set."
+            message = f"The x axis “{name}” goes backwards{times_text(backwards)}, as when the robot's clock is set."
             self._report(ProblemKind.X_BACKWARDS, axis, message)
         if repeats > 0:
-            self._report(ProblemKind.X_REPEATS, axis, f"The x axis “{name}” repeats a value ({repeats}×).")
+            self._report(ProblemKind.X_REPEATS, axis, f"The x axis “{name}” repeats a value{times_text(repeats)}.")
         if gaps > 0:
             self._report(ProblemKind.X_GAPS, axis, f"The x axis “{name}” has no value in {gaps} rows.")
 

@@ -29,6 +29,11 @@ _NOTES = frozenset(
 )
 
 
+def times_text(count: int) -> str:
+    """` (3×)` to add to a sentence about something that happened `count` times; nothing for once."""
+    return "" if count == 1 else f" ({count}×)"
+
+
 class ProblemKind(str, Enum):
     """What can be wrong with a log. The rules behind each kind are in `docs/bag-format.md`, `docs/wpilog.md` and `docs/driver-station.md`."""
 

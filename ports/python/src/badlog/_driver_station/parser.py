@@ -15,7 +15,7 @@ from badlog._driver_station.station_times import HEADER_SIZE, SECONDS_TO_1970, f
 from badlog._timed.record_problems import add_cut, add_lost, add_skipped, add_too_many
 from badlog._timed.vectors import vectors_of
 from badlog._timed.wall_time import wall_time_text
-from badlog.problem import ProblemKind, ProblemList
+from badlog.problem import ProblemKind, ProblemList, times_text
 from badlog.recording import Recording, RecordingFormat, Topic, Value
 
 _VERSIONS = (3, 4)
@@ -88,7 +88,7 @@ class _StationParser:
         problems = self._problems
         bad = 0 if self._records is None else self._records.bad_count
         if bad > 0:
-            problems.add(ProblemKind.BAD_RECORD, f"Records with all modes of the robot at once were dropped ({bad}×).", count=bad)
+            problems.add(ProblemKind.BAD_RECORD, f"Records with all modes of the robot at once were dropped{times_text(bad)}.", count=bad)
         if splitter.is_full:
             add_too_many(problems, self._most)
         elif splitter.lost_from >= 0:

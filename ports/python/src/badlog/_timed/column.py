@@ -9,7 +9,7 @@ from typing import Any
 from badlog._samples import Samples
 from badlog._text import decode
 from badlog._timed.vectors import Numbers, Places, Vectors
-from badlog.problem import ProblemKind, ProblemList
+from badlog.problem import ProblemKind, ProblemList, times_text
 from badlog.recording import CellCounts, Topic
 
 NUMBERS, TRUTHS, TEXTS = range(3)
@@ -114,12 +114,12 @@ class Column:
         written_nans = vectors.written_nans(self.numbers, self.is_gap) if has_numbers and counts.not_finite > 0 else []
         samples = Samples.of(self.numbers if has_numbers else vectors.nans(self.size))
         if timestamps.disorder > 0:
-            message = f"“{name}” goes back in time ({timestamps.disorder}×); its samples were sorted."
+            message = f"“{name}” goes back in time{times_text(timestamps.disorder)}; its samples were sorted."
             problems.add(ProblemKind.TIMES_SORTED, message, topic=name, count=timestamps.disorder)
         if self.saw_other_text:
             problems.add(ProblemKind.NOT_UTF8, f"Texts in “{name}” are not UTF-8; they were read as Windows-1252.", topic=name)
         if self.rounded > 0:
-            message = f"Whole numbers in “{name}” are too large to be kept exactly ({self.rounded}×)."
+            message = f"Whole numbers in “{name}” are too large to be kept exactly{times_text(self.rounded)}."
             problems.add(ProblemKind.NUMBERS_ROUNDED, message, topic=name, count=self.rounded)
         if counts.not_finite > 0:
             message = f"“{name}” is NaN or infinite in {counts.not_finite} of {counts.total} samples; these are kept, and drawn as gaps."

@@ -6,6 +6,7 @@ import math
 from array import array
 from typing import Any
 
+from badlog._json import read_object
 from badlog._samples import Samples
 from badlog._timed.vectors import Vectors, uses_numpy, vectors_of
 from badlog.recording import CellCounts, Recording, RecordingFormat, Topic, TopicKind
@@ -16,6 +17,8 @@ _MICROSECOND = 1e-6
 _MAX_ROWS = 1e8
 # Times are rounded to this fraction of a second.
 _PLACES = 1e9
+# A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
+_NEAR = 1 / _PLACES
 
 
 def periodic_times(recording: Recording, period: float) -> list[float]:
@@ -39,7 +42,10 @@ def times_of(topic: Topic) -> list[float]:
 
 
 def resampled(recording: Recording, rows: list[float]) -> Recording:
-    """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample."""
+    """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample.
+
+    A topic that was sparse in the bag that the log was made of has each value only in the first row that is not before it.
+    """
     vectors = vectors_of(b"", uses_numpy())
     name = "Time"
     copy = 2
@@ -53,9 +59,12 @@ def resampled(recording: Recording, rows: list[float]) -> Recording:
 
 
 def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
-    last = vectors.last_before(topic.times, rows)
-    samples = vectors.held(topic.samples, last)
+    last = vectors.last_before(topic.times, [row + _NEAR for row in rows])
     text_of = dict(zip(map(int, topic._text_rows), map(int, topic._text_ids)))
+    if _was_sparse(topic):
+        # Rows do not hold its last value.
+        last = vectors.whole([-1 if row > 0 and index == last[row - 1] else index for row, index in enumerate(last)])
+    samples = vectors.held(topic.samples, last)
     is_event = topic.kind is TopicKind.EVENT or "log" in topic.attributes
     dictionary = list(topic._dictionary)
     found = _events(last, text_of, dictionary) if is_event else _states(last, text_of)
@@ -74,6 +83,12 @@ def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
     text_rows = array("q", [row for row, _ in found])
     text_ids = array("q", [id for _, id in found])
     return Topic(topic.name, topic.unit, attributes, counts, Samples.of(samples), text_rows, text_ids, dictionary, [])
+
+
+def _was_sparse(topic: Topic) -> bool:
+    """Whether badlog made the log of a bag in which the topic was sparse, so that rows do not hold its last value."""
+    roles = [value.text for name, value in read_object(topic.metadata) or [] if name == "badlog"]
+    return roles[-1:] == ["sparse"]
 
 
 def _states(last: Any, text_of: dict[int, int]) -> list[tuple[int, int]]:

@@ -16,7 +16,7 @@ from badlog._wpilog.record_table import EntryRecords
 from badlog._wpilog.struct_schemas import StructSchemas
 from badlog._wpilog.time_histogram import Cluster
 from badlog._wpilog.topics import TopicMaker, report_entry
-from badlog.problem import ProblemKind, ProblemList
+from badlog.problem import ProblemKind, ProblemList, times_text
 from badlog.recording import Recording, RecordingFormat, Value
 
 _STRUCT_SCHEMA = ".schema/struct:"
@@ -126,23 +126,25 @@ class _WpilogParser:
         if entries.unknown_count > 0:
             ids = list(entries.unknown_counts)
             numbers = ", ".join(map(str, ids[:_NAMED])) + (", …" if len(ids) > _NAMED else "")
-            started_in_gap = "their start records may be among the skipped bytes"
-            cause = started_in_gap if entries.has_gaps else "their entries were not started, or had finished"
-            message = f"Records of unknown entries (numbers {numbers}) were dropped ({entries.unknown_count}×); {cause}."
+            is_one = entries.unknown_count == 1
+            records = "1 record belongs" if is_one else f"{entries.unknown_count} records belong"
+            owners = f"an entry (number {numbers})" if len(ids) == 1 else f"entries (numbers {numbers})"
+            cause = "whose start may be among the skipped bytes" if entries.has_gaps else "that this file never starts, or has finished"
+            message = f"{records} to {owners} {cause}, and {'was' if is_one else 'were'} dropped."
             problems.add(ProblemKind.UNKNOWN_ENTRY, message, count=entries.unknown_count)
         if entries.bad_control_count > 0:
-            message = f"Malformed records that should start, describe or finish an entry were dropped ({entries.bad_control_count}×)."
+            message = f"Malformed records that should start, describe or finish an entry were dropped{times_text(entries.bad_control_count)}."
             problems.add(ProblemKind.BAD_RECORD, message, count=entries.bad_control_count)
         if entries.first_early is not None:
             message = (
                 f"Records from before the robot's clock started, such as one of “{entries.first_early.name}”, "
-                f"were moved to the start of the log ({entries.early_count}×)."
+                f"were moved to the start of the log{times_text(entries.early_count)}."
             )
             problems.add(ProblemKind.EARLY_TIMES, message, count=entries.early_count)
         wild = entries.wild_count + (0 if cluster is None else entries.histogram.total - cluster.records)
         if wild > 0:
             example = "" if entries.first_wild is None else f", such as one of “{entries.first_wild.name}”"
-            message = f"Records with impossible times, or days away from all others{example}, were dropped ({wild}×)."
+            message = f"Records with impossible times, or days away from all others{example}, were dropped{times_text(wild)}."
             problems.add(ProblemKind.WILD_TIMES, message, count=wild)
 
 

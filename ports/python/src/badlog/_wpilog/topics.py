@@ -8,7 +8,7 @@ from badlog._timed.column import NUMBERS, Column
 from badlog._timed.vectors import Vectors
 from badlog._wpilog.blocks import Decoded
 from badlog._wpilog.entry import MESSAGE_SCHEMA, Entry
-from badlog.problem import ProblemKind, ProblemList
+from badlog.problem import ProblemKind, ProblemList, times_text
 from badlog.recording import Topic
 
 _BYTE = "B"
@@ -63,10 +63,10 @@ def report_entry(entry: Entry, decoded: Decoded, problems: ProblemList) -> None:
     """Reports what was odd about the records of one entry."""
     name = entry.name
     if decoded.bad_count > 0:
-        message = f"Records of “{name}” are not of its type, {entry.type}, and were dropped ({decoded.bad_count}×)."
+        message = f"Records of “{name}” are not of its type, {entry.type}, and were dropped{times_text(decoded.bad_count)}."
         problems.add(ProblemKind.BAD_RECORD, message, topic=name, count=decoded.bad_count)
     if decoded.dropped_values > 0:
-        message = f"Values of “{name}” were dropped ({decoded.dropped_values}×): there are more than can be shown."
+        message = f"Values of “{name}” were dropped{times_text(decoded.dropped_values)}: there are more than can be shown."
         problems.add(ProblemKind.TOO_MANY_TOPICS, message, topic=name, count=decoded.dropped_values)
     if decoded.is_undecoded and len(decoded.timestamps) > 0 and entry.type != MESSAGE_SCHEMA:
         message = f"“{name}” has the type {entry.type}, which badlog cannot decode; the size of each record is shown instead, in bytes."

@@ -36,8 +36,11 @@ fun main(arguments: Array<String>) {
 private fun width(): Int = when (val told = System.getProperty("badlog.columns")?.toIntOrNull()) {
     null -> if (System.console() != null) LINE_WIDTH else Console.UNLIMITED
     0 -> Console.UNLIMITED
-    else -> maxOf(told, LINE_WIDTH)
+    else -> maxOf(told, MIN_WIDTH)
 }
+
+/** In less, tables would show nothing. */
+private const val MIN_WIDTH = 60
 
 private fun afterLoss(console: Console, results: ResultStream): ExitCode {
     // A reader that only wanted the first line need not be told.

@@ -4,6 +4,7 @@ import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_EVENTS
 import badlog.formats.driverstation.STATION_LOG
+import badlog.formats.driverstation.TestDslog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -46,6 +47,23 @@ class StationLogsSpec : FunSpec({
             signals shouldContain "PDP/Channel 0"
             signals shouldNotContain "PDP/Bus Voltage"
             badlog("find", folder, "any(brownout)", "--no-cache").out shouldContain log
+        }
+    }
+
+    test("rows made of it by default hold each of its samples, at its own time") {
+        inFolder { folder ->
+            // 829 times 0.02 s is a little more than 16.58 s.
+            val bytes = TestDslog().apply { repeat(1500) { record(volts = 12.0 + it % 200 / 256.0, cpu = it % 100) } }.bytes
+            val whole = readRecording(folder.with("long.dslog", bytes), LOG_FORMATS)
+            for (format in listOf("bag", "csv")) {
+                val ended = badlog("convert", folder / "long.dslog", "--to", format)
+                ended.out shouldContain "1,500 rows"
+                ended.out shouldNotContain "between"
+                val rows = readRecording(folder / "long.$format", LOG_FORMATS)
+                for (topic in whole.topics.filter { it.samples.isNotEmpty() }) {
+                    rows.topics.single { topic.name in it.name }.samples.toList() shouldBe topic.samples.toList()
+                }
+            }
         }
     }
 

@@ -103,12 +103,18 @@ internal class Console(
 
     private fun String.lines(color: (String) -> String) = split('\n').joinToString("\n", transform = color)
 
-    private fun named(text: String) = names.entries.fold(text) { all, (file, name) -> all.replace(file, name) }
+    /** In JSON, a file is called as it was typed. */
+    private fun named(text: String) = names.entries.fold(text) { all, (file, name) ->
+        all.replace("\"$file\"", "\"$STAND_IN\"").replace(file, name)
+    }
 
     companion object {
         /** The width of output for other programs. */
         const val UNLIMITED = Int.MAX_VALUE
         private const val LINE_END = "\n"
+
+        /** What is typed for the standard input and output. */
+        private const val STAND_IN = "-"
     }
 }
 

@@ -23,7 +23,8 @@ internal class StandardStreams(typed: List<String>, private val input: InputStre
     val arguments: List<String> = withFiles(typed)
 
     /** The names of these files for people. */
-    val names: Map<String, String> get() = listOfNotNull(log, result).associate { it.toString() to "-" }
+    val names: Map<String, String>
+        get() = listOfNotNull(log?.let { "$it" to "standard input" }, result?.let { "$it" to "standard output" }).toMap()
 
     /** Whether the standard output receives a result, so that nothing else may be printed there. */
     val hasResult: Boolean get() = result != null
@@ -50,7 +51,7 @@ internal class StandardStreams(typed: List<String>, private val input: InputStre
         return if (isBesideLog && typed.first() in WRITERS) replaced + listOf("--out", resultFile().toString()) else replaced
     }
 
-    private fun resultFile(): Path = result ?: (ownFolder() / "stdout").also { result = it }
+    private fun resultFile(): Path = result ?: (ownFolder() / "badlog.stdout").also { result = it }
 
     private fun logFile(): Path = log ?: (ownFolder() / "stdin").also { file ->
         log = file

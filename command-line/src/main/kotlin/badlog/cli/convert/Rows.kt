@@ -4,10 +4,9 @@ import badlog.cli.input.Failure
 import badlog.cli.output.Omissions
 import badlog.cli.text.counted
 import badlog.core.analysis.periodicTimes
+import badlog.core.analysis.samplesBetween
 import badlog.core.analysis.timesOf
 import badlog.core.recording.Recording
-import badlog.core.recording.Topic
-import badlog.core.recording.TopicKind
 import badlog.formats.wpilog.isOfBytes
 import badlog.report.topicCalled
 import java.nio.file.Path
@@ -46,29 +45,18 @@ internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val topics = recording.topics
     return Omissions(
         listOfNotNull(
-            if (between == 0L) null else counted(between, "sample") + " between rows",
             Omissions.thing(topics.count { it.type.isNotEmpty() }, "type"),
             topicsText("the metadata", topics.count { it.metadata.isNotEmpty() }),
             topicsText("the bytes", topics.count { it.isOfBytes }),
         ),
+        remarks = listOfNotNull(betweenText(between)),
     )
 }
 
-private fun topicsText(what: String, count: Int): String? = if (count == 0) null else "$what of ${counted(count.toLong(), "topic")}"
-
-/** Returns how many samples of [topic] are in no row at [times]. */
-private fun samplesBetween(topic: Topic, times: DoubleArray): Long {
-    val own = topic.times ?: return 0
-    // All events before a row are in it.
-    if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) {
-        return own.count { times.isEmpty() || it > times.last() }.toLong()
-    }
-    var lost = 0L
-    var row = 0
-    for (i in own.indices) {
-        while (row < times.size && times[row] < own[i]) row++
-        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row])
-        if (!isShown) lost++
-    }
-    return lost
+private fun betweenText(count: Long): String? = when (count) {
+    0L -> null
+    1L -> "1 sample lies between two rows and is left out (--rows-at, --period)"
+    else -> counted(count, "sample") + " lie between two rows and are left out (--rows-at, --period)"
 }
+
+private fun topicsText(what: String, count: Int): String? = if (count == 0) null else "$what of ${counted(count.toLong(), "topic")}"

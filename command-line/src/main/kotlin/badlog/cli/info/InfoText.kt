@@ -115,14 +115,15 @@ internal class InfoText(
         else -> "${shortNumber(summary.min, DIGITS)} … ${shortNumber(summary.max, DIGITS)}"
     }
 
-    /** Additional width goes to names, and a little of it to units and ranges. */
+    /** Additional width goes to names, and a little of it to units and ranges; what is missing is taken from them. */
     private fun topicTable(): TextTable {
         val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
-        val little = minOf(more / 5, MAX_MORE)
+        val little = if (more < 0) more / 4 else minOf(more / 5, MAX_MORE)
+        val forUnit = maxOf(little, -MAX_LESS)
         return TextTable(
             listOf(
-                Column("TOPIC", TOPIC + more - 2 * little),
-                Column("UNIT", 5 + little),
+                Column("TOPIC", TOPIC + more - forUnit - little),
+                Column("UNIT", 5 + forUnit),
                 Column("KIND", 7),
                 Column("COUNT", 7, isNumber = true),
                 Column("HZ", 4, isNumber = true),
@@ -136,6 +137,9 @@ internal class InfoText(
     private companion object {
         const val TOPIC = 23
         const val MAX_MORE = 10
+
+        /** A unit keeps three letters. */
+        const val MAX_LESS = 2
         const val VALUE_NAME = 32
         const val DIGITS = 4
     }

@@ -49,13 +49,17 @@ internal class LakeTask(private val paths: List<Path>, private val out: Path, pr
     private fun sentenceOf(lake: LakeReport): String {
         val written = lake.logs.count { it.isWritten }
         val unchanged = lake.logs.count { it.message == null && !it.isWritten }
-        val salvaged = lake.logs.count { it.isSalvaged }
         val parts = listOfNotNull(
-            "${counted(written.toLong(), "log")} written" + if (salvaged > 0) " ($salvaged with data missing)" else "",
-            if (unchanged > 0) "$unchanged unchanged" else null,
+            "${counted(written.toLong(), "log")} written" + damage(lake, isWritten = true),
+            if (unchanged > 0) "$unchanged unchanged" + damage(lake, isWritten = false) else null,
             if (lake.removed > 0) "${lake.removed} removed" else null,
         )
         return "$out: ${parts.joinToString()}"
+    }
+
+    private fun damage(lake: LakeReport, isWritten: Boolean): String {
+        val salvaged = lake.logs.count { it.isSalvaged && it.isWritten == isWritten }
+        return if (salvaged > 0) " ($salvaged with data missing)" else ""
     }
 }
 

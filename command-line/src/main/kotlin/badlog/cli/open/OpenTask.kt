@@ -10,6 +10,7 @@ import badlog.cli.export.ExportTask
 import badlog.cli.input.LogSearch
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
+import badlog.files.ResultPlace
 import badlog.terminal.browserCommand
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
@@ -44,7 +45,7 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
     private fun openPage(outcomes: Outcomes, console: Console) {
         val log = newest(outcomes) ?: return
         val page = computer.folders.cache / "pages" / "${log.fileName}.html"
-        val plan = OutputPlan(OutputPlan.Output(page, isFolder = false), listOf(log), isForced = true)
+        val plan = OutputPlan(ResultPlace.of("$page"), listOf(log), isForced = true)
         val search = Search(null, isWithoutRules = false, emptyList(), emptyList())
         val code = ExportTask(listOf(log), plan, emptyList(), null, search, isJson = false).run(console.withoutResults())
         // The page itself reports lost data.

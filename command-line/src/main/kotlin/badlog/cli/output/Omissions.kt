@@ -10,25 +10,30 @@ import badlog.formats.wpilog.Omission
  *
  * @param things what is missing, each as a short text such as `38 units`.
  * @param omissions what a WPILOG cannot express.
+ * @param remarks what else is missing, each as a sentence without its end.
  */
-internal class Omissions(private val things: List<String> = emptyList(), private val omissions: List<Omission> = emptyList()) {
+internal class Omissions(
+    private val things: List<String> = emptyList(),
+    private val omissions: List<Omission> = emptyList(),
+    private val remarks: List<String> = emptyList(),
+) {
     /** The text after the count of what was written. */
-    val tail: String get() = if (things.isEmpty()) "" else "; without ${things.joinToString()}"
+    val tail: String get() = if (things.isEmpty()) "" else "; the file cannot hold ${things.joinToString()}"
 
     /** The lines below it: one or more for each kind of difference, however many topics that concerns. */
     val lines: List<String>
-        get() = omissions.groupBy { it.what }.map { (what, alike) ->
+        get() = remarks.map { wrapped("  ", it, indent = INDENT) } + omissions.groupBy { it.what }.map { (what, alike) ->
             wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
         }
 
     /** All of it, each as a sentence or less. */
     val all: List<String>
-        get() = things + omissions.map { omission ->
+        get() = remarks + things + omissions.map { omission ->
             val topic = omission.topic?.let { "“$it”: " }.orEmpty()
             topic + omission.what.removeSuffix(".") + (if (omission.count > 1) " (${grouped(omission.count.toLong())})" else "") + "."
         }
 
-    operator fun plus(other: Omissions) = Omissions(things + other.things, omissions + other.omissions)
+    operator fun plus(other: Omissions) = Omissions(things + other.things, omissions + other.omissions, remarks + other.remarks)
 
     private fun placeOf(alike: List<Omission>): String {
         val count = alike.sumOf { it.count.toLong() }

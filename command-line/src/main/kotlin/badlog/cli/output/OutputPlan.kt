@@ -4,6 +4,7 @@ import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
+import badlog.files.ResultPlace
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
@@ -15,25 +16,13 @@ import java.nio.file.Path
 /**
  * Decides where results go, never overwriting an input.
  *
- * A single named log goes to [out] itself, unless that is a folder or ends in a slash. All others go to the folder [out], in
- * the subfolders in which they were found. Without [out], each result is beside its log.
+ * A single named log goes to [out] itself, unless that is a folder. All others go to the folder [out], in the subfolders in which they
+ * were found. Without [out], each result is beside its log.
  *
  * @param paths the paths given on the command line.
  * @param isForced whether existing files may be replaced.
  */
-internal class OutputPlan(private val out: Output?, private val paths: List<Path>, private val isForced: Boolean) {
-    /**
-     * What `--out` names.
-     *
-     * @property isFolder whether it was written as a folder, with a slash at its end, which a path does not keep.
-     */
-    class Output(val path: Path, val isFolder: Boolean) {
-        companion object {
-            /** Reads what was typed. */
-            fun of(text: String) = Output(Path.of(text), text.endsWith('/') || text.endsWith('\\'))
-        }
-    }
-
+internal class OutputPlan(private val out: ResultPlace?, private val paths: List<Path>, private val isForced: Boolean) {
     private val taken = HashSet<String>()
 
     // Determined before anything is written, so that it does not include results of this run.
@@ -42,7 +31,7 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
     }
 
     /** The single file that [out] names, or null if it is a folder or missing. */
-    val file: Path? by lazy { out?.path?.takeUnless { out.isFolder || Files.isDirectory(it) || !isSingle() } }
+    val file: Path? by lazy { out?.path?.takeUnless { out.isFolder || !isSingle() } }
 
     /** Whether [out] is given. */
     val isGiven: Boolean get() = out != null
@@ -88,8 +77,8 @@ internal class OutputPlan(private val out: Output?, private val paths: List<Path
 
 /** The options of all commands that write one file for each log. */
 internal class OutputOptions : OptionGroup() {
-    private val out by option("-o", "--out", metavar = "PATH").convert { OutputPlan.Output.of(it) }
-        .help("Write to this file, or for several logs to this folder.")
+    private val out by option("-o", "--out", metavar = "PATH").convert { ResultPlace.of(it) }
+        .help("Write to this file; a name without an ending is a folder, as for several logs.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
     /** Returns the plan for the logs below [paths]. */

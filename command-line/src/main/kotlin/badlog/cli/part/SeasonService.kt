@@ -59,7 +59,10 @@ public interface ParquetSession : AutoCloseable {
 }
 
 /** Thrown if something cannot be done with a lake. The message is for the user. */
-public class SeasonException(override val message: String) : Exception(message)
+public open class SeasonException(override val message: String) : Exception(message)
+
+/** Thrown if a query is wrong. */
+public class WrongQueryException(message: String) : SeasonException(message)
 
 /**
  * The result for a lake.
@@ -74,7 +77,7 @@ public class LakeReport(public val logs: List<LakeState>, public val removed: In
  *
  * @property message why it was not added, as a sentence; null if it was.
  * @property isNoLog whether it is something other than a log.
- * @property isSalvaged whether it was written and some of its data is lost.
+ * @property isSalvaged whether some of its data is lost.
  * @property isWritten whether it was written; otherwise it was already in the lake.
  */
 public class LakeState(

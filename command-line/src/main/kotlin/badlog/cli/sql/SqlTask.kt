@@ -10,6 +10,7 @@ import badlog.cli.part.PartLoader
 import badlog.cli.part.SeasonException
 import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlSession
+import badlog.cli.part.WrongQueryException
 import badlog.cli.text.counted
 import badlog.cli.text.wrapped
 import badlog.files.UserFolders
@@ -36,6 +37,9 @@ internal class SqlTask(
         try {
             val (lake, code) = lakeOf(service, console)
             if (lake == null) code else service.open(lake, parquet).use { answer(it, console) ?: code }
+        } catch (e: WrongQueryException) {
+            console.warn(e.message)
+            ExitCode.USAGE
         } catch (e: SeasonException) {
             console.warn(e.message)
             ExitCode.NOTHING

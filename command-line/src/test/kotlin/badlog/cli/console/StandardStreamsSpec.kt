@@ -28,7 +28,7 @@ class StandardStreamsSpec : FunSpec({
     test("a log comes from the standard input, and is called so") {
         val ended = piped(BAG, "info", "-")
         ended.code shouldBe ExitCode.WHOLE
-        ended.out shouldStartWith "-\n  match   Match 42"
+        ended.out shouldStartWith "standard input\n  match   Match 42"
         piped(BAG, "info", "-", "--json").json.single().getValue("file").toString() shouldBe "\"-\""
         piped("", "info", "-", "no.bag").err shouldContain "no.bag"
     }
@@ -39,7 +39,7 @@ class StandardStreamsSpec : FunSpec({
         val (header, rows) = ended.out.split("\n", limit = 2)
         header shouldContain """{"name":"Match Number","value":"42"},{"name":"Part","value":"0.06 s to 0.08 s"}"""
         rows shouldBe "Time,Speed,Enabled,Log\n0.06,,true,stop\n0.08,5.5,false,\n"
-        ended.err shouldContain "- -> -"
+        ended.err shouldContain "standard input -> standard output"
         piped(BAG, "convert", "-", "--to", "csv").out shouldStartWith "Time,Speed,Enabled,Log\n"
         piped(BAG, "cut", "-", "--around", "-").out shouldBe ""
     }
@@ -47,7 +47,7 @@ class StandardStreamsSpec : FunSpec({
     test("either may be a file") {
         inFolder { folder ->
             piped("", "convert", folder.with("a.bag", BAG), "--to", "csv", "--out=-").out shouldStartWith "Time,Speed"
-            piped(BAG, "convert", "-", "-o", folder / "b.csv").out shouldContain "- -> "
+            piped(BAG, "convert", "-", "-o", folder / "b.csv").out shouldContain "standard input -> "
             (folder / "b.csv").readText() shouldStartWith "Time,Speed"
             piped(BAG, "merge", "-", folder.with("c.bag", BAG.replace("Speed", "Other")), "-o", "-").out shouldContain "Other"
         }

@@ -41,7 +41,7 @@ class ConvertSpec : FunSpec({
     test("what CSV has no place for is listed") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
-            badlog("convert", log, "--to", "csv").out shouldContain "5 rows; without 2 units, 2 attributes, 1 value"
+            badlog("convert", log, "--to", "csv").out shouldContain "5 rows; the file cannot hold 2 units, 2 attributes, 1 value"
             (folder / "a.csv").readText().lines().first() shouldBe "Time,Speed,Enabled,Log"
             val json = badlogJson("convert", log, "--to", "csv", "--force").json.single()
             json.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly

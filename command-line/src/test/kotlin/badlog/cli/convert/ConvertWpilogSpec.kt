@@ -162,7 +162,7 @@ class ConvertWpilogSpec : FunSpec({
             rows("--rows-at", "system/event log") shouldBe 6
             rows("--rows-at", "Time") shouldBe 2248
             leftOut(folder, log, "--to", "csv", "--rows-at", "Time") shouldContain "33 attributes"
-            leftOut(folder, log, "--to", "csv", "--period", "0.5").first() shouldContain " samples between rows"
+            leftOut(folder, log, "--to", "csv", "--period", "0.5").first() shouldContain " samples lie between two rows and are left out (--rows-at, --period)"
         }
     }
 
@@ -172,9 +172,9 @@ class ConvertWpilogSpec : FunSpec({
                 "Time,y,Log\n0,1,\n0.3,2,a\n0.31,3,b\n0.5,4,c\n1,,d\n1.1,,e\n"
             folder.with("a.bag", bag)
             badlog("convert", "--to", "wpilog", folder / "a.bag")
-            leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--period", "1").first() shouldBe "6 samples between rows"
+            leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--period", "1").first() shouldBe "6 samples lie between two rows and are left out (--rows-at, --period)"
             readRecording(folder / "b.bag", LOG_FORMATS).topics.last().texts.dictionary shouldContainExactly listOf("a; b; c; d", "e")
-            leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--rows-at", "y").first() shouldBe "2 samples between rows"
+            leftOut(folder, folder / "a.wpilog", "-o", folder / "b.bag", "--rows-at", "y").first() shouldBe "2 samples lie between two rows and are left out (--rows-at, --period)"
         }
     }
 

@@ -37,6 +37,19 @@ class ExportSpec : FunSpec({
         }
     }
 
+    test("--out is the page of a single log if it has an ending, otherwise a folder, as it is for convert and for badlog-html") {
+        inFolder { folder ->
+            val log = folder.with("big.bag", BAG)
+            badlog("export", log, "--out", folder / "big.html").code shouldBe ExitCode.WHOLE
+            badlog("export", log, "--out", folder / "bigout").code shouldBe ExitCode.WHOLE
+            (folder / "bigout").names() shouldContainExactly listOf("big.bag.html")
+            badlog("convert", log, "--to", "csv", "--out", folder / "tables").code shouldBe ExitCode.WHOLE
+            (folder / "tables").names() shouldContainExactly listOf("big.csv")
+            badlog("convert", log, "--out", folder / "big.csv").code shouldBe ExitCode.WHOLE
+            (folder / "big.csv").readText() shouldBe (folder / "tables/big.csv").readText()
+        }
+    }
+
     test("a log with the longest name there may be has a page") {
         inFolder { folder ->
             val log = folder.with("n".repeat(251) + ".bag", BAG)

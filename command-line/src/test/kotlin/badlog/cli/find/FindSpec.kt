@@ -22,7 +22,7 @@ class FindSpec : FunSpec({
         // Two of the samples are damaged.
         ended.code shouldBe ExitCode.SALVAGED
         ended.out shouldContain "93.7096 s  6.73 V"
-        ended.out shouldContain "Found in 1 of 4 logs."
+        ended.out shouldContain "Found in 1 of 5 logs."
     }
 
     test("a mistake in the question is pointed at, and is a wrong usage") {

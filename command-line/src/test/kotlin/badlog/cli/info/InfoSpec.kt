@@ -18,8 +18,10 @@ import badlog.core.recording.NumberSinks
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.report.NamedTopics
+import badlog.terminal.displayWidth
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
@@ -30,11 +32,24 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.io.ByteArrayOutputStream
+import java.io.OutputStream
 import java.io.PrintStream
 import kotlin.io.path.div
 import kotlin.io.path.listDirectoryEntries
 
 class InfoSpec : FunSpec({
+    test("tables fit terminals of 60 to 200 columns") {
+        for (width in 60..200 step 5) {
+            for (arguments in listOf(listOf("$SAMPLES"), listOf("$SAMPLES/qualification-42.bag", "--topics"), listOf("$SAMPLES/qualification-42.bag", "--signals"))) {
+                val out = ByteArrayOutputStream()
+                Badlog(Console(PrintStream(out, true, "UTF-8"), PrintStream(OutputStream.nullOutputStream()), false, width = width)).run(listOf("info") + arguments)
+                val table = out.toString(Charsets.UTF_8).lines().dropWhile { line -> TITLES.none { it in line } }.takeWhile { it.isNotEmpty() }
+                table.size shouldBeGreaterThan 4
+                table.filter { displayWidth(it) > width }.shouldBeEmpty()
+            }
+        }
+    }
+
     fun topic(json: JsonObject, name: String) = json.getValue("topics").jsonArray.first { it.jsonObject["name"]?.jsonPrimitive?.content == name }.jsonObject
 
     fun shown(width: Int, vararg arguments: String): String {
@@ -48,7 +63,7 @@ class InfoSpec : FunSpec({
         for (options in listOf(listOf(), listOf("--topics"), listOf("--attributes", "--values", "--problems"))) {
             for (log in listOf("practice.bag", "qualification-42.bag", "qualification-57.bag.gz", "elevator-bench.csv", "")) {
                 val ended = badlog("info", SAMPLES / log, *options.toTypedArray())
-                ended.err shouldBe if (log.isEmpty()) "4 logs: 2 complete, 2 incomplete.\n" else ""
+                ended.err shouldBe if (log.isEmpty()) "5 logs: 3 complete, 2 incomplete.\n" else ""
                 ended.out.lines().filter { it.length > 80 }.shouldBeEmpty()
             }
         }
@@ -167,3 +182,5 @@ class InfoSpec : FunSpec({
         badlog("info", SAMPLES / "qualification-42.bag", "--only", "arm/angle", "--json").json.single().getValue("topics").jsonArray.size shouldBe 1
     }
 })
+
+private val TITLES = listOf("SAMPLES", "COUNT", "WHY")

@@ -77,7 +77,7 @@ class OpenSpec : FunSpec({
         inFolder { folder ->
             val ended = Desk(folder, hasWindow = true).run { open("-", input = BAG).also { started.single()[0] shouldBe "xdg-open" } }
             ended.code shouldBe ExitCode.WHOLE
-            ended.out shouldBe "Opened the page of - in the browser.\n"
+            ended.out shouldBe "Opened the page of standard input in the browser.\n"
             (folder / "cache/pages/stdin.html").readText() shouldContain "<!DOCTYPE html"
             Desk(folder, hasWindow = true).open("-", input = "hello\nworld\n").code shouldBe ExitCode.NOTHING
         }

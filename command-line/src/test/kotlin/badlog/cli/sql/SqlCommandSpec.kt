@@ -102,9 +102,13 @@ class SqlCommandSpec : FunSpec({
         inFolder { folder ->
             folder.with("a.bag", BAG)
             badlog("sql", folder, "DROP TABLE matches").run {
-                code shouldBe ExitCode.NOTHING
+                code shouldBe ExitCode.USAGE
                 err shouldContain "Only a single query"
             }
+            for (wrong in listOf("SELECT nothing FROM matches", "SELEC 1", "SELECT * FROM machtes", "SELECT 1/'a' FROM matches")) {
+                badlog("sql", folder, wrong).code shouldBe ExitCode.USAGE
+            }
+            badlog("sql", folder, "SELECT 1", "--parquet", folder / "no" / "such" / "answer.parquet").code shouldBe ExitCode.NOTHING
             badlog("sql", folder / "nowhere", "SELECT 1").run {
                 code shouldBe ExitCode.NOTHING
                 err shouldContain "no file"

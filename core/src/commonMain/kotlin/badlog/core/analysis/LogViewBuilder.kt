@@ -7,6 +7,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.recording.Value
+import badlog.core.recording.timesText
 import badlog.core.text.freeName
 import kotlin.math.abs
 
@@ -125,13 +126,14 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         if (backwards > 0) {
             plan.report(
                 ProblemKind.X_BACKWARDS,
-                "The x axis “$name” goes backwards ($backwards×), as when the robot's clock is set; derivatives have a gap there.",
+                "The x axis “$name” goes backwards${timesText(backwards)}, as when the robot's clock is set; " +
+                    "derivatives have a gap there.",
             )
         }
         if (repeats > 0) {
             plan.report(
                 ProblemKind.X_REPEATS,
-                "The x axis “$name” repeats a value ($repeats×); derivatives have a gap there.",
+                "The x axis “$name” repeats a value${timesText(repeats)}; derivatives have a gap there.",
             )
         }
         if (gaps > 0) {

@@ -13,9 +13,10 @@ import kotlin.math.round
 
 /**
  * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
- * that time, and nothing before its first sample. An event is in the first row that is not before it; several events of one
- * row are joined by `; `. The first topic is `Time`, with these times, as the x axis. If the recording was made from rows, the
- * topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
+ * that time, and nothing before its first sample. A sample less than a nanosecond after a row, as rounding makes them, is in it. An event
+ * is in the first row that is not before it; several events of one row are joined by `; `. So is the sample of a topic that
+ * [was sparse][Topic.wasSparse]; of several in one row, it is the last. The first topic is `Time`, with these times, as the x axis. If the
+ * recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException if they are not.
@@ -87,6 +88,23 @@ public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
     return positions.copyOf(size)
 }
 
+/** Returns how many samples of [topic], which has times of its own, are in none of the rows that [resampled] makes at [times]. */
+public fun samplesBetween(topic: Topic, times: DoubleArray): Long {
+    val own = topic.times ?: return 0
+    // All events before a row are in it.
+    if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) {
+        return own.count { times.isEmpty() || it > times.last() + NEAR }.toLong()
+    }
+    var lost = 0L
+    var row = 0
+    for (i in own.indices) {
+        while (row < times.size && times[row] + NEAR < own[i]) row++
+        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row] + NEAR)
+        if (!isShown) lost++
+    }
+    return lost
+}
+
 private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val positions = positionsOf(topic, xAxis)
     val isOrdered = Series(positions, positions).isOrdered
@@ -102,7 +120,7 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     for (row in times.indices) {
         while (next < count) {
             val index = order?.get(next) ?: next
-            if (positions[index] > times[row]) break
+            if (positions[index] > times[row] + NEAR) break
             sampler.meet(index)
             next++
         }
@@ -153,6 +171,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         textIds[row] = text
         if (samples.isNotEmpty() && textOf[last] < 0) samples[row] = topic.samples[last]
         if (isEvent) text = -1
+        if (topic.wasSparse) last = -1
     }
 
     fun build(): Topic {
@@ -190,3 +209,6 @@ private const val MAX_ROWS = 1e8
 
 /** Times are rounded to this fraction of a unit of x. */
 private const val PLACES = 1e9
+
+/** A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
+private const val NEAR = 1 / PLACES

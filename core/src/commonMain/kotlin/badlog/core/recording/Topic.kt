@@ -16,6 +16,7 @@ package badlog.core.recording
  * @property type the type of the samples as named in the file, such as `double` or `struct:Pose2d`; empty if it names none.
  * @property metadata what else the file says about the topic, often JSON; may be empty.
  * @property wasXAxis whether the topic was the x axis of the rows that this log was made of.
+ * @property wasSparse whether the topic was [sparse][isSparse] in them, so that rows are not to hold its last value.
  */
 public class Topic(
     public val name: String,
@@ -28,6 +29,7 @@ public class Topic(
     public val type: String = "",
     public val metadata: String = "",
     public val wasXAxis: Boolean = false,
+    public val wasSparse: Boolean = false,
 ) {
     /** The number of samples, gaps included; known even if they were not kept. */
     public val size: Int get() = counts.total
@@ -65,7 +67,8 @@ public class Topic(
         type: String = this.type,
         metadata: String = this.metadata,
         wasXAxis: Boolean = this.wasXAxis,
-    ): Topic = Topic(name, unit, attributes, samples, texts, counts, times, type, metadata, wasXAxis)
+        wasSparse: Boolean = this.wasSparse,
+    ): Topic = Topic(name, unit, attributes, samples, texts, counts, times, type, metadata, wasXAxis, wasSparse)
 
     public companion object {
         /** The unit of a topic that has none. */

@@ -24,7 +24,7 @@ internal fun readLayout(file: Path): Layout {
     } catch (e: CharacterCodingException) {
         throw IOException("$name is not a layout, since it is not text; select a file that badlog has saved.", e)
     } catch (e: NoSuchFileException) {
-        throw IOException("$file does not exist any more; select another layout.", e)
+        throw IOException("$file does not exist; select another layout.", e)
     }
     val layout = try {
         JSON.decodeFromString<Layout>(text)

@@ -23,7 +23,7 @@ internal fun openAction(place: Path, scope: CoroutineScope, notices: Notices): N
             } catch (_: IOException) {
                 notices.complain("The system has no program that opens $place; open it by hand.")
             } catch (_: IllegalArgumentException) {
-                notices.complain("$place does not exist any more.")
+                notices.complain("$place does not exist.")
             }
         }
     }

@@ -31,6 +31,7 @@ class ArchivesProof : FunSpec({
             "badlog-conformance-$VERSION.zip",
             "badlog-cpp-$VERSION.zip",
             "badlog-docs-$VERSION.zip",
+            "badlog-html-$VERSION.zip",
             "badlog-robot-$VERSION.zip",
             "badlog-season-$VERSION.zip",
             "badlog-vendordep-2026-$VERSION.zip",
@@ -45,6 +46,15 @@ class ArchivesProof : FunSpec({
     test("docs/install.md names each download").config(enabledOrReasonIf = IF_LINUX) {
         val guide = File(ROOT, "docs/install.md").readText()
         RELEASE.list().orEmpty().filter { it.replace(PLATFORM, "linux-x64") !in guide }.shouldBeEmpty()
+    }
+
+    test("a release has each download that docs/install.md lists, and its checksum").config(enabledOrReasonIf = IF_LINUX) {
+        val rows = File(ROOT, "docs/install.md").readLines().dropWhile { it != "| download | is |" }.drop(2).takeWhile { it.startsWith("|") }
+        val named = rows.flatMap { row -> Regex("`(badlog-[^`]*)`").findAll(row.substringBefore(" | ")).map { it.groupValues[1] } }
+        named.size shouldBeGreaterThan 10
+        val sums = File(RELEASE, "SHA256SUMS").readLines().map { it.substringAfter("  ") }
+        val wanted = named.map { it.replace("linux-x64", PLATFORM) }.filterNot { isOptional(it) }
+        (wanted - sums.toSet()).shouldBeEmpty()
     }
 
     test("whoever writes a reader gets every log of the conformance corpus, and what to find in it") {
@@ -84,6 +94,9 @@ class ArchivesProof : FunSpec({
         }.shouldBeEmpty()
     }
 })
+
+/** Whether not every machine can make the download [name]; `release` says why it did not. */
+private fun isOptional(name: String) = name.endsWith(".deb") || (name.startsWith("badlog-cpp-") && PLATFORM in name)
 
 private class Entry(val name: String, val time: Instant, val sha256: String?)
 

@@ -26,6 +26,17 @@ class ProgramProof : FunSpec({
         shouldWork(home, CleanMachine(File(folder, "with-java"), TOOLS + "$java/bin/java"))
     }
 
+    test("badlog-html makes a page by an installed Java, in the file or the folder that --out names").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+        val home = unpacked(download("badlog-html-$VERSION.zip"), File(folder, "html"))
+        val machine = CleanMachine(File(folder, "html-with-java"), TOOLS + "$java/bin/java")
+        val sample = File(ROOT, "samples/qualification-42.bag")
+        for (page in listOf(File(folder, "html/page.html"), File(folder, "html/pages/qualification-42.bag.html"))) {
+            val out = if (page.parentFile.name == "pages") page.parentFile else page
+            machine.run(listOf("$home/bin/badlog-html", "$sample", "--out", "$out")).code shouldBe 0
+            page.readText() shouldStartWith "<!DOCTYPE html>"
+        }
+    }
+
     test("badlog runs by its own Java where no other is").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download(OWN_JAVA), File(folder, "own"))
         shouldWork(home, CleanMachine(File(folder, "bare"), TOOLS))

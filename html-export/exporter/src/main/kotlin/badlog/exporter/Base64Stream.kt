@@ -2,19 +2,28 @@ package badlog.exporter
 
 import java.io.OutputStream
 import java.util.Base64
+import java.util.zip.CRC32
 
 /**
  * Writes bytes to [out] as base64, however they are split into pieces: one or two bytes that do not fill a group of three wait for the
  * next piece, so that padding is only at the end of a line. Lines end only where [endLine] is called.
+ *
+ * Also calculates the CRC-32 of the bytes of each line, by which the page finds out whether they were changed on the way.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()
     private val source = ByteArray(3 * GROUPS)
     private val text = ByteArray(4 * GROUPS)
     private var held = 0
+    private val crc = CRC32()
+    private val sums = ArrayList<Int>()
+
+    /** The CRC-32 of the bytes of each line that has ended. */
+    val lineSums: List<Int> get() = sums
 
     /** Writes the bytes from [from] until [until] of [bytes]. Keeps no reference. */
     fun write(bytes: ByteArray, from: Int = 0, until: Int = bytes.size) {
+        crc.update(bytes, from, until - from)
         var at = from
         while (at < until) {
             val size = minOf(source.size - held, until - at)
@@ -34,10 +43,12 @@ internal class Base64Stream(private val out: OutputStream) {
         out.write('\n'.code)
     }
 
-    /** Writes the rest, with its padding. Call it once, last; it does not close [out]. */
+    /** Writes the rest of the last line, with its padding. Call it once, last; it does not close [out]. */
     fun finish() {
         out.write(encoder.encode(source.copyOf(held)))
         held = 0
+        sums += crc.value.toInt()
+        crc.reset()
     }
 
     private companion object {

@@ -10,6 +10,13 @@ package badlog.exporter
 internal class EmbeddedFile(val originalBytes: Long, val inflatedBytes: Long, val isCut: Boolean)
 
 /**
+ * What was written into the page of a file.
+ *
+ * @property lineSums the CRC-32 of the bytes of each line of base64.
+ */
+internal class Embedded(val file: EmbeddedFile, val lineSums: List<Int>)
+
+/**
  * The second file of a log of two files; its bytes follow those of the first.
  *
  * @property name its name.

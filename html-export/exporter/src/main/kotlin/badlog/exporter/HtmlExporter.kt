@@ -119,15 +119,16 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
                 attachments.forEach { attach(it, writer, threads) }
                 embedded
             }
+            val embeddedFile = embedded.file
             val parsed = parser.finish()
-            val read = if (embedded.isCut) parsed.withGzipCut(embedded.inflatedBytes) else parsed
+            val read = if (embeddedFile.isCut) parsed.withGzipCut(embeddedFile.inflatedBytes) else parsed
             val recording = read.copy(problems = log.problems + read.problems)
             recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
                 throw ExportException.NotARecording(input, "$input: ${problem.message}")
             }
             writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
             file.commit()
-            ExportReport(page, recording, embedded.originalBytes, embedded.inflatedBytes)
+            ExportReport(page, recording, embeddedFile.originalBytes, embeddedFile.inflatedBytes)
         }
     }
 

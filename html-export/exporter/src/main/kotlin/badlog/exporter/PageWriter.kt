@@ -53,33 +53,35 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
      * @param lineBytes the length of the file, if each line of the base64, except the first and the last, holds some of its rows that
      *   can be read before the others have arrived; otherwise null.
      */
-    fun <T> recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> T): T {
+    fun recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> EmbeddedFile): Embedded {
         val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
         return base64("id=\"recording\" data-name=\"${escapeHtml(name)}\"$bytes", embed)
     }
 
     /** Writes an attached file with its [name]; [embed] as in [recording]. */
-    fun <T> attachment(name: String, embed: (Base64Stream) -> T): T =
+    fun attachment(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
     /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
-    fun end(name: String, file: EmbeddedFile, isGzip: Boolean, second: SecondPart? = null) {
+    fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
+        val file = embedded.file
         val cut = if (file.isCut) ",\"cut\":true" else ""
         val more = if (second == null) "" else ",\"second\":${inScript(quotedJson(second.name))},\"firstBytes\":${second.from}"
         text(
             "<script type=\"application/json\" id=\"about\">{\"name\":${inScript(quotedJson(name))}," +
                 "\"original\":\"${if (isGzip) "gzip" else "raw"}\",\"inflatedBytes\":${file.inflatedBytes}$cut$more," +
+                "\"crc32\":${embedded.lineSums.joinToString(",", "[", "]")}," +
                 "\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n</body>\n</html>\n",
         )
     }
 
-    private fun <T> base64(attributes: String, embed: (Base64Stream) -> T): T {
+    private fun base64(attributes: String, embed: (Base64Stream) -> EmbeddedFile): Embedded {
         text("<script type=\"application/octet-stream\" $attributes>")
         val base64 = Base64Stream(out)
-        val result = embed(base64)
+        val file = embed(base64)
         base64.finish()
         text("</script>\n")
-        return result
+        return Embedded(file, base64.lineSums)
     }
 
     private fun text(text: String) = out.write(text.encodeToByteArray())

@@ -10,8 +10,20 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import java.io.ByteArrayOutputStream
 import java.util.Base64
+import java.util.zip.CRC32
 
 class Base64StreamSpec : FunSpec({
+    test("each line has the checksum of its own bytes, however they are split into pieces") {
+        checkAll(Arb.list(Arb.list(Arb.byteArray(Arb.int(0, 9), Arb.byte()), 0..5), 1..5)) { lines ->
+            val stream = Base64Stream(ByteArrayOutputStream())
+            lines.forEachIndexed { i, pieces ->
+                pieces.forEach(stream::write)
+                if (i < lines.lastIndex) stream.endLine() else stream.finish()
+            }
+            stream.lineSums shouldBe lines.map { pieces -> CRC32().apply { pieces.forEach(::update) }.value.toInt() }
+        }
+    }
+
     fun encode(pieces: List<ByteArray>): String {
         val out = ByteArrayOutputStream()
         val base64 = Base64Stream(out)

@@ -7,6 +7,8 @@ import badlog.page.app.LoadingScreen
 import badlog.page.app.LogPage
 import badlog.page.app.failureScreen
 import badlog.page.app.setPageState
+import badlog.page.dom.addButton
+import badlog.page.dom.element
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.embedded.PageSource
@@ -16,6 +18,7 @@ import badlog.page.header.AxisChoice
 import badlog.page.header.Downloads
 import badlog.page.header.ThemeSwitch
 import badlog.page.reading.PartsReading
+import badlog.page.reading.ReadLog
 import badlog.page.reading.Reading
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
@@ -58,7 +61,7 @@ internal class Startup {
                 val additions = findAdditions()
                 // Anything wrong with the parts will show when the whole stream is read.
                 reading.then({ read ->
-                    show(read, additions, checkNotNull(About.find()), element)
+                    show(ReadLog(read, isDamaged = false), additions, checkNotNull(About.find()), element)
                 }, { whenLoaded(::readWhole) }).catch(::failUnexpectedly)
             }
 
@@ -92,8 +95,18 @@ internal class Startup {
             .catch(::failUnexpectedly)
     }
 
-    private fun show(read: Recording, additions: PageAdditions?, about: About, element: Element) {
-        val downloads = Downloads(about, element, read)
+    private fun show(read: ReadLog, additions: PageAdditions?, about: About, element: Element) {
+        if (!read.isDamaged) return show(read.recording, additions, about, Downloads(about, element, read.recording))
+        val look = element("div") {
+            addButton("", "Show what it still has, without rules") {
+                val withoutRules = (additions ?: PageAdditions()).withoutRules(DAMAGED)
+                guarded { show(read.recording, withoutRules, about, Downloads(about, element, read.recording, isDamaged = true)) }
+            }.id = "show-damaged"
+        }
+        fail("This page is not complete", "Its log was damaged in copying; export it again.", look)
+    }
+
+    private fun show(read: Recording, additions: PageAdditions?, about: About, downloads: Downloads) {
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) {
             fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
@@ -141,5 +154,7 @@ internal class Startup {
     private companion object {
         /** Milliseconds until the page is checked again for what has arrived. */
         const val PAUSE = 5
+
+        const val DAMAGED = "Damaged in copying: anything shown may be wrong. No rules ran. Export it again."
     }
 }

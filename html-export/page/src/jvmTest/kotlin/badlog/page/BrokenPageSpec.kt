@@ -1,6 +1,11 @@
 package badlog.page
 
+import badlog.exporter.HtmlExporter
+import badlog.files.gzip
 import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
@@ -69,6 +74,72 @@ internal class BrokenPageSpec : PageSpec({
             val page = changed(TestPages.of(stepBag(graphs = 1)), "id=\"packed\">", change)
             onPage(page, state = "failed") { text shouldContain "This page is not complete" }
         }
+    }
+
+    // Any character of the log's own text, which begins behind its start tag.
+    fun changedLog(page: Path, place: (text: String) -> Int) = changed(page, "id=\"recording\"") { element ->
+        val start = element.indexOf('>') + 1
+        val at = start + place(element.substring(start))
+        element.replaceRange(at, at + 1, if (element[at] == 'A') "B" else "A")
+    }
+
+    val rows = (1..3000).joinToString("", "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"b\"}]}\nTime,b\n") { "$it,${it * 7919 % 1000}\n" }
+    val large = "a,b\n" + (1..600_000).joinToString("") { "$it,${it * 7919 % 1000}\n" }
+    val logs = mapOf<String, (PageAdditions) -> Path>(
+        "a small log" to { TestPages.of(rows.encodeToByteArray(), additions = it) },
+        "a gzip file" to { TestPages.of(gzip(rows.encodeToByteArray()), "test.bag.gz", it) },
+        "a log that several workers read" to { TestPages.of(large.encodeToByteArray(), "large.csv", it) },
+    )
+    for ((log, pageWith) in logs) {
+        browserTest("one changed letter in the page of $log is reported, and what it still has is shown without rules") {
+            val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
+            onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
+            onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
+                text shouldContain "This page is not complete"
+                text shouldContain "damaged in copying; export it again."
+                elements(".graph").shouldBeEmpty()
+                click("#show-damaged")
+                awaitState("ready")
+                graphNames.isEmpty() shouldBe false
+                texts(".problem-text").first { "Damaged" in it } shouldContain "No rules ran."
+                texts(".finding").shouldBeEmpty()
+                elements("#download").single().getDomAttribute("title") shouldContain "as this damaged page has it"
+            }
+        }
+    }
+
+    browserTest("a letter of the log that is none is reported, whether or not the browser decodes base64 by itself") {
+        val page = changed(TestPages.of(rows), "id=\"recording\"") { it.replaceRange(500, 501, "!") }
+        for (script in listOf(null, "delete Uint8Array.fromBase64")) {
+            onPage(page, script = script, state = "failed") { text shouldContain "damaged in copying" }
+        }
+    }
+
+    browserTest("one changed letter is reported by a browser that allows no worker, too") {
+        val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
+        onPage(changedLog(TestPages.of(rows)) { it.length / 2 }, script = script, state = "failed") { text shouldContain "damaged in copying" }
+    }
+
+    browserTest("a page whose log has lost its last rows, and says so of their number, is reported") {
+        val page = changed(TestPages.of(rows), "\"inflatedBytes\":") { it.replaceRange(0, 1, "1") }
+        onPage(page, state = "failed") { text shouldContain "damaged in copying" }
+    }
+
+    browserTest("an attached file is saved only if it is whole") {
+        val folder = Files.createTempDirectory("badlog-attached")
+        val attached = Files.writeString(folder.resolve("notes.txt"), "left motor was hot\n".repeat(50))
+        val log = Files.writeString(folder.resolve("test.bag"), rows)
+        val page = folder.resolve("page.html").also { HtmlExporter(listOf(attached)).export(log, it) }
+        onPage(page) { saved("notes.txt") { click("#attachment-0") } shouldBe Files.readAllBytes(attached) }
+        val damaged = changed(page, "class=\"attachment\"") { element ->
+            val at = element.indexOf('>') + (element.length - element.indexOf('>')) / 2
+            element.replaceRange(at, at + 1, if (element[at] == 'A') "B" else "A")
+        }
+        onPage(damaged) {
+            click("#attachment-0")
+            await("a word about the damage") { "Could not be saved" in element("#attachment-0").text }
+        }
+        folder.toFile().deleteRecursively()
     }
 
     browserTest("a page whose findings cannot be read shows the recording, and says so") {

@@ -40,6 +40,12 @@ class PageAdditions(
     fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
         PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
+    /** Returns the same without rules, because of [problem]; the names of signals' topics stay. */
+    fun withoutRules(problem: String): PageAdditions {
+        val names = RuleSet.NONE.with(rules.signals)
+        return PageAdditions(virtualTopics, names, problem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+    }
+
     /** Reads what [toJson] wrote. */
     companion object
 }

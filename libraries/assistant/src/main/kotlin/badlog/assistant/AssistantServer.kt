@@ -37,8 +37,11 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     private val turn = Any()
 
     /** Answers requests from [input], until its end. */
-    suspend fun serve(input: InputStream, output: OutputStream) =
-        serve(StdioServerTransport(input.asSource().buffered(), output.asSink().buffered()))
+    suspend fun serve(input: InputStream, output: OutputStream) {
+        val answers = MessageLines(output)
+        val requests = JsonLines(input) { answers.send(PARSE_ERROR) }
+        serve(StdioServerTransport(requests.asSource().buffered(), answers.asSink().buffered()))
+    }
 
     /** Answers requests from [transport], until it is closed. */
     suspend fun serve(transport: Transport) {
@@ -91,6 +94,9 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     private fun failed(sentence: String) = CallToolResult(listOf(TextContent(texts.of(sentence))), isError = true)
 
     private companion object {
+        /** What JSON-RPC 2.0 prescribes. */
+        const val PARSE_ERROR = """{"jsonrpc":"2.0","id":null,"error":{"code":-32700,"message":"Parse error: this line is not JSON."}}"""
+
         val INSTRUCTIONS = """
             badlog reads logs of robots: one log per match, with topics (streams of samples), values (names and texts known at the start),
             events and findings of rules. Begin with list_logs, then findings of the log in question; describe_log lists topics and units;

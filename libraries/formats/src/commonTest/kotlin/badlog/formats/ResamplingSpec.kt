@@ -3,6 +3,7 @@ package badlog.formats
 import badlog.core.analysis.LogView
 import badlog.core.analysis.periodicTimes
 import badlog.core.analysis.resampled
+import badlog.core.analysis.samplesBetween
 import badlog.core.analysis.timesOf
 import badlog.core.bag.RecordingWriter
 import badlog.core.bag.parse
@@ -15,6 +16,14 @@ import badlog.formats.wpilog.writeLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
 
 private fun csv(text: TestLog, vararg times: Double): String {
     val out = StringBuilder()
@@ -81,6 +90,45 @@ class ResamplingSpec : FunSpec({
             result.topics[1].unit shouldBe unit
             resampled(log, doubleArrayOf(0.03)).topics[1].samples.single() shouldBe if (unit == "s") 0.03 else 30.0
         }
+    }
+
+    test("a sample that rounding puts after its row is in it, and none is lost") {
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"b","unit":"V"}],"values":[]}""" + "\n"
+        checkAll(Arb.double(0.0, 1000.0).filter { it.isFinite() }, Arb.element(0.005, 0.01, 0.02, 0.1), Arb.int(1, 2000)) { start, period, count ->
+            // As a reader calculates the times of records that have none.
+            val times = DoubleArray(count) { start + it * period }
+            val bag = parse(header + "Time,b\n" + List(count) { "$it,$it\n" }.joinToString(""))
+            val topics = listOf(bag.topics[1].copy(times = times))
+            val log = bag.copy(format = RecordingFormat.DRIVER_STATION, headerLine = null, topics = topics, rowCount = 0)
+            val rows = periodicTimes(log, period)
+            resampled(log, rows).topics[1].samples.toList() shouldBe List(count) { it.toDouble() }
+            samplesBetween(log.topics[0], rows) shouldBe 0
+        }
+    }
+
+    test("a topic that was sparse in a bag is sparse again: each sample is in one row, and rows between have none") {
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"seen","unit":"m"},{"name":"on"}],"values":[]}""" + "\n"
+        checkAll(Arb.list(Arb.boolean(), 1..200)) { seen ->
+            val rows = seen.indices.joinToString("") { row -> "${row * 0.02},${if (seen[row] && row % 3 == 0) row else ""},${if (row % 4 == 1) seen[row] else ""}\n" }
+            val bag = parse(header + "Time,seen,on\n" + rows)
+            val log = parseLog(writeLog(bag).first)
+            val again = resampled(log, timesOf(log, log.topics[0]))
+            for ((one, other) in again.topics.zip(bag.topics)) {
+                if (other.isSparse && other.kind != TopicKind.EMPTY) one.samples.map { it.toString() } shouldBe other.samples.map { it.toString() }
+            }
+        }
+    }
+
+    test("of several samples of such a topic before one row, it has the last, and the others count as lost") {
+        val log = TestLog().start(1, "a", "double").start(2, "seen", "double", "{\"badlog\":\"sparse\"}")
+        for (row in 0L..9) log.double(1, row * 20_000, 1.0)
+        log.double(2, 20_000, 5.0).double(2, 110_000, 6.0).double(2, 115_000, 7.0)
+        val recording = parseLog(log.bytes)
+        val times = periodicTimes(recording, 0.02)
+        val seen = resampled(recording, times).topics.single { it.name == "seen" }
+        seen.samples.withIndex().filter { !it.value.isNaN() }.map { it.index to it.value } shouldBe listOf(1 to 5.0, 6 to 7.0)
+        seen.isSparse shouldBe true
+        samplesBetween(recording.topics.single { it.name == "seen" }, times) shouldBe 1
     }
 
     test("times of a period go from the first sample on until none is after them") {

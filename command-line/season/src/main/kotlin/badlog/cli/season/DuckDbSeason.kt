@@ -8,6 +8,7 @@ import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlColumn
 import badlog.cli.part.SqlSession
 import badlog.cli.part.SqlTable
+import badlog.cli.part.WrongQueryException
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
 import badlog.rules.RuleSet
@@ -81,7 +82,7 @@ private fun <R> failing(work: () -> R): R = try {
 } catch (e: LakeException) {
     throw SeasonException(e.message)
 } catch (e: SqlException) {
-    throw SeasonException(e.message)
+    throw if (e.isMistake) WrongQueryException(e.message) else SeasonException(e.message)
 } catch (e: NoEngineException) {
     throw SeasonException(e.message)
 }

@@ -1,6 +1,7 @@
 package badlog.exporter.program
 
 import badlog.exporter.BADLOG_VERSION
+import badlog.files.ResultPlace
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
@@ -9,6 +10,7 @@ import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -45,8 +47,8 @@ internal class ArgumentParser {
     private class Command : CoreCliktCommand(NAME) {
         private val paths by argument("INPUT").path().multiple(required = true)
             .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
-        private val outFolder by option("--out", metavar = "DIR").path()
-            .help("Write the pages into this folder; it is created if needed.")
+        private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
+            .help("Write to this file; a name without an ending is a folder, as for several logs.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
             .help("Include this file in each page; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()
@@ -83,7 +85,7 @@ internal class ArgumentParser {
 
         override fun run() = Unit
 
-        fun result() = Arguments(paths, outFolder, attachments, !isWithoutRules, field, video, opensPage)
+        fun result() = Arguments(paths, out, attachments, !isWithoutRules, field, video, opensPage)
     }
 
     private companion object {

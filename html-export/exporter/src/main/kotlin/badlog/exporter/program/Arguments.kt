@@ -1,12 +1,13 @@
 package badlog.exporter.program
 
+import badlog.files.ResultPlace
 import java.nio.file.Path
 
 /**
  * What the command line asks for.
  *
  * @property paths the inputs, and possibly the output, in order; at least one.
- * @property outFolder the folder for all pages, or null to put them beside their inputs.
+ * @property out the folder for all pages, or the only page; null to put them beside their inputs.
  * @property attachments files to put into each page.
  * @property hasRules whether the pages run rules.
  * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
@@ -16,7 +17,7 @@ import java.nio.file.Path
  */
 internal class Arguments(
     val paths: List<Path>,
-    val outFolder: Path?,
+    val out: ResultPlace?,
     val attachments: List<Path>,
     val hasRules: Boolean,
     val field: Path?,

@@ -22,7 +22,9 @@ internal class ExportPlan(private val arguments: Arguments) {
      */
     fun jobs(): List<ExportJob> {
         val paths = arguments.paths
-        if (arguments.outFolder == null && paths.size == 2 && isOutput(paths[1]) && !Files.isDirectory(paths[0])) {
+        val isOnlyLog = paths.size == 1 && !Files.isDirectory(paths[0])
+        arguments.out?.let { if (isOnlyLog && !it.isFolder) return listOf(ExportJob(paths[0], it.path, isFound = false)) }
+        if (arguments.out == null && paths.size == 2 && isOutput(paths[1]) && !Files.isDirectory(paths[0])) {
             return listOf(ExportJob(paths[0], paths[1], isFound = false))
         }
         val inputs = paths.flatMap { if (Files.isDirectory(it)) logsIn(it) else listOf(Input(it, isFound = false)) }
@@ -44,6 +46,8 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     private fun isLayout(path: Path) = path.toString().endsWith(BoardLayout.ENDING, ignoreCase = true)
 
+    private fun isSource(path: Path) = path.toString().substringAfterLast('.').lowercase() in SOURCES
+
     private fun beginsAsPage(path: Path) = try {
         Files.newInputStream(path).use { it.readNBytes(PAGE_START.length) }.decodeToString() == PAGE_START
     } catch (_: IOException) {
@@ -52,13 +56,13 @@ internal class ExportPlan(private val arguments: Arguments) {
     }
 
     private fun logsIn(folder: Path): List<Input> = reading(folder) {
-        Files.newDirectoryStream(folder) { Files.isRegularFile(it) && !Files.isHidden(it) && !isPage(it) && !isLayout(it) }
+        Files.newDirectoryStream(folder) { Files.isRegularFile(it) && !Files.isHidden(it) && !isPage(it) && !isLayout(it) && !isSource(it) }
             .use { files -> files.sortedBy { it.fileName }.map { Input(it, isFound = true) } }
     }
 
     private fun freePage(input: Path, taken: MutableSet<String>): Path {
         val name = input.fileName.toString()
-        val folder = arguments.outFolder ?: input.toAbsolutePath().parent
+        val folder = arguments.out?.path ?: input.toAbsolutePath().parent
         return folder.resolve(freeName(name, ".html") { taken.add(keyOf(folder.resolve(it))) })
     }
 
@@ -67,5 +71,8 @@ internal class ExportPlan(private val arguments: Arguments) {
 
     private companion object {
         val PAGES = listOf(".html", ".htm")
+
+        /** What lies beside logs in a repository. */
+        val SOURCES = setOf("md", "gradle", "lockfile", "java", "kt", "kts", "py", "cpp", "h", "json", "toml", "xml", "yml", "properties")
     }
 }

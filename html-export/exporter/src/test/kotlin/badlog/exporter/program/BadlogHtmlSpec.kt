@@ -201,7 +201,7 @@ class BadlogHtmlSpec : FunSpec({
 
     test("a folder: every log right in it, whatever its name, and nothing else") {
         inFolder { folder ->
-            for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html")) folder.with(name)
+            for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html", "README.md", "build.gradle")) folder.with(name)
             (folder / "z.gz").writeBytes(gzip(BAG.encodeToByteArray()))
             (folder / "video.mp4").writeBytes(byteArrayOf(0, 0, 0, 32, 1, 2))
             (folder / "sub").createDirectory().with("deep.bag")
@@ -210,6 +210,16 @@ class BadlogHtmlSpec : FunSpec({
             (folder / "out").names() shouldContainExactly
                 listOf("A.html", "b.bag.html", "c.csv.html", "log.bag1519.html", "z.gz.html")
             ended.err shouldBe "1 file is not a log and was skipped.\n"
+        }
+    }
+
+    test("--out is the page of a single log if it has an ending, otherwise a folder, as for several logs") {
+        inFolder { folder ->
+            val log = folder.with("big.bag")
+            run(log, "--out", folder / "big.html").lines shouldContainExactly listOf("${folder / "big.html"}")
+            run(log, "--out", folder / "bigout").lines shouldContainExactly listOf("${folder / "bigout/big.bag.html"}")
+            run(log, folder.with("small.bag"), "--out", folder / "all.html").lines.size shouldBe 2
+            (folder / "all.html").names() shouldContainExactly listOf("big.bag.html", "small.bag.html")
         }
     }
 

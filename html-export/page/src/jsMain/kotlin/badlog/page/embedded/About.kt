@@ -9,6 +9,7 @@ import kotlinx.browser.document
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
  * @property inflatedBytes the number of bytes that can be inflated from the embedded file.
  * @property isCut whether part of that gzip stream is missing.
+ * @property lineSums the CRC-32 of the bytes in each line of the embedded file.
  * @property version the version of badlog that made the page.
  * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
  */
@@ -17,6 +18,7 @@ internal class About(
     val isCompressed: Boolean,
     val inflatedBytes: Double,
     val isCut: Boolean,
+    val lineSums: Array<Int>,
     val version: String,
     val second: String?,
     val firstBytes: Int?,
@@ -38,6 +40,7 @@ internal class About(
                 isCompressed = json.original == "gzip",
                 inflatedBytes = (json.inflatedBytes as? Number)?.toDouble() ?: 0.0,
                 isCut = json.cut == true,
+                lineSums = json.crc32.unsafeCast<Array<Int>?>() ?: emptyArray(),
                 version = json.version as? String ?: "",
                 second = json.second as? String,
                 firstBytes = json.firstBytes as? Int,

@@ -11,13 +11,18 @@ internal object Base64 {
     }
 
     /**
-     * Returns the bytes of [text]. Only whole groups of four characters are decoded; the rest of a cut text is
-     * dropped.
+     * Returns the bytes of [text], which may end with a line feed. Only whole groups of four characters are decoded; the rest of a cut
+     * text is dropped. Other characters give wrong bytes.
      */
     fun decode(text: String): ByteArray {
+        if (text.endsWith('\n')) return decode(text.substring(0, text.length - 1))
         val native = js("Uint8Array")
         if (native.fromBase64 == undefined || text.length % 4 != 0) return decodeByTable(text)
-        val bytes = native.fromBase64(text).unsafeCast<Uint8Array>()
+        val bytes = try {
+            native.fromBase64(text).unsafeCast<Uint8Array>()
+        } catch (_: Throwable) {
+            return decodeByTable(text)
+        }
         return Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
     }
 

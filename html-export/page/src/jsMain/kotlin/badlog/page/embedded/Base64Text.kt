@@ -12,17 +12,13 @@ internal class Base64Text(private val element: Element) {
     private var node: Node? = null
     private var offset = 0
 
-    /** Whether the last piece ended a line. Each line can be decoded without the lines before it. */
-    var endedLine = false
-        private set
-
     /**
      * Returns the next piece of a line: all of it, but not so many characters that it would take long; a multiple of four
-     * characters, if more may follow. Null if there is no more, or not yet.
+     * characters, if more may follow. The last piece of a line ends with its line feed; each line can be decoded without the lines before
+     * it. Null if there is no more, or not yet.
      */
     fun next(): String? {
         var piece = ""
-        endedLine = false
         while (piece.length < PIECE && hasMore()) {
             val text = node.unsafeCast<Text>()
             val isAll = offset == 0 && text.length <= PIECE - piece.length
@@ -34,8 +30,7 @@ internal class Base64Text(private val element: Element) {
                 offset += taken.length
             } else {
                 offset += end + 1
-                endedLine = true
-                return piece + taken.substring(0, end)
+                return piece + taken.substring(0, end + 1)
             }
         }
         return piece.ifEmpty { null }

@@ -14,7 +14,10 @@ internal class EmbeddedFile(private val element: Element) {
         return parts.toBlob()
     }
 
-    /** Returns the bytes that the page's gzip stream inflates to; [filter] may remove some of each chunk. */
+    /**
+     * Returns the bytes that the page's gzip stream inflates to; [filter] may remove some of each chunk. Fails if a stream that is read to
+     * its end was damaged.
+     */
     fun inflated(
         expectedBytes: Double = Double.POSITIVE_INFINITY,
         isWhole: Boolean = true,
@@ -28,6 +31,9 @@ internal class EmbeddedFile(private val element: Element) {
             if (piece == null) inflation.end() else inflation.accept(Base64.decode(piece)).then { feed() }
         }
         feed()
-        return inflation.finished.then { parts.toBlob() }
+        return inflation.finished.then {
+            check(!inflation.hasFailed || expectedBytes.isFinite()) { "it was damaged in copying; export the page again." }
+            parts.toBlob()
+        }
     }
 }

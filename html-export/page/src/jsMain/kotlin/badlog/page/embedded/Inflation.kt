@@ -31,6 +31,10 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
     var inflatedBytes = 0.0
         private set
 
+    /** Whether the browser found an error in the stream, which has a checksum of its own. */
+    var hasFailed = false
+        private set
+
     /** Fulfilled when there is nothing more to inflate; rejected only if [sink] throws. */
     val finished: Promise<Unit> = Promise { resolve, reject ->
         finish = { resolve(Unit) }
@@ -64,7 +68,10 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
     private fun read() {
         reader.read().then({ result: dynamic ->
             if (result.done) stop() else take(result.value.unsafeCast<Uint8Array>())
-        }, { stop() })
+        }, {
+            hasFailed = true
+            stop()
+        })
     }
 
     private fun take(chunk: Uint8Array) {
@@ -94,6 +101,8 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
     private fun stop() {
         if (hasStopped) return
         hasStopped = true
+        // Otherwise pieces that wait for the reader would wait forever.
+        reader.cancel().then({}, {})
         if (isWhole || hasEnded || inflatedBytes >= expectedBytes) complete()
     }
 

@@ -24,20 +24,22 @@ import kotlin.js.Promise
  * The buttons that save files: the original, byte for byte, its samples as CSV, and whatever else is in the page.
  *
  * @param read the recording read from the file.
+ * @param isDamaged whether the page was changed since it was exported.
  */
-internal class Downloads(private val about: About, recording: Element, private val read: Recording) {
+internal class Downloads(private val about: About, recording: Element, private val read: Recording, isDamaged: Boolean = false) {
     private val file = EmbeddedFile(recording)
+    private val exactness = if (isDamaged) "as this damaged page has it" else "byte for byte"
 
     /** Shows the progress of longer work. */
     val notice: Notice = Notice()
 
     val element: HTMLElement = element("div", "downloads") {
         val text = if (about.second == null) "Download" else ending(about.name)
-        addDownload("download", Icon.DOWNLOAD, text, "Save ${about.name}, byte for byte", about.name) {
+        addDownload("download", Icon.DOWNLOAD, text, "Save ${about.name}, $exactness", about.name) {
             original().then { if (about.second == null) it else it.slice(0, about.firstBytes ?: 0) }
         }
         about.second?.let { second ->
-            addDownload("download-second", Icon.DOWNLOAD, ending(second), "Save $second, byte for byte", second) {
+            addDownload("download-second", Icon.DOWNLOAD, ending(second), "Save $second, $exactness", second) {
                 original().then { it.slice(about.firstBytes ?: 0) }
             }
         }

@@ -46,7 +46,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     }
 
     init {
-        open(errors + additions.size in 1..MAX_OPENED)
+        open(additions.isNotEmpty() || errors in 1..MAX_OPENED)
     }
 
     private fun summary(): String {

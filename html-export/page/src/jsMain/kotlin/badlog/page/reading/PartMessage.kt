@@ -4,6 +4,7 @@ import badlog.core.bag.BagParser
 import badlog.core.bag.RowBatch
 import badlog.core.bag.RowBatchParser
 import badlog.page.embedded.Base64
+import badlog.protocol.Crc32
 import org.khronos.webgl.Int8Array
 import org.khronos.webgl.Uint8Array
 import org.w3c.dom.DedicatedWorkerGlobalScope
@@ -12,8 +13,8 @@ import kotlin.js.Promise
 /**
  * The messages between the page and a worker about one part of a recording, see [PartsReading].
  *
- * The page sends the base64 and, once it knows them, the columns. The worker answers with the inflated bytes and, if it knows the
- * columns, with the complete rows in them; or with a failure.
+ * The page sends the base64 and, once it knows them, the columns. The worker answers with the CRC-32 of what the base64 holds, the
+ * inflated bytes and, if it knows the columns, with the complete rows in them; or with a failure.
  */
 internal object PartMessage {
     /** Returns the message with part number [part] for the worker, and the columns once they are known. */
@@ -30,7 +31,9 @@ internal object PartMessage {
 
     /** Does the worker's work for the part [message]. */
     fun answer(page: DedicatedWorkerGlobalScope, message: dynamic) {
-        inflate(message.base64 as String).then { page.postMessage(message, read(message, it)) }.catch { problem ->
+        val deflated = Base64.decode(message.base64 as String)
+        message.crc = Crc32().apply { update(deflated) }.value
+        inflate(deflated).then { page.postMessage(message, read(message, it)) }.catch { problem ->
             val failure = js("({})")
             failure.failure = problem.message ?: problem.toString()
             page.postMessage(failure)
@@ -58,11 +61,11 @@ internal object PartMessage {
         return RowBatch(numbers, details, message.texts.unsafeCast<Array<String>>())
     }
 
-    private fun inflate(base64: String): Promise<ByteArray> {
+    private fun inflate(deflated: ByteArray): Promise<ByteArray> {
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()
         // A part ends in a flush; an empty last block makes it a complete stream. The reader below gets the same failures.
-        writer.write(Base64.decode(base64)).then({}, {})
+        writer.write(deflated).then({}, {})
         writer.write(Uint8Array(arrayOf<Byte>(3, 0))).then({}, {})
         writer.close().then({}, {})
         return readAll(stream.readable.getReader(), ArrayList())

@@ -4,7 +4,9 @@ import badlog.core.bag.BagParser
 import badlog.core.recording.Recording
 import badlog.page.dom.startWorker
 import badlog.page.embedded.About
+import badlog.page.embedded.Base64
 import badlog.page.embedded.Base64Text
+import badlog.page.embedded.LineSums
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -25,6 +27,7 @@ internal class PartsReading private constructor(
     private val text = Base64Text(element)
     private val parser = BagParser(expectedBytes.toLong())
     private val answers = HashMap<Int, dynamic>()
+    private val sums = LineSums()
 
     /** The workers that can take another part, once for each such part. */
     private val ready = ArrayList<Worker>()
@@ -72,7 +75,11 @@ internal class PartsReading private constructor(
                 }
                 break
             }
-            if (sent >= 0) ready.removeLast().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
+            if (sent >= 0) {
+                ready.removeLast().postMessage(PartMessage.of(sent, part, if (sent == 0) null else parser.readsDecimalComma))
+            } else {
+                sums.add(Base64.decode(part), isLast = true)
+            }
             sent++
         }
         if (isAllSent && taken == sent) finish()
@@ -82,7 +89,7 @@ internal class PartsReading private constructor(
     private fun nextLine(): String? {
         while (true) {
             line += text.next() ?: return null
-            if (text.endedLine) return line.also { line = "" }
+            if (line.endsWith('\n')) return line.also { line = "" }
         }
     }
 
@@ -90,7 +97,9 @@ internal class PartsReading private constructor(
         if (message.failure != undefined) return fail(message.failure as String)
         answers[message.part as Int] = message
         while (true) {
-            takenBytes += PartMessage.take(answers.remove(taken) ?: break, parser)
+            val answer = answers.remove(taken) ?: break
+            sums.add(answer.crc as Int)
+            takenBytes += PartMessage.take(answer, parser)
             taken++
         }
         onProgress(takenBytes / expectedBytes)
@@ -100,7 +109,10 @@ internal class PartsReading private constructor(
     }
 
     private fun finish() {
-        if (takenBytes != About.find()?.inflatedBytes) return fail("Parts are missing.")
+        val about = About.find()
+        // What is left is the end of the gzip stream.
+        sums.add(Base64.decode(line), isLast = true)
+        if (takenBytes != about?.inflatedBytes || !sums.fit(about.lineSums)) return fail("Parts are missing or damaged.")
         workers.forEach { it.terminate() }
         window.performance.asDynamic().mark("badlog-parts-read")
         resolve(parser.finish())

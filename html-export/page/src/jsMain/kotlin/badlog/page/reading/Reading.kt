@@ -19,9 +19,9 @@ import kotlin.js.Promise
  */
 internal class Reading(private val about: About, private val element: Element, private val onProgress: (Double) -> Unit) {
     /** Starts, and promises the recording. */
-    fun start(): Promise<Recording> = Promise { resolve, reject ->
+    fun start(): Promise<ReadLog> = Promise { resolve, reject ->
         val worker = startWorker()
-        val finish = { recording: Recording -> resolve(withCut(recording)) }
+        val finish = { read: ReadLog -> resolve(ReadLog(withCut(read.recording), read.isDamaged)) }
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
     }
 
@@ -32,7 +32,7 @@ internal class Reading(private val about: About, private val element: Element, p
         return recording + Problem(ProblemKind.GZIP_CUT, text)
     }
 
-    private fun readIn(worker: Worker, resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+    private fun readIn(worker: Worker, resolve: (ReadLog) -> Unit, reject: (Throwable) -> Unit) {
         val text = Base64Text(element)
         var hasAnswered = false
         worker.onerror = { event ->
@@ -53,7 +53,7 @@ internal class Reading(private val about: About, private val element: Element, p
                     if (message.failure != undefined) {
                         reject(Error(message.failure as String))
                     } else {
-                        resolve(RecordingMessage.read(message))
+                        resolve(ReadLog(RecordingMessage.read(message), message.isDamaged as Boolean))
                     }
                 }
             }
@@ -61,9 +61,9 @@ internal class Reading(private val about: About, private val element: Element, p
         worker.postMessage(ReadingWorker.greeting(about))
     }
 
-    private fun readHere(resolve: (Recording) -> Unit, reject: (Throwable) -> Unit) {
+    private fun readHere(resolve: (ReadLog) -> Unit, reject: (Throwable) -> Unit) {
         val text = Base64Text(element)
-        val reader = RecordingReader(about.inflatedBytes, !about.isCompressed, onProgress)
+        val reader = RecordingReader(about.inflatedBytes, !about.isCompressed, about.lineSums, onProgress)
         fun feed() {
             val piece = text.next()
             if (piece == null) {

@@ -7,9 +7,9 @@ import org.w3c.dom.MessageEvent
 /**
  * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
- * The page sends an object with `expectedBytes` and `isWhole`, then strings of base64, one for each `"more"` it
+ * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it
  * receives, then null. The worker answers with `"more"`, numbers (the fraction that is done), an object with `failure`,
- * or the recording. It answers to parts of a recording as described in [PartMessage].
+ * or the recording with `isDamaged`. It answers to parts of a recording as described in [PartMessage].
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
@@ -20,6 +20,7 @@ internal object ReadingWorker {
         val message = js("({})")
         message.expectedBytes = about.inflatedBytes
         message.isWhole = !about.isCompressed
+        message.lineSums = about.lineSums
         return message
     }
 
@@ -40,11 +41,14 @@ internal object ReadingWorker {
     }
 
     private fun open(page: DedicatedWorkerGlobalScope, greeting: dynamic): RecordingReader {
-        val reader = RecordingReader(greeting.expectedBytes as Double, greeting.isWhole as Boolean) {
+        val lineSums = greeting.lineSums.unsafeCast<Array<Int>>()
+        val reader = RecordingReader(greeting.expectedBytes as Double, greeting.isWhole as Boolean, lineSums) {
             page.postMessage(it)
         }
-        reader.recording.then({ recording ->
-            page.postMessage(RecordingMessage.of(recording), RecordingMessage.buffersOf(recording))
+        reader.recording.then({ read ->
+            val answer = RecordingMessage.of(read.recording)
+            answer.isDamaged = read.isDamaged
+            page.postMessage(answer, RecordingMessage.buffersOf(read.recording))
         }).catch { answerFailure(page, it) }
         page.postMessage(MORE)
         page.postMessage(MORE)

@@ -5,6 +5,7 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.Topic
 import badlog.core.recording.addNotFinite
 import badlog.core.recording.addNotUtf8
+import badlog.core.recording.timesText
 
 /** Reports what was odd about [topic], which was made from [column] with the times of [timestamps]. */
 internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
@@ -12,7 +13,7 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
     if (timestamps.disorder > 0) {
         problems.add(
             ProblemKind.TIMES_SORTED,
-            "“$name” goes back in time (${timestamps.disorder}×); its samples were sorted.",
+            "“$name” goes back in time${timesText(timestamps.disorder)}; its samples were sorted.",
             topic = name,
             count = timestamps.disorder,
         )
@@ -21,7 +22,7 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
     if (column.roundedCount > 0) {
         problems.add(
             ProblemKind.NUMBERS_ROUNDED,
-            "Whole numbers in “$name” are too large to be kept exactly (${column.roundedCount}×).",
+            "Whole numbers in “$name” are too large to be kept exactly${timesText(column.roundedCount)}.",
             topic = name,
             count = column.roundedCount,
         )

@@ -11,6 +11,7 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
+import badlog.core.recording.timesText
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.SampleColumn
 import badlog.formats.column.Timestamps
@@ -112,7 +113,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private fun reportEnd() {
         val bad = records?.badCount ?: 0
         if (bad > 0) {
-            val message = "Records with all modes of the robot at once were dropped ($bad×)."
+            val message = "Records with all modes of the robot at once were dropped${timesText(bad)}."
             problems.add(ProblemKind.BAD_RECORD, message, count = bad, loss = Loss(cells = bad))
         }
         when {

@@ -27,8 +27,8 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** Its attributes. */
     val attributes: List<String> get() = attributesIn(metadata, name)
 
-    /** Whether it was the x axis of a bag that badlog converted to a WPILOG. */
-    val wasXAxis: Boolean get() = isXAxisIn(metadata)
+    /** What it was in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else. */
+    val formerRole: String? get() = formerRoleIn(metadata)
 
     /** Returns whether a record of it may have a payload of [size] bytes. */
     fun fits(size: Int): Boolean = width == 0 || if (isArray) size % width == 0 else size == width

@@ -11,11 +11,20 @@ import badlog.core.recording.TopicKind
 /** The metadata that marks an entry as a value. */
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
-/** The part of the metadata that marks a topic as the former x axis of a bag. */
-private const val X_AXIS_METADATA: String = "\"badlog\":\"xaxis\""
+/** What the metadata of an entry say of a topic that was the x axis of a bag. */
+internal const val X_AXIS: String = "xaxis"
 
-/** Returns whether [metadata] mark a topic as the former x axis of a bag; a program's property of the same name does not. */
-internal fun isXAxisIn(metadata: String): Boolean = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text == X_AXIS
+/** What they say of one that had few samples there. */
+internal const val SPARSE: String = "sparse"
+
+/** Returns what [metadata] say that a topic was in a bag, mostly null; a program's property of the same name says nothing. */
+internal fun formerRoleIn(metadata: String): String? = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text
+
+private fun roleOf(topic: Topic): String? = when {
+    X_AXIS in topic.attributes -> X_AXIS
+    topic.isSparse && (topic.kind == TopicKind.NUMERIC || topic.kind == TopicKind.BOOLEAN) -> SPARSE
+    else -> null
+}
 
 /** Returns the unit in [metadata], where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
 internal fun unitIn(metadata: String): String {
@@ -44,17 +53,17 @@ private fun List<JsonMember>.property(key: String): JsonValue? = last("propertie
 /** Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does. */
 internal fun metadataOf(topic: Topic): String {
     val attributes = attributesOf(topic)
-    val isX = X_AXIS in topic.attributes
+    val role = roleOf(topic)
     val unit = unitIn(topic.metadata)
     val isSameUnit = unit == topic.unit || (Units.isNone(unit) && Units.isNone(topic.unit))
-    if (!isX && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
+    if (role == null && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
     val own = JsonReader.readObject(topic.metadata)
     val members = ArrayList<String>()
     for (member in own.orEmpty()) {
         if (member.key != UNIT && member.key != ATTRIBUTES) members += quotedJson(member.key) + ":" + member.value.json
     }
     if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
-    if (isX) members += X_AXIS_METADATA
+    if (role != null) members += quotedJson(BADLOG) + ":" + quotedJson(role)
     if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
     val others = if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
     // An empty list, too, if there would be other ones without it.
@@ -90,4 +99,3 @@ private const val BADLOG = "badlog"
 
 /** The attribute of texts that are events. */
 internal const val LOG: String = "log"
-private const val X_AXIS = "xaxis"

@@ -3,6 +3,7 @@ package badlog.formats.wpilog
 import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
+import badlog.core.recording.timesText
 
 /** Reports what was odd about the records of one entry: once, after all of them were read. */
 internal fun reportEntry(entry: Entry, problems: ProblemList) {
@@ -11,7 +12,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     if (decoder.badCount > 0) {
         problems.add(
             ProblemKind.BAD_RECORD,
-            "Records of “$name” are not of its type, ${entry.type}, and were dropped (${decoder.badCount}×).",
+            "Records of “$name” are not of its type, ${entry.type}, and were dropped${timesText(decoder.badCount)}.",
             topic = name,
             count = decoder.badCount,
             loss = Loss(cells = decoder.badCount),
@@ -20,7 +21,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     if (decoder.droppedValues > 0) {
         problems.add(
             ProblemKind.TOO_MANY_TOPICS,
-            "Values of “$name” were dropped (${decoder.droppedValues}×): there are more than can be shown.",
+            "Values of “$name” were dropped${timesText(decoder.droppedValues)}: there are more than can be shown.",
             topic = name,
             count = decoder.droppedValues,
             loss = Loss(cells = decoder.droppedValues),

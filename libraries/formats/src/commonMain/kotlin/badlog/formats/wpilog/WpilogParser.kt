@@ -8,6 +8,7 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Value
+import badlog.core.recording.timesText
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.addCut
 import badlog.formats.column.addLost
@@ -105,12 +106,17 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         if (entries.unknownCount > 0) {
             val numbers = entries.unknownIds.take(NAMED).joinToString { it.toUInt().toString() }
             val more = if (entries.unknownIds.size > NAMED) ", …" else ""
-            val isSkipped = entries.hasGaps
-            val cause =
-                if (isSkipped) "their start records may be among the skipped bytes" else "their entries were not started, or had finished"
+            val isOne = entries.unknownCount == 1
+            val records = if (isOne) "1 record belongs" else "${entries.unknownCount} records belong"
+            val owners = if (entries.unknownIds.size == 1) "an entry (number $numbers)" else "entries (numbers $numbers$more)"
+            val cause = if (entries.hasGaps) {
+                "whose start may be among the skipped bytes"
+            } else {
+                "that this file never starts, or has finished"
+            }
             problems.add(
                 ProblemKind.UNKNOWN_ENTRY,
-                "Records of unknown entries (numbers $numbers$more) were dropped (${entries.unknownCount}×); $cause.",
+                "$records to $owners $cause, and ${if (isOne) "was" else "were"} dropped.",
                 count = entries.unknownCount,
                 loss = Loss(cells = entries.unknownCount),
             )
@@ -118,7 +124,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
         if (entries.badControlCount > 0) {
             problems.add(
                 ProblemKind.BAD_RECORD,
-                "Malformed records that should start, describe or finish an entry were dropped (${entries.badControlCount}×).",
+                "Malformed records that should start, describe or finish an entry were dropped${timesText(entries.badControlCount)}.",
                 count = entries.badControlCount,
                 loss = Loss(cells = entries.badControlCount),
             )
@@ -127,7 +133,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
             problems.add(
                 ProblemKind.EARLY_TIMES,
                 "Records from before the robot's clock started, such as one of “${entries.firstEarly?.name}”, " +
-                    "were moved to the start of the log (${entries.earlyCount}×).",
+                    "were moved to the start of the log${timesText(entries.earlyCount)}.",
                 count = entries.earlyCount,
             )
         }
@@ -136,7 +142,7 @@ public class WpilogParser(keepSamples: Boolean = true) : LogParser {
             val example = entries.firstWild?.let { ", such as one of “${it.name}”" }.orEmpty()
             problems.add(
                 ProblemKind.WILD_TIMES,
-                "Records with impossible times, or days away from all others$example, were dropped (${entries.wildCount + far}×).",
+                "Records with impossible times, or days away from all others$example, were dropped${timesText(entries.wildCount + far)}.",
                 count = entries.wildCount + far,
                 loss = Loss(cells = entries.wildCount + far),
             )

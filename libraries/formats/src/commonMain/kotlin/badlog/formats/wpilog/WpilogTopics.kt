@@ -31,7 +31,8 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             decoder.timestamps.times,
             entry.type,
             entry.metadata,
-            entry.wasXAxis,
+            wasXAxis = entry.formerRole == X_AXIS,
+            wasSparse = entry.formerRole == SPARSE,
         )
         // An entry without records, or with only empty arrays, is still a topic.
         if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))

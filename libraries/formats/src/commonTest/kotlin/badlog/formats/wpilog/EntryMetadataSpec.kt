@@ -1,5 +1,6 @@
 package badlog.formats.wpilog
 
+import badlog.core.bag.parse
 import badlog.core.json.quotedJson
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -61,6 +62,15 @@ class EntryMetadataSpec : FunSpec({
     test("a program's property does not make a topic the x axis that a bag once had") {
         val metadata = withProperties("\"badlog\":\"xaxis\"")
         parseLog(TestLog().start(1, TOPIC, "double", metadata).double(1, 5, 1.0).bytes).topics.single().wasXAxis shouldBe false
+    }
+
+    test("badlog marks what a topic was in a bag: its x axis, or sparse; texts, which always have empty cells, are neither") {
+        val rows = (0 until 30).joinToString("") { "$it,${if (it % 7 == 0) it else ""},${if (it % 7 == 1) "true" else ""},${if (it == 3) "hello" else ""}\n" }
+        val bag = parse("{\"topics\":[{\"name\":\"t\",\"attrs\":[\"xaxis\"]},{\"name\":\"n\"},{\"name\":\"on\"},{\"name\":\"said\"}]}\nt,n,on,said\n$rows")
+        val topics = parseLog(writeLog(bag).first).topics.associateBy { it.name }
+        topics.getValue("t").run { wasXAxis to wasSparse } shouldBe (true to false)
+        for (name in listOf("n", "on")) topics.getValue(name).run { wasXAxis to wasSparse } shouldBe (false to true)
+        topics.getValue("said").run { wasXAxis to wasSparse } shouldBe (false to false)
     }
 
     test("a property that is no text and no list of texts says nothing") {

@@ -36,7 +36,7 @@ class LakeLog(val file: LogFile, val name: String) {
  *
  * @property message why it was not added, as a sentence; null if it was.
  * @property isNoLog whether it is something other than a log.
- * @property isSalvaged whether data of the log is lost; only known if it was written.
+ * @property isSalvaged whether data of the log is lost.
  * @property isWritten whether it was written; otherwise it was already in the lake.
  */
 class LakeOutcome internal constructor(
@@ -189,7 +189,10 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
                 }
             }
         }
-        val outcomes = logs.zip(sources) { log, source -> outcomeOf(log, examined[source.path], plan.ignored[source]) }
+        val salvaged = registered.filter { it.isSalvaged }.mapTo(HashSet()) { it.path }
+        val outcomes = logs.zip(sources) { log, source ->
+            outcomeOf(log, examined[source.path], plan.ignored[source], wasSalvaged = source.path in salvaged)
+        }
         if (examined.isNotEmpty()) noteIgnored(outcomes)
         return LakeResult(outcomes, plan.gone.size)
     }
@@ -206,10 +209,10 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         examination.write(file, cores, log.source, log.log, folder).also { if (it is ExaminedLog.Written) stage.add(it.entry, log.former) }
     }
 
-    private fun outcomeOf(log: LakeLog, examined: ExaminedLog?, ignored: String?): LakeOutcome = when (examined) {
+    private fun outcomeOf(log: LakeLog, examined: ExaminedLog?, ignored: String?, wasSalvaged: Boolean): LakeOutcome = when (examined) {
         is ExaminedLog.Written -> LakeOutcome(log, null, isNoLog = false, isSalvaged = examined.entry.isSalvaged, isWritten = true)
         is ExaminedLog.None -> LakeOutcome(log, examined.message, examined.isNoLog, isSalvaged = false, isWritten = false)
-        null -> LakeOutcome(log, ignored, isNoLog = ignored != null, isSalvaged = false, isWritten = false)
+        null -> LakeOutcome(log, ignored, isNoLog = ignored != null, isSalvaged = ignored == null && wasSalvaged, isWritten = false)
     }
 
     private fun noteIgnored(outcomes: List<LakeOutcome>) {

@@ -12,6 +12,7 @@ import java.nio.file.Path
  * @property log its name in the lake.
  * @property path the log's file.
  * @property files the files of its samples, relative to the lake.
+ * @property isSalvaged whether data of it is lost.
  */
 class RegisteredLog internal constructor(
     val log: String,
@@ -21,6 +22,7 @@ class RegisteredLog internal constructor(
     private val maker: String,
     internal val partition: Partition,
     val files: List<String>,
+    val isSalvaged: Boolean,
 ) : Serializable {
     /** Where in each table its records stand: the folders of season and event, with a slash between. */
     val place: String get() = partition.path
@@ -37,7 +39,7 @@ class RegisteredLog internal constructor(
 internal fun registeredIn(folder: Path, engine: Engine): List<RegisteredLog> {
     val files = tableFiles(folder, LakeTable.MATCHES)
     if (files.isEmpty()) return emptyList()
-    val sql = "SELECT log, path, size, epoch_ms(modified), made_by, season, event, files FROM ${scanOf(files)}"
+    val sql = "SELECT log, path, size, epoch_ms(modified), made_by, season, event, files, salvaged FROM ${scanOf(files)}"
     return engine.connected { connection ->
         connection.createStatement().use { statement ->
             statement.executeQuery(sql).use { rows ->
@@ -53,6 +55,7 @@ internal fun registeredIn(folder: Path, engine: Engine): List<RegisteredLog> {
                         rows.getString("made_by"),
                         Partition(season, rows.getString("event")),
                         names,
+                        rows.getBoolean("salvaged"),
                     )
                 }
                 logs

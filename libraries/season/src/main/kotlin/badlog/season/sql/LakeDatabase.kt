@@ -16,8 +16,12 @@ import java.nio.file.Path
 import java.sql.ResultSet
 import java.sql.SQLException
 
-/** Thrown if a query cannot be answered. The message is for its author: what is wrong, and where. */
-class SqlException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
+/**
+ * Thrown if a query cannot be answered. The message is for its author: what is wrong, and where.
+ *
+ * @property isMistake whether the query is wrong; otherwise its files cannot be read or written, memory is missing, or it was canceled.
+ */
+class SqlException(override val message: String, cause: Throwable? = null, val isMistake: Boolean = true) : Exception(message, cause)
 
 /**
  * A column of an answer.
@@ -106,7 +110,8 @@ class LakeDatabase private constructor(
     } catch (e: SQLException) {
         // If rows are streamed, the driver adds a line of its own before the engine's message.
         val message = e.message.orEmpty().substringAfter("\nError: ").trim()
-        throw SqlException(if (isConfined) message.replace("$folder", "the lake") else message, e)
+        val isMistake = NO_MISTAKES.none { it in message.substringBefore(':') }
+        throw SqlException(if (isConfined) message.replace("$folder", "the lake") else message, e, isMistake)
     }
 
     /** Only queries can be written as JSON by DuckDB, so anything else is refused before any of it is executed. */
@@ -156,6 +161,10 @@ class LakeDatabase private constructor(
         }
 
         private const val CONFINED_MEGABYTES = 1024
+
+        /** What the engine's messages begin with where the query is not to blame. */
+        private val NO_MISTAKES =
+            listOf("IO Error", "Out of Memory", "INTERRUPT", "INTERNAL", "FATAL", "Connection Error", "Permission Error")
         private const val ONLY_QUERIES = "Only a single query is possible here, such as SELECT … FROM matches; nothing can be changed."
     }
 }

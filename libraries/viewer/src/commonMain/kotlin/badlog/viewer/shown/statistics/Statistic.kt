@@ -35,7 +35,7 @@ enum class Statistic(val title: String, val hint: String, val isSample: Boolean 
     PERCENTILE_95("95 %", "below this for 95 % of the time"),
 
     /** The standard deviation by time. */
-    STANDARD_DEVIATION("std", "the standard deviation by time: each value counts as long as it holds"),
+    STANDARD_DEVIATION("std. dev.", "the standard deviation by time: each value counts as long as it holds"),
 
     /** The first value. */
     FIRST("first", "the first value", isSample = true),
@@ -92,6 +92,6 @@ enum class Statistic(val title: String, val hint: String, val isSample: Boolean 
 
     companion object {
         /** The remark beside the statistics, so that nobody takes them for unweighted ones. */
-        const val BY_TIME: String = "Mean, median, percentiles and std are by time."
+        const val BY_TIME: String = "Mean, median, percentiles and standard deviation are by time."
     }
 }

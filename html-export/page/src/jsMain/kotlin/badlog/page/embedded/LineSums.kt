@@ -1,0 +1,25 @@
+package badlog.page.embedded
+
+import badlog.protocol.Crc32
+
+/** The CRC-32 of each line of an embedded file, from its bytes in order, to compare with those that the exporter wrote. */
+internal class LineSums {
+    private val crc = Crc32()
+    private val sums = ArrayList<Int>()
+
+    /** Adds [bytes], the next piece of a line; [isLast] ends the line. */
+    fun add(bytes: ByteArray, isLast: Boolean) {
+        crc.update(bytes)
+        if (!isLast) return
+        add(crc.value)
+        crc.reset()
+    }
+
+    /** Adds the [sum] of the next line, which was calculated elsewhere. */
+    fun add(sum: Int) {
+        sums += sum
+    }
+
+    /** Returns whether these are all lines, and nothing was changed in them. */
+    fun fit(expected: Array<Int>): Boolean = sums == expected.asList()
+}

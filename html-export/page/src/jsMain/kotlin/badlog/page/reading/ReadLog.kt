@@ -1,0 +1,10 @@
+package badlog.page.reading
+
+import badlog.core.recording.Recording
+
+/**
+ * What was read from a page.
+ *
+ * @property isDamaged whether the page was changed since it was exported, so that anything in [recording] may be wrong.
+ */
+internal class ReadLog(val recording: Recording, val isDamaged: Boolean)

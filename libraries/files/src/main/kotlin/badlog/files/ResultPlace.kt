@@ -1,0 +1,27 @@
+package badlog.files
+
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Where results go, as typed after `--out`.
+ *
+ * @property path the file or folder.
+ * @property isFolder whether it is a folder: one that exists, or a name with a slash at its end or without an ending. Whoever writes a file
+ *   named `page` nearly always wants a folder.
+ */
+public class ResultPlace private constructor(public val path: Path, public val isFolder: Boolean) {
+    public companion object {
+        /**
+         * Returns the place that [text] names.
+         *
+         * @throws java.nio.file.InvalidPathException if it cannot be a path.
+         */
+        public fun of(text: String): ResultPlace {
+            val path = Path.of(text)
+            val name = path.fileName?.toString().orEmpty()
+            val hasEnding = name.lastIndexOf('.') in 1 until name.lastIndex
+            return ResultPlace(path, text.endsWith('/') || text.endsWith('\\') || !hasEnding || Files.isDirectory(path))
+        }
+    }
+}
