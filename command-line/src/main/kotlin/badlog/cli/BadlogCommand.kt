@@ -109,7 +109,7 @@ internal class BadlogCommand(
     )
 
     override fun helpEpilog(context: Context): String =
-        examplesText(NAME, listOf("open logs", "find logs 'min(battery voltage) < 7'", "fetch 1014")) +
+        examplesText(NAME, listOf("open logs", "find logs \"min(battery voltage) < 7\"", "fetch 1014")) +
             paragraph("“$NAME help cut” lists the options of cut. $EXIT_CODES")
 
     override fun run() = Unit

@@ -13,6 +13,7 @@ import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import java.io.InputStream
 
 class BadlogSpec : FunSpec({
@@ -43,11 +44,12 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("each example of the help is a command line that badlog understands") {
+    test("each example of the help is a command line that badlog understands, in quotes that cmd.exe knows, too") {
         for (command in commands) {
             val examples = badlog("help", command).out.lines().map { it.trim() }.filter { it.startsWith("badlog $command ") || it == "badlog $command" }
             examples.shouldNotBeEmpty()
             for (example in examples) {
+                example shouldNotContain "'"
                 val arguments = commandWords(example).drop(1)
                 val parsed = BadlogCommand(arguments, Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream(), Computer()).also { it.parse(arguments) }
                 parsed.task.shouldNotBeNull()

@@ -3,6 +3,7 @@ package badlog.lib
 import badlog.core.bag.BagParser
 import badlog.core.recording.Recording
 import com.sun.management.ThreadMXBean
+import io.kotest.core.test.Enabled
 import java.io.ByteArrayOutputStream
 import java.io.EOFException
 import java.io.File
@@ -10,6 +11,10 @@ import java.io.PrintStream
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.util.zip.GZIPInputStream
+
+/** For tests in which a log that is being written is deleted or renamed by somebody else. */
+internal val IF_OPEN_FILES_GO: Enabled =
+    if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows deletes and renames no file that is open")
 
 /** More than enough time for the thread that reports what went wrong. */
 internal const val SAID_MILLIS = 60_000

@@ -43,7 +43,7 @@ internal class ConvertCommand(private val parts: PartLoader) :
     override val examples: List<String> = listOf(
         "convert match.bag --to csv",
         "convert match.wpilog --out match.bag --period 0.01",
-        "convert logs --to wpilog --only 'PDP/*' --out converted/",
+        "convert logs --to wpilog --only \"PDP/*\" --out converted/",
     )
 
     override fun makeTask(): Task {

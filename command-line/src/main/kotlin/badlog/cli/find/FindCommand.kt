@@ -40,9 +40,9 @@ internal class FindCommand :
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override val examples: List<String> = listOf(
-        "find logs 'min(battery voltage) < 7'",
-        "find logs 'max(\"PDP/Current *\") by topic'",
-        "find logs 'max(total current) highest 3' --json",
+        "find logs \"min(battery voltage) < 7\"",
+        "find logs \"mean(total current) by state\"",
+        "find logs \"max(total current) highest 3\" --json",
     )
 
     override val words: List<String> get() = super.words + question

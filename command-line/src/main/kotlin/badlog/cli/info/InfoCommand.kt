@@ -46,7 +46,7 @@ internal class InfoCommand :
 
     override val examples: List<String> = listOf(
         "info logs",
-        "info match.bag --only '*battery voltage'",
+        "info match.bag --only \"*battery voltage\"",
         "info logs --problems",
     )
 

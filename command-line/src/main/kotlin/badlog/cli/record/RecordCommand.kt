@@ -35,7 +35,7 @@ internal class RecordCommand(private val robots: Robots) :
     override val examples: List<String> = listOf(
         "record 1014",
         "record 10.10.14.2 --out practice --each-enable",
-        "record localhost --only 'SmartDashboard/*'",
+        "record localhost --only \"SmartDashboard/*\"",
     )
 
     override val words: List<String> get() = listOf(robot)

@@ -29,7 +29,7 @@ internal class SqlCommand(private val parts: PartLoader, private val input: Inpu
     private val explainsTables by option("--explain-tables").flag().help("List the tables and their columns.")
 
     override val examples: List<String> = listOf(
-        "sql logs 'SELECT title, start FROM matches'",
+        "sql logs \"SELECT title, start FROM matches\"",
         "sql logs --explain-tables",
     )
 

@@ -54,8 +54,8 @@ internal class TableCommand :
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override val examples: List<String> = listOf(
-        "table logs --value 'min(battery voltage)' --by 'Match Number'",
-        "table logs --only 'PDP/Current *' --csv",
+        "table logs --value \"min(battery voltage)\" --by \"Match Number\"",
+        "table logs --only \"PDP/Current *\" --csv",
     )
 
     override fun makeTask(): Task {

@@ -46,10 +46,11 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     /** Answers requests from [transport], until it is closed. */
     suspend fun serve(transport: Transport) {
         val end = CompletableDeferred<Unit>()
-        val server = server()
-        server.createSession(transport).onClose { end.complete(Unit) }
+        // A short conversation may have ended before its session is made: the session would no longer hear of that, and closing the server would
+        // wait for it forever. When the transport is closed, nothing is left to close.
+        transport.onClose { end.complete(Unit) }
+        server().createSession(transport)
         end.await()
-        server.close()
     }
 
     private fun server() = Server(

@@ -1,0 +1,27 @@
+package badlog.release.windows
+
+import java.io.ByteArrayOutputStream
+
+/** Five seconds of a color that the window itself has nowhere, as YUV4MPEG2: a video that needs no encoder. */
+internal object VideoOfOneColor {
+    private const val WIDTH = 160
+    private const val HEIGHT = 120
+    private const val FRAMES = 150
+
+    /** Magenta, by brightness and the two differences of color, which have a quarter of the pixels. */
+    private const val Y = 105
+    private const val U = 180
+    private const val V = 235
+
+    fun bytes(): ByteArray = ByteArrayOutputStream().apply {
+        writeBytes("YUV4MPEG2 W$WIDTH H$HEIGHT F30:1 Ip A1:1 C420jpeg\n".encodeToByteArray())
+        val pixels = WIDTH * HEIGHT
+        val bright = ByteArray(pixels) { Y.toByte() }
+        val (blue, red) = listOf(U, V).map { color -> ByteArray(pixels / 4) { color.toByte() } }
+        val frame = "FRAME\n".encodeToByteArray() + bright + blue + red
+        repeat(FRAMES) { writeBytes(frame) }
+    }.toByteArray()
+
+    /** Whether [color] is that of the video. */
+    fun isOfIt(color: Int): Boolean = (color shr 16 and 0xFF) > 0xE0 && (color shr 8 and 0xFF) < 0x20 && (color and 0xFF) > 0xB0
+}

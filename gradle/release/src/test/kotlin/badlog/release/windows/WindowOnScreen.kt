@@ -1,0 +1,89 @@
+package badlog.release.windows
+
+import java.awt.Rectangle
+import java.awt.Robot
+import java.awt.event.InputEvent
+import java.awt.image.BufferedImage
+import java.io.File
+import java.util.concurrent.TimeUnit
+import javax.imageio.ImageIO
+
+/**
+ * The only window on a black screen, seen and used from outside.
+ *
+ * @param process draws it.
+ * @param output what the process prints.
+ */
+internal class WindowOnScreen(private val process: Process, private val output: File) {
+    private val robot = Robot().apply { autoDelay = STEP_MILLIS }
+
+    fun picture() = Picture(robot.createScreenCapture(Rectangle(0, 0, WIDTH, HEIGHT)))
+
+    /** Waits until what is seen [is] as it should, and keeps a picture [name] of it. */
+    fun await(name: String, what: String, isSo: (Picture) -> Boolean) {
+        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(PATIENCE_MINUTES)
+        while (true) {
+            val picture = picture()
+            ImageIO.write(picture.image, "png", File("$name.png"))
+            if (isSo(picture)) return
+            check(process.isAlive) { "The window has ended without $what: ${output.readText()}" }
+            check(System.nanoTime() < end) { "Waited in vain for $what; see ${File("$name.png").absolutePath}. ${output.readText()}" }
+            Thread.sleep(POLL_MILLIS)
+        }
+    }
+
+    /** Drags with the mouse across the middle of the graphs. */
+    fun dragAcrossGraph() {
+        val window = picture().window()
+        fun at(share: Double) = robot.mouseMove((window.x + window.width * share).toInt(), window.y + (window.height * MIDDLE).toInt())
+        at(FROM)
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        for (step in 1..STEPS) at(FROM + (TO - FROM) * step / STEPS)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+    }
+
+    /** Clicks the button *Video*, which is at this distance from the window's right upper corner. */
+    fun clickVideo() {
+        val window = picture().window()
+        robot.mouseMove(window.x + window.width - VIDEO_FROM_RIGHT, window.y + VIDEO_FROM_TOP)
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
+    }
+
+    private companion object {
+        const val WIDTH = 1600
+        const val HEIGHT = 1000
+        const val PATIENCE_MINUTES = 2L
+        const val POLL_MILLIS = 500L
+        const val STEP_MILLIS = 60
+        const val STEPS = 10
+        const val FROM = 0.54
+        const val TO = 0.76
+        const val MIDDLE = 0.63
+        const val VIDEO_FROM_RIGHT = 282
+        const val VIDEO_FROM_TOP = 18
+    }
+}
+
+/** What a screen shows. */
+internal class Picture(val image: BufferedImage) {
+    private val colors = image.getRGB(0, 0, image.width, image.height, null, 0, image.width)
+
+    /** The number of pixels whose color [is] so. */
+    fun count(isSo: (color: Int) -> Boolean): Int = colors.count(isSo)
+
+    /** The number of pixels that have another color in [other]. */
+    fun differences(other: Picture): Int = colors.indices.count { colors[it] != other.colors[it] }
+
+    /** Where the screen is not black. */
+    fun window(): Rectangle {
+        val seen = colors.indices.filter { colors[it] and WITHOUT_ALPHA != 0 }
+        val (left, right) = seen.minOf { it % image.width } to seen.maxOf { it % image.width }
+        val (top, bottom) = seen.first() / image.width to seen.last() / image.width
+        return Rectangle(left, top, right - left + 1, bottom - top + 1)
+    }
+
+    private companion object {
+        const val WITHOUT_ALPHA = 0xFFFFFF
+    }
+}
