@@ -17,7 +17,9 @@ import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
+import badlog.rules.comparison.LogOfFolder
 import badlog.rules.comparison.compared
+import badlog.rules.comparison.restartsIn
 import badlog.rules.incident.incidentsIn
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
@@ -73,11 +75,13 @@ class Report(
         val reader = FigureReader()
         val figures = examined.map { reader.read(FigureText(it.figureNames, it.figureValues)) }
         val differences = rules.compared(figures)
+        val restarts = rules.restartsIn(examined.mapIndexed { i, log -> LogOfFolder(files[i].name, log.title, figures[i], log.findings) })
         val skipped = SkippedRules(rules)
         val logs = ArrayList<LogReport>(files.size)
         withHooks(files, examined) { file, outcomes ->
             val place = logs.size
-            val log = reportOf(file, examined[place], skipped.of(examined[place].asked), figures[place], differences[place], outcomes)
+            val own = examined[place].findings + listOfNotNull(restarts[place])
+            val log = reportOf(file, examined[place], own, skipped.of(examined[place].asked), figures[place], differences[place], outcomes)
             logs += log
             each(log, outcomes.map { it.first })
             if (steps > 1) progress(files.size + logs.size, files.size * steps)
@@ -109,6 +113,7 @@ class Report(
     private fun reportOf(
         file: LogFile,
         stored: ExaminedLog,
+        own: List<Finding>,
         skipped: List<SkippedRule>,
         figures: LogFigures,
         differences: LogDifferences,
@@ -119,8 +124,8 @@ class Report(
             file = file,
             title = stored.title,
             matchType = stored.matchType,
-            findings = (stored.findings + differences.findings + ofHooks).worstFirst(),
-            incidents = rules.incidentsIn(stored.findings, differences.differences),
+            findings = (own + differences.findings + ofHooks).worstFirst(),
+            incidents = rules.incidentsIn(own, differences.differences),
             skipped = skipped,
             unreadable = stored.unreadable,
             isNoLog = stored.isNoLog,

@@ -47,6 +47,28 @@ class ComparedLogsSpec : FunSpec({
         }
     }
 
+    test("a log that begins while the robot is enabled, after one of the same match that ended so, says that the code had restarted") {
+        fun part(number: Int, enabled: (Int) -> Boolean) = bag(
+            mapOf("Time" to "s", "Enabled" to "ul"),
+            List(60) { row -> "${row / 10.0},${enabled(row)}" },
+            mapOf("Event Name" to "Mill Creek", "Match Type" to "Qualification", "Match Number" to "$number"),
+        )
+        inFolder { folder ->
+            val logs = folder.resolve("logs")
+            logs.put("a.bag", part(1) { it > 20 })
+            logs.put("b.bag", part(1) { it < 50 })
+            logs.put("c.bag", part(2) { it < 50 })
+            logs.put("d.bag", part(2) { it < 50 })
+            repeat(2) {
+                val result = Report(cache = folder.resolve("cache")).over(logsIn(logs))
+                val found = result.logs.flatMap { log -> log.findings.filter { it.rule == "Restarted in the match" } }
+                found.map { it.text } shouldBe
+                    listOf("The log begins while the robot was enabled, and “a.bag”, of the same match, ended so: the robot code had restarted.")
+                result.logs[1].incidents.first().name shouldBe "The robot code restarted during the match"
+            }
+        }
+    }
+
     test("practice is not compared with matches") {
         inFolder { folder -> compared(Report().over(logsIn(folder.season("Practice")))).shouldBeEmpty() }
     }

@@ -61,6 +61,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val other: String?,
         val device: String,
         val evidence: List<String>,
+        val channels: List<NamedSignal>,
     ) : Parsed
 
     /** Why an expression cannot be evaluated. */
@@ -258,6 +259,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             turn?.other,
             turn?.device.orEmpty(),
             (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
+            if (rule.text.has(CHANNELS)) signals.of(CHANNEL).map { NamedSignal.of(CHANNEL, listOf(it)) } else emptyList(),
         )
     }
 
@@ -268,7 +270,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         return vocabulary.signals.filter { pattern.matches(it.name) }.map { it.name }
     }
 
-    private fun topicsOf(question: Question) = question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) }
+    private fun topicsOf(question: Question) =
+        question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) } + question.channels.flatMap { it.topics }
 
     private fun refusal(rule: Rule, error: ExpressionError, names: Map<String, NamedSignal>, lacking: List<Signal>): Refusal {
         val name = error.text.substring(error.from, error.until)
@@ -304,6 +307,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
 
         /** The name of the second of two linked topics. */
         const val OTHER = "other"
+
+        /** The placeholder in texts for the channels that drew most. */
+        private const val CHANNELS = "channels"
+        private const val CHANNEL = "channel current"
 
         private const val IS_PART = "the log is only part of a log (see its value “$PART_VALUE”)"
         private const val NO_AXIS = "the log has no x axis"

@@ -47,9 +47,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val messages = messagesOf(question, signals)
         if (!rule.isForEachText || messages == null || answer.spans.isEmpty()) {
             val textAt = { time: Double -> messages?.at(time)?.first().orEmpty() }
-            val spans = joined(answer.spans)
-            val times = if (spans.size < answer.spans.size) spans.size else answer.times
-            return listOf(finding(rule, question, answer, spans, times, textAt, signals))
+            return listOf(finding(rule, question, answer, answer.spans, answer.times, textAt, signals))
         }
         val alike = LinkedHashMap<String, MutableList<Span>>()
         // Of what is said at the same time, each message has a finding of its own.
@@ -68,17 +66,19 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         rule: Rule,
         question: RuleProgram.Question,
         answer: Answer,
-        found: List<Span>,
+        hits: List<Span>,
         times: Int,
         textAt: (time: Double) -> String,
         signals: Signals,
     ): Finding {
+        val found = joinedHits(hits)
         // A statement about the whole recording holds from its start to its end.
         val whole = listOfNotNull(signals.range).takeIf { found.isEmpty() }
         val spans = whole ?: found
         val at = if (found.isEmpty()) answer.time else found[0].from
         val time = if (at.isNaN() && spans.isNotEmpty()) spans[0].from else at
         val texted = TextedRule(rule, question, match, file, answer.timeUnit)
+        val channels = largestChannels(question.channels, found, samples, signals.range?.to ?: Double.NaN)
         return Finding(
             rule.name,
             rule.severity,
@@ -87,17 +87,25 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
                 value = answer.quantities.firstOrNull()?.let(::textOf) ?: textAt(at),
                 time = time,
                 count = if (whole == null) times else whole.size,
-                length = spans.sumOf { it.width },
+                length = (whole ?: hits).sumOf { it.width },
+                channels = channels.map { "${it.topic} (${timeText(round(it.amperes * 10) / 10, "A")})" },
             ),
             at,
             found.take(if (isEverywhere) Finding.MAX_PLACES else Finding.MAX_SPANS),
-            times,
+            if (found.size < hits.size) found.size else times,
             answer.timeUnit,
-            evidence = question.evidence,
+            evidence = evidenceOf(question, channels),
             next = rule.next,
             caveats = caveatsOf(question),
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
+    }
+
+    /** Returns the topics that show what [question] found: those of the [channels] that drew most stand for the other channels. */
+    private fun evidenceOf(question: RuleProgram.Question, channels: List<LargestChannel>): List<String> {
+        if (channels.isEmpty()) return question.evidence
+        val all = question.channels.flatMapTo(HashSet()) { it.topics }
+        return (question.evidence.filter { it !in all } + channels.map { it.topic }).distinct()
     }
 
     /** Says what may be missing in the samples that [question] is about. */
@@ -123,21 +131,6 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     }.takeIf { it.isFinite() }
 
     private val steps = HashMap<String, Double>()
-
-    /** Returns [spans] with those joined that follow each other within a second, if they are many: something that flickers is one thing. */
-    private fun joined(spans: List<Span>): List<Span> {
-        if (spans.size <= MAX_HITS) return spans
-        val joined = ArrayList<Span>()
-        for (span in spans) {
-            val last = joined.lastOrNull()
-            if (last != null && span.from >= last.to && span.from - last.to < JOINED_SECONDS) {
-                joined[joined.lastIndex] = Span(last.from, maxOf(last.to, span.to))
-            } else {
-                joined += span
-            }
-        }
-        return joined
-    }
 
     private fun textsOf(spans: List<Span>, answer: Answer, textAt: (Double) -> String, texted: TextedRule): List<String> {
         val all = answer.quantities.firstOrNull()?.let(::textOf)
@@ -175,9 +168,5 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
 
         /** A loop takes 0.02 s; topics that are sampled more rarely miss something, in s. */
         const val LONG_STEP = 0.045
-
-        /** As many hits as somebody goes through one by one. */
-        const val MAX_HITS = 50
-        const val JOINED_SECONDS = 1.0
     }
 }

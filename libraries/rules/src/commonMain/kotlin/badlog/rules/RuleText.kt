@@ -4,6 +4,9 @@ package badlog.rules
 internal class RuleText private constructor(val source: String, private val parts: List<Part>) {
     private class Part(val text: String, val isPlace: Boolean)
 
+    /** Returns whether it has the placeholder [name]. */
+    fun has(name: String): Boolean = parts.any { it.isPlace && it.text == name }
+
     /** Returns the text with its placeholders replaced by [found], which must have all of them. */
     fun filled(found: Map<String, String>): String = parts.joinToString("") { if (it.isPlace) found.getValue(it.text) else it.text }
 
@@ -11,7 +14,7 @@ internal class RuleText private constructor(val source: String, private val part
     class Mistake(val from: Int, val until: Int, override val message: String) : Exception(message)
 
     companion object {
-        val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration")
+        val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration", "channels")
 
         /** Reads [text], which may have the placeholders [places]; throws a [Mistake]. */
         fun parse(text: String, places: List<String> = PLACES): RuleText {

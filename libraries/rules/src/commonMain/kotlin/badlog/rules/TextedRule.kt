@@ -13,8 +13,11 @@ internal class TextedRule(
     private val file: String,
     private val timeUnit: String,
 ) {
-    /** Returns the text for [value] at [time], found [count] times, over a total [length] of time. */
-    fun text(value: String, time: Double, count: Int, length: Double): String = rule.text.filled(
+    /**
+     * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
+     * its current.
+     */
+    fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList()): String = rule.text.filled(
         mapOf(
             "value" to value,
             "time" to timeText(time, timeUnit),
@@ -25,6 +28,7 @@ internal class TextedRule(
             "device" to question.device,
             "count" to count.toString(),
             "duration" to timeText(roundedLength(length), timeUnit),
+            "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",
         ),
     )
 }

@@ -76,6 +76,12 @@ internal class TestMatch(private val seconds: Int = 40) {
         cell(name, units.getValue(name)) { time, row -> if (time < from) before(time, row) else at(time) }
     }
 
+    /** [name] is unchanged outside of [span], and within it what [at] returns. */
+    fun within(span: ClosedRange<Double>, name: String, at: (Double) -> String) {
+        val others = cells.getValue(name)
+        cell(name, units.getValue(name)) { time, row -> if (time in span) at(time) else others(time, row) }
+    }
+
     fun without(name: String) = cells.remove(name)
 
     private fun cell(name: String, unit: String, at: (Double, Int) -> String) {

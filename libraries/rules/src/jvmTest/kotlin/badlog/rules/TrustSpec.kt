@@ -9,7 +9,6 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 
-private const val BATTERY = "/SystemStats/BatteryVoltage"
 private const val CAN = "/SystemStats/CANBus/Utilization"
 
 class TrustSpec : FunSpec({
@@ -45,6 +44,30 @@ class TrustSpec : FunSpec({
         finding.spans.size shouldBe 1
         finding.spanCount shouldBe 1
         finding.spans[0].width shouldBe (18.02 plusOrMinus 1e-6)
+    }
+
+    test("short hits that come in groups are few marks, and the text says how long and how often in truth") {
+        val hits = setOf(0, 5, 10)
+        val match = TestMatch().apply { from(0.0, "/SystemStats/CANBus/ReceiveErrorCount") { if (Math.round(it * 50).toInt() % 75 in hits) "1" else "0" } }
+        val rules = RulesFile.parse(
+            "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"/SystemStats/CANBus/ReceiveErrorCount > 0\"\ntext = \"{duration} ({count}×)\"\n",
+        ).rules
+        val finding = match.findings(rules).single()
+        finding.spans.size shouldBe 1
+        finding.text shouldBe "1.62 s (81×)"
+    }
+
+    test("the four channels that drew most are named with what they drew, and are evidence") {
+        val match = TestMatch().apply {
+            for ((channel, amperes) in listOf(70, 20, 90, 40, 30).withIndex()) {
+                number("/PowerDistribution/ChannelCurrent[$channel]") { if (it in 20.0..21.0) amperes.toDouble() else 3.0 }
+            }
+        }
+        val finding = match.finding("Heavy load")
+        fun channel(index: Int) = "/PowerDistribution/ChannelCurrent[$index]"
+        finding.text shouldBe "The robot drew more than 200 A for 1.02 s, up to 250 A (1×); " +
+            "most by ${channel(2)} (90 A), ${channel(0)} (70 A), ${channel(3)} (40 A), ${channel(4)} (30 A)."
+        finding.evidence.filter { "Channel" in it } shouldBe listOf(2, 0, 3, 4).map(::channel)
     }
 
     test("a finding says how rarely its topic is sampled, unless that is each loop") {

@@ -8,6 +8,7 @@ import badlog.core.analysis.Units
 import badlog.core.analysis.enabledSpans
 import badlog.core.analysis.knowsAutonomous
 import badlog.expression.LogViewSignals
+import badlog.rules.isPart
 import badlog.rules.number.ComparedSignal
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
@@ -47,12 +48,15 @@ fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
 private class FigureSearch(private val view: LogView, private val topics: SignalTopics, private val matchType: String?) {
     private val samples = NamedSamples(LogViewSignals(view), view)
     private val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
+    private val start = view.xAxis.range?.start ?: 0.0
     private val end = view.xAxis.range?.endInclusive ?: 0.0
     private val spans: Map<Measure, List<Span>>
     private val weights = HashMap<Pair<Measure, DoubleArray>, DoubleArray>()
+    private val stretches = view.enabledSpans()
+    private val beginsEnabled = !view.recording.isPart && stretches.any { it.span.from <= start + second }
+    private val endsEnabled = !view.recording.isPart && stretches.any { it.span.to >= end - second / LAST }
 
     init {
-        val stretches = view.enabledSpans()
         val enabled = united(stretches.map { it.span }, gap = 0.0)
         val driving = common(enabled, drivenSpans())
         val (autonomous, teleop) = stretches.filterNot { it.isTest }.partition { it.isAutonomous }
@@ -67,7 +71,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
     }
 
     fun figures(): LogFigures {
-        if (Measure.ENABLED !in spans) return LogFigures.NONE
+        if (Measure.ENABLED !in spans) return LogFigures(kind(), emptyList(), DoubleArray(0), Double.NaN, beginsEnabled, endsEnabled)
         val keys = ArrayList<FigureKey>()
         val values = ArrayList<Double>()
         for (compared in ComparedSignal.ALL) {
@@ -90,7 +94,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
             values += rounded(resistance.milliohms)
         }
         val uncertainty = resistance?.uncertainty?.let(::rounded) ?: Double.NaN
-        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty)
+        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled)
     }
 
     /** Returns the topics that are [signal], each as a named signal; or their sum, under the name of the first. */
@@ -166,6 +170,8 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
     }
 
     private companion object {
+        /** The share of a second before its end in which a log is at its end. */
+        const val LAST = 10
         const val LEAST_AUTONOMOUS = 5.0
         const val LEAST_DRIVING = 10.0
         const val LEAST_ENABLED = 20.0

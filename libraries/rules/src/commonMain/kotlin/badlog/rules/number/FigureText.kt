@@ -11,7 +11,7 @@ class FigureText(val names: String, val values: String)
 /** These figures as text. */
 fun LogFigures.toText(): FigureText = FigureText(
     keys.joinToString("\n") { listOf(it.signal, it.topic, it.measure.ordinal, it.unit).joinToString("\t") },
-    "${kind.ordinal};$uncertainty;" + values.joinToString(";"),
+    listOf(kind.ordinal, uncertainty, beginsEnabled, endsEnabled).joinToString(";", postfix = ";") + values.joinToString(";"),
 )
 
 /** Reads what [toText] wrote; equal texts of names are parsed once. Not thread-safe. */
@@ -22,13 +22,16 @@ class FigureReader {
     fun read(text: FigureText): LogFigures {
         val keys = keys.getOrPut(text.names) { keysOf(text.names) }
         val parts = text.values.split(';')
-        if (parts.size != keys.size + 2 || keys.isEmpty()) return LogFigures.NONE
+        // A list of no values is one empty text.
+        if (parts.size != maxOf(1, keys.size) + FIRST) return LogFigures.NONE
         val kind = MatchKind.entries.getOrNull(parts[0].toIntOrNull() ?: -1) ?: return LogFigures.NONE
         return LogFigures(
             kind,
             keys,
-            DoubleArray(keys.size) { parts[it + 2].toDoubleOrNull() ?: Double.NaN },
+            DoubleArray(keys.size) { parts[it + FIRST].toDoubleOrNull() ?: Double.NaN },
             parts[1].toDoubleOrNull() ?: Double.NaN,
+            beginsEnabled = parts[2] == "true",
+            endsEnabled = parts[3] == "true",
         )
     }
 
@@ -44,5 +47,8 @@ class FigureReader {
 
     private companion object {
         const val PARTS = 4
+
+        /** Where the values begin. */
+        const val FIRST = 4
     }
 }

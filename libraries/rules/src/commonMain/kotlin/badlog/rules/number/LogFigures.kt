@@ -32,12 +32,16 @@ enum class MatchKind(internal val words: String) {
  * @property kind the kind of run.
  * @property keys what is measured.
  * @property uncertainty the uncertainty of the battery's resistance, in milliohms (95 %); NaN if there is none.
+ * @property beginsEnabled whether the robot was enabled when the log began, as it is after a restart of the code in a match.
+ * @property endsEnabled whether it was enabled when the log ended.
  */
 class LogFigures internal constructor(
     val kind: MatchKind,
     val keys: List<FigureKey>,
     internal val values: DoubleArray,
     val uncertainty: Double,
+    val beginsEnabled: Boolean = false,
+    val endsEnabled: Boolean = false,
 ) {
     /** Returns the figure for [key]; NaN for none. */
     operator fun get(key: FigureKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }

@@ -18,9 +18,16 @@ class FigureTextSpec : FunSpec({
         other.keys shouldBeSameInstanceAs one.keys
     }
 
+    test("how a log begins and ends comes back, also of one that is too short for figures") {
+        val short = LogFigures(MatchKind.MATCH, emptyList(), DoubleArray(0), Double.NaN, beginsEnabled = true)
+        FigureReader().read(short.toText()).run { listOf(beginsEnabled, endsEnabled) } shouldBe listOf(true, false)
+        val long = LogFigures(MatchKind.MATCH, keys, doubleArrayOf(1.0, 2.0), 0.25, endsEnabled = true)
+        FigureReader().read(long.toText()).run { listOf(beginsEnabled, endsEnabled) } shouldBe listOf(false, true)
+    }
+
     test("none is none, and so is what is no text of figures") {
         val reader = FigureReader()
-        val texts = listOf(LogFigures.NONE.toText(), FigureText("x", "1;2;3"), FigureText(figures.toText().names, "9;;1;2"), FigureText("", ""))
+        val texts = listOf(LogFigures.NONE.toText(), FigureText("x", "1;2;3"), FigureText(figures.toText().names, "9;;false;false;1;2"), FigureText("", ""))
         texts.map { reader.read(it).keys.size } shouldBe listOf(0, 0, 0, 0)
     }
 })

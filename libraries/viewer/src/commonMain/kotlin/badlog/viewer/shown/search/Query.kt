@@ -3,7 +3,8 @@ package badlog.viewer.shown.search
 /**
  * What a person searches for, regardless of case:
  *
- * - all words must occur, in any order; quoted words must occur together, exactly as written;
+ * - all words must occur, in any order, also in another form or as another word for the same thing, see [SAME_WORDS]; quoted words must
+ *   occur together, exactly as written;
  * - `a | b` finds items with one or the other;
  * - `-c` excludes items with it;
  * - `is:` and `has:` ask for traits of the topic, see [Trait]; with any other word after the colon they are ordinary words.
@@ -11,7 +12,9 @@ package badlog.viewer.shown.search
  * While typing, incomplete parts have no effect: a sign without a word, and an empty alternative, are ignored.
  */
 class Query(text: String) {
-    private class Term(val isWanted: Boolean, val word: String, val trait: Trait?)
+    private class Term(val isWanted: Boolean, val word: String, val trait: Trait?, val variants: List<String>) {
+        fun occursIn(text: String) = word in text || variants.any { occursIn(text, it) }
+    }
 
     private val alternatives: List<List<Term>> = tokensOf(text.lowercase()).let { tokens ->
         val parts = ArrayList<ArrayList<Term>>().apply { add(ArrayList()) }
@@ -19,8 +22,8 @@ class Query(text: String) {
         parts.filter { it.isNotEmpty() }
     }
 
-    /** The words that must occur, in lower case, for highlighting. */
-    val words: List<String> = alternatives.flatten().filter { it.isWanted && it.trait == null }.map { it.word }
+    /** The words that are searched for, in lower case and with their variants, for highlighting. */
+    val words: List<String> = alternatives.flatten().filter { it.isWanted && it.trait == null }.flatMap { listOf(it.word) + it.variants }
 
     /** Whether nothing is searched for, so that everything is shown. */
     val isEmpty: Boolean get() = alternatives.isEmpty()
@@ -32,7 +35,7 @@ class Query(text: String) {
     fun matchesLowercase(text: String, traits: Set<Trait> = emptySet()): Boolean {
         if (isEmpty) return true
         for (terms in alternatives) {
-            if (terms.all { (if (it.trait == null) it.word in text else it.trait in traits) == it.isWanted }) return true
+            if (terms.all { (if (it.trait == null) it.occursIn(text) else it.trait in traits) == it.isWanted }) return true
         }
         return false
     }
@@ -63,7 +66,9 @@ class Query(text: String) {
                     while (at < text.length && if (isQuoted) text[at] != '"' else !isBlank(text[at]) && text[at] != '|') at++
                     val word = text.substring(start, at)
                     if (isQuoted) at++
-                    if (word.isNotEmpty()) tokens += Term(isWanted, word, if (isQuoted) null else Trait.of(word))
+                    val trait = if (isQuoted) null else Trait.of(word)
+                    val variants = if (isQuoted || trait != null) emptyList() else variantsOf(word)
+                    if (word.isNotEmpty()) tokens += Term(isWanted, word, trait, variants)
                 }
             }
             return tokens

@@ -7,8 +7,9 @@ import badlog.viewer.text.countText
 /** The text that a [Query] searches, in lower case: the rule, the severity and the message. */
 val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
 
-/** The text that a [Query] searches, in lower case: everything that the incident says. */
-val Incident.searchedText: String get() = "$name ${sentences.joinToString(" ") { it.text }} $next".lowercase()
+/** The text that a [Query] searches, in lower case: everything that the incident says, and all findings that are part of it. */
+val Incident.searchedText: String
+    get() = "$name ${sentences.joinToString(" ") { it.text }} $next ${(causes + effects).joinToString(" ") { it.searchedText }}".lowercase()
 
 /** Returns whether this finds a finding or an incident with [searchedText]. */
 fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)

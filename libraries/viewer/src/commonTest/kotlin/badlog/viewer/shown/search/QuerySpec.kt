@@ -28,6 +28,28 @@ class QuerySpec : FunSpec({
         found("-\"left speed\" speed|arm") shouldBe listOf("Right Speed", "Speed Left", "Arm")
     }
 
+    test("a word finds its other forms, and other words for the same thing, but quotes are exact") {
+        Query("brownout").matches("System/Browned Out") shouldBe true
+        Query("Brownouts").matches("The roboRIO browned out at 93.7 s") shouldBe true
+        Query("browned out").matches("brownout, outputs cut") shouldBe true
+        Query("-brownout").matches("Browned Out") shouldBe false
+        Query("\"brownout\"").matches("Browned Out") shouldBe false
+        Query("stalls").matches("Motor stalled") shouldBe true
+        Query("slipping").matches("Wheels slip") shouldBe true
+        Query("pdh current").matches("PowerDistribution/ChannelCurrent[3]") shouldBe true
+        Query("gyro").matches("Pigeon 2/Yaw") shouldBe true
+    }
+
+    test("a shorter form counts where a word begins, and no form is made of words that are none") {
+        Query("heading").matches("Head Angle") shouldBe true
+        Query("heading").matches("overhead") shouldBe false
+        Query("gyro").matches("Maximum") shouldBe false
+        Query("autonomous").matches("Is auto") shouldBe true
+        Query("status").matches("Statue") shouldBe false
+        Query("speed").matches("Special") shouldBe false
+        Query("loss").matches("closed") shouldBe false
+    }
+
     test("a query that is still being typed finds what it did before") {
         for (text in listOf("left |", "| left", "left -", "left \"", "left -\"", "left||")) {
             Query(text).matches("Left") shouldBe true
@@ -50,6 +72,7 @@ class QuerySpec : FunSpec({
 
     test("the words that are marked are those that are searched for") {
         Query("Left -right \"top speed\" is:state | arm").words shouldBe listOf("left", "top speed", "arm")
+        Query("stalls").words shouldBe listOf("stalls", "stall")
     }
 
     test("the kind of a topic follows from its samples") {

@@ -1,0 +1,40 @@
+package badlog.rules
+
+import badlog.core.analysis.Span
+
+/**
+ * Returns [hits] with those joined that follow each other soon, if they are many: something that flickers is one thing. Soon is within a
+ * second, and for short hits as much more as leaves few of them.
+ */
+internal fun joinedHits(hits: List<Span>): List<Span> {
+    if (hits.size <= MANY) return hits
+    val areShort = hits.map { it.width }.sorted()[hits.size / 2] < SHORT_SECONDS
+    var gap = 1.0
+    var joined = joined(hits, gap)
+    while (areShort && joined.size > FEW && gap < MOST_SECONDS) {
+        gap *= 2
+        joined = joined(joined, gap)
+    }
+    return joined
+}
+
+private fun joined(spans: List<Span>, gap: Double): List<Span> {
+    val joined = ArrayList<Span>()
+    for (span in spans) {
+        val last = joined.lastOrNull()
+        if (last != null && span.from >= last.to && span.from - last.to < gap) {
+            joined[joined.lastIndex] = Span(last.from, maxOf(last.to, span.to))
+        } else {
+            joined += span
+        }
+    }
+    return joined
+}
+
+/** As many hits as somebody goes through one by one. */
+private const val MANY = 50
+
+/** As many marks as leave a graph readable. */
+private const val FEW = 20
+private const val SHORT_SECONDS = 0.5
+private const val MOST_SECONDS = 8.0

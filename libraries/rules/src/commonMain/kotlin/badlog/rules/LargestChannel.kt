@@ -1,0 +1,26 @@
+package badlog.rules
+
+import badlog.core.analysis.Span
+import badlog.rules.number.meanOf
+import badlog.rules.number.timeWithin
+import badlog.signals.NamedSamples
+import badlog.signals.NamedSignal
+
+/** A channel of the power distribution, and what it drew on average. */
+internal class LargestChannel(val topic: String, val amperes: Double)
+
+/** Returns those of [channels] that drew most within [spans], the largest first; [end] is when the log ends. */
+internal fun largestChannels(channels: List<NamedSignal>, spans: List<Span>, samples: NamedSamples, end: Double): List<LargestChannel> {
+    if (channels.isEmpty() || spans.isEmpty()) return emptyList()
+    val ordered = spans.sortedBy { it.from }
+    return channels.mapNotNull { channel ->
+        val series = samples.of(channel)
+        val amperes = if (series.isOrdered) meanOf(series, timeWithin(ordered, series.x, end), least = 0.0) else Double.NaN
+        if (amperes > LEAST) LargestChannel(channel.topics.first(), amperes) else null
+    }.sortedByDescending { it.amperes }.take(MOST)
+}
+
+private const val MOST = 4
+
+/** What a channel draws that does nothing, in amperes. */
+private const val LEAST = 2.0

@@ -1,0 +1,30 @@
+package badlog.rules.comparison
+
+import badlog.rules.Finding
+import badlog.rules.RuleSet
+import badlog.rules.number.LogFigures
+
+/**
+ * A log among others of a folder.
+ *
+ * @property match the match that it is of; null if it does not say.
+ * @property found what the rules found in it alone.
+ */
+class LogOfFolder(val file: String, val match: String?, val figures: LogFigures, val found: List<Finding>)
+
+/**
+ * Returns for each of [logs], which are in the order of time, that the robot code had restarted before it: it begins with an enabled robot,
+ * and the log before it, of the same match, ended with one. Null for other logs, and where the log alone already shows it.
+ */
+fun RuleSet.restartsIn(logs: List<LogOfFolder>): List<Finding?> {
+    val rule = rules.find { it.name == RESTARTED }
+    return logs.mapIndexed { at, log ->
+        val before = logs.getOrNull(at - 1)?.takeIf { log.match != null && it.match == log.match && it.figures.endsEnabled }
+        if (rule == null || before == null || !log.figures.beginsEnabled || log.found.any { it.rule == RESTARTED }) return@mapIndexed null
+        val text = "The log begins while the robot was enabled, and “${before.file}”, of the same match, ended so: " +
+            "the robot code had restarted."
+        Finding(rule.name, rule.severity, null, text, Double.NaN, emptyList(), 1, "", next = rule.next)
+    }
+}
+
+private const val RESTARTED = "Restarted in the match"
