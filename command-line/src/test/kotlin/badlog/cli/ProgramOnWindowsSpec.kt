@@ -62,13 +62,11 @@ private fun folderIn(root: File) = File(root, "Prüfung der Größe").apply {
 private val SAID_BY_WINE = Regex("(?m)^wine: .*\n")
 
 /** What is said, with the exit code; a machine's ways of writing line ends and paths are made one. */
-private fun saidBy(run: LimitedRun) =
-    run.text.replace("\r\n", "\n").replace(SAID_BY_WINE, "").replace(WRITTEN, "").replace('\\', '/') + "-> ${run.code}"
+private fun saidBy(run: LimitedRun) = run.text.replace("\r\n", "\n").replace(SAID_BY_WINE, "").replace(WRITTEN, "").replace('\\', '/') + "-> ${run.code}"
 
 /** The names of the files that commands have made in [folder], and their bytes; but not of the tables, which hold paths and times. */
-private fun madeIn(folder: File): Map<String, List<Byte>> =
-    folder.walk().onEnter { it.name !in setOf("badlog", "cache", "Tabellen") }.filter { it.isFile && it.name != LOG }
-        .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes().toList() }
+private fun madeIn(folder: File): Map<String, List<Byte>> = folder.walk().onEnter { it.name !in setOf("badlog", "cache", "Tabellen") }.filter { it.isFile && it.name != LOG }
+    .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes().toList() }
 
 /** The whole program under Windows' Java; `./gradlew :command-line:platforms` runs it, not `check`. */
 class ProgramOnWindowsSpec : FunSpec({

@@ -21,6 +21,7 @@ import java.nio.file.Path
  * @property pointed the one under the pointer, or null.
  * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
  * @property timesAsked how often a person requested to run the rules again.
+ * @property refusal why a topic was not assigned to a signal, as a sentence; null if nothing was refused.
  */
 internal data class Findings(
     val list: FindingList? = null,
@@ -28,6 +29,7 @@ internal data class Findings(
     val pointed: Finding? = null,
     val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
+    val refusal: String? = null,
 ) {
     /** The names of the topics that one of them is about. */
     val topics: Set<String> get() = list?.topics.orEmpty()
@@ -63,6 +65,9 @@ internal class FindingList(
     /** What could not be looked at, as a sentence. */
     val notLookedAt: String = NotLookedAt(ran, skipped).text
 
+    /** The signals that most rules lack, which a topic can be assigned to. */
+    val lacking: List<String> = NotLookedAt(ran, skipped).lacking.take(MOST_LACKING)
+
     val all: List<Finding> = found.worstFirst()
 
     /** The names of the topics that one of them is about. */
@@ -91,6 +96,9 @@ internal class FindingList(
         return SearchedFindings(incidents.filter { query.findsFound(it.searchedText) }, all.filter { query.findsFound(it.searchedText) })
     }
 }
+
+/** As many as a person assigns at a time. */
+private const val MOST_LACKING = 5
 
 /** The [incidents] and the [findings] that a search leaves, in their order. */
 internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>)

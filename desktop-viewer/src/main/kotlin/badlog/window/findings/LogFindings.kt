@@ -91,6 +91,14 @@ internal class LogFindings(
     /** Runs the rules once more. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
+    /** Makes [topic] the signal [signal] of all logs of the folder, and runs the rules once more; or says why it cannot be that. */
+    fun assign(signal: String, topic: String) {
+        val open = current.recording ?: return
+        val refusal = assign(signal, topic, open.forRules, open.file, folder())
+        change { copy(refusal = refusal) }
+        if (refusal == null) runAgain()
+    }
+
     /** Records that the pointer is on [finding], or on none; on its mark at [place]. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 

@@ -84,6 +84,7 @@ internal fun FindingsPanel(
     val times = remember(open) { EventTimes(open) }
     var query by remember(open.file) { mutableStateOf("") }
     val found = remember(list, query) { list.foundBy(query) }
+    val names = remember(open) { open.view.recording.topics.filter { it.size > 0 }.map { it.name }.sorted() }
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
     fun goTo(finding: Finding) {
@@ -116,6 +117,7 @@ internal fun FindingsPanel(
         }
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
         if (compared.drawn.size > 1) Small("Of the open log only, not of the compared logs.")
+        findings.state.refusal?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {
             SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }
@@ -134,6 +136,7 @@ internal fun FindingsPanel(
                 }
                 if (list.skipped.isNotEmpty()) {
                     item { SkippedHead(list.notLookedAt, showsSkipped) { showsSkipped = !showsSkipped } }
+                    if (showsSkipped) item { LackingSignals(list.lacking, names, findings::assign) }
                     if (showsSkipped) items(list.skipped) { SkippedLine(it) }
                 }
             }

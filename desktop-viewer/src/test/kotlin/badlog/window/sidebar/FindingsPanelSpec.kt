@@ -22,6 +22,7 @@ import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.findings.counted
 import badlog.window.findings.findingsIn
+import badlog.window.findings.findingsOf
 import badlog.window.findings.ruleText
 import badlog.window.findings.word
 import badlog.window.findings.writeRules
@@ -38,6 +39,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import java.nio.file.Files
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
@@ -68,6 +70,32 @@ class FindingsPanelSpec : FunSpec({
             onNodeWithText("1 could not", substring = true).performClick()
             onNodeWithText("None").assertExists()
         }
+    }
+
+    test("a topic becomes a signal with one click, for all logs of the folder; one that cannot be it is refused with a reason") {
+        val folder = tempdir().toPath()
+        val log = folder.resolve("a.bag")
+        val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Power/My Volts","unit":"V","attrs":[]},{"name":"Arm","unit":"m","attrs":[]}],"values":[]}"""
+        Files.writeString(log, (listOf(header, "Time,Power/My Volts,Arm") + List(60) { "${it / 10.0},${if (it in 20..40) 6 else 12},1" }).joinToString("\n", postfix = "\n"))
+        val viewer = viewerOf(OpenRecording.read(log)).apply {
+            findings.change { knowing(findingsOf(checkNotNull(current.recording).forRules, log, folder)) }
+            panels.change { copy(inspector = InspectorTab.FINDINGS, library = false, front = FrontPart.DETAILS) }
+        }
+        runDesktopComposeUiTest(420, 900) {
+            setContent { ViewerTheme(Theme.LIGHT) { viewer.keyboard.Watch { TestInspector(viewer) } } }
+            fun choose(topic: String) {
+                onNodeWithContentDescription("Choose the topic that is “battery”", substring = true).performClick()
+                onNodeWithText(topic).performClick()
+                waitForIdle()
+            }
+            onNodeWithText("could not", substring = true).performClick()
+            choose("Arm")
+            onNodeWithText("“Arm” cannot be “battery”, which is a number in V; choose another topic.").assertExists()
+            Files.exists(folder.resolve("badlog-signals.toml")) shouldBe false
+            choose("Power/My Volts")
+            runOnIdle { viewer.findings.state.timesAsked shouldBe 1 }
+        }
+        findingsOf(OpenRecording.read(log).forRules, folder.resolve("other.bag"), folder).all.map { it.rule } shouldContain "Low battery"
     }
 
     test("all of a finding that the keys go to is seen, and all that it says") {

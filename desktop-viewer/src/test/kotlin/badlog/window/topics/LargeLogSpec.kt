@@ -11,13 +11,13 @@ import badlog.core.analysis.LogView
 import badlog.formats.wpilog.largeLog
 import badlog.formats.wpilog.parseLog
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.Notebook
 import badlog.window.TestTopics
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
 import badlog.window.log.OpenRecording
-import badlog.viewer.choices.note.Notebook
 import badlog.window.log.StoredNotes
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme

@@ -10,9 +10,9 @@ import badlog.files.partsOfLog
 import badlog.files.unpacked
 import badlog.files.withGzipCut
 import badlog.formats.LOG_FORMATS
-import badlog.viewer.choices.note.NotesException
 import badlog.protocol.PageAdditions
 import badlog.terminal.Progress
+import badlog.viewer.choices.note.NotesException
 import java.io.ByteArrayInputStream
 import java.io.InputStream
 import java.io.SequenceInputStream

@@ -2,11 +2,11 @@ package badlog.exporter
 
 import badlog.core.recording.Severity
 import badlog.protocol.HookPart
-import badlog.viewer.choices.note.Note
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding
 import badlog.rules.RuleSet
+import badlog.viewer.choices.note.Note
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

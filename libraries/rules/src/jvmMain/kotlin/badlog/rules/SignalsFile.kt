@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.core.json.quotedJson
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.NamedUnit
 import badlog.signals.vocabulary.SignalContent
@@ -24,11 +25,43 @@ object SignalsFile {
      * @throws RulesException at the first mistake.
      */
     fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
+
+    /**
+     * Returns [text], which is such a file, with [topic] as the first name of [signal]; everything else in it stays as it is.
+     *
+     * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
+     */
+    fun withTopic(text: String, signal: String, topic: String): String {
+        val written = parse(text).find(signal)
+        val made = if (written == null) {
+            val before = if (text.isBlank()) "" else text.trimEnd() + "\n\n"
+            "$before[[signal]]\nname = ${quotedJson(signal)}\ntopics = [${quotedJson(topic)}]\n"
+        } else {
+            withFirst(text, signal, topic)
+        }
+        val isFirst = parse(made).find(signal)?.topics?.first()?.pattern?.text == topic
+        if (!isFirst) throw RulesException(1, "The signal “$signal” cannot be changed here; add “$topic” to its topics in an editor.")
+        return made
+    }
+
+    /** Returns [text] with [topic] before the other topics of [signal]. */
+    private fun withFirst(text: String, signal: String, topic: String): String {
+        val toml = TomlText(text)
+        val table = toml.tables(toml.root(SignalsReader.ROOT), "signal").map { it.first }.first { toml.string(it, "name") == signal }
+        val place = checkNotNull(table.inputPositionOf(listOf("topics")))
+        val line = (1 until place.line()).fold(0) { at, _ -> text.indexOf('\n', at) + 1 }
+        val value = text.indexOf('=', line + place.column() - 1) + 1
+        val at = value + text.substring(value).takeWhile { it.isWhitespace() }.length
+        if (text[at] == '[') return text.substring(0, at + 1) + "${quotedJson(topic)}, " + text.substring(at + 1)
+        // A single name in quotes.
+        val end = text.indexOf(text[at], at + 1) + 1
+        return text.substring(0, at) + "[${quotedJson(topic)}, ${text.substring(at, end)}]" + text.substring(end)
+    }
 }
 
 private class SignalsReader(private val toml: TomlText) {
     fun read(): SignalVocabulary {
-        val root = toml.root(setOf("signal", "units", "linked"))
+        val root = toml.root(ROOT)
         val names = HashSet<String>()
         val signals = toml.tables(root, "signal").map { (table, place) ->
             val signal = signal(table, place)
@@ -106,7 +139,9 @@ private class SignalsReader(private val toml: TomlText) {
         return motors.map(::NamePattern)
     }
 
-    private companion object {
-        val KEYS = setOf("name", "means", "is", "unit", "topics", "except", "many", "sum_of", "at_most")
+    companion object {
+        /** The keys of the file. */
+        val ROOT = setOf("signal", "units", "linked")
+        private val KEYS = setOf("name", "means", "is", "unit", "topics", "except", "many", "sum_of", "at_most")
     }
 }

@@ -11,6 +11,10 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.maps.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
 
 private class Named(val topic: Signal, val signal: String?)
 
@@ -53,6 +57,23 @@ class SignalsFileSpec : FunSpec({
         val signals = SignalTopics(builtIn, LogShape.of(view).vocabulary, "Time")
         signals.of("total current") shouldBe emptyList()
         signals.summandsOf("total current").size shouldBe 4
+    }
+
+    test("a topic becomes the first name of a signal, and all else in the file stays as it was") {
+        SignalsFile.withTopic("", "battery", "Power/My Volts") shouldBe "[[signal]]\nname = \"battery\"\ntopics = [\"Power/My Volts\"]\n"
+        val text = "# ours\r\n[[signal]]\r\nname = \"battery\"\r\ntopics = [ # old\r\n  \"Volts\",\r\n]\r\n\r\n[units]\r\nTicks = \"ticks\"\r\n"
+        SignalsFile.withTopic(text, "battery", "New") shouldBe text.replace("[ #", "[\"New\",  #")
+        SignalsFile.withTopic("signal = [{ name = \"battery\", topics = 'Volts' }]", "battery", "New") shouldBe
+            "signal = [{ name = \"battery\", topics = [\"New\", 'Volts'] }]"
+        SignalsFile.parse(SignalsFile.withTopic(text, "loop time", "Loop")).signals.map { it.name } shouldBe listOf("battery", "loop time")
+        shouldThrow<RulesException> { SignalsFile.withTopic("[[signal]\n", "battery", "New") }
+    }
+
+    test("any topic can be named, whatever letters it has, and again") {
+        checkAll(300, Arb.string(1..30).filter { it.isNotBlank() }, Arb.string(1..30).filter { it.isNotBlank() }) { one, other ->
+            val text = SignalsFile.withTopic(SignalsFile.withTopic("", "battery", one), "battery", other)
+            SignalsFile.parse(text).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf(other, one)
+        }
     }
 
     test("what a team adds takes precedence, and can be a signal of its own") {

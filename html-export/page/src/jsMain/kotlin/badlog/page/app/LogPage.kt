@@ -115,7 +115,8 @@ internal class LogPage(
     private val noteDialog = NoteDialog(scene, notes)
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
-    private val link = PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
+    private val link =
+        PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
@@ -178,7 +179,15 @@ internal class LogPage(
             redraw()
         }
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, BoardKeys(board, graphs, boardSection), values, formulaDialog, noteDialog, help, video, live)
+        Keyboard(
+            scene, search, findings, evidence,
+            BoardKeys(
+                board,
+                graphs,
+                boardSection,
+            ),
+            values, formulaDialog, noteDialog, help, video, live,
+        )
     }
 
     /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */

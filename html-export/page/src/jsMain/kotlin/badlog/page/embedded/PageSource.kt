@@ -42,10 +42,17 @@ internal class PageSource(root: Element) {
         for (element in checkNotNull(document.body).children.asList()) {
             when {
                 element.tagName == "NOSCRIPT" -> copy.add(element.outerHTML + "\n")
+
                 element.tagName == "MAIN" -> copy.add("$waiting\n")
+
                 element.tagName != "SCRIPT" || element.id == "additions" -> Unit
+
                 else -> {
-                    if (element.id == "packed") copy.add("<script type=\"application/octet-stream\" id=\"packed-additions\">$additions</script>\n")
+                    if (element.id ==
+                        "packed"
+                    ) {
+                        copy.add("<script type=\"application/octet-stream\" id=\"packed-additions\">$additions</script>\n")
+                    }
                     copy.addScript(element)
                 }
             }

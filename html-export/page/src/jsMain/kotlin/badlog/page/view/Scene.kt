@@ -6,10 +6,10 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
-import badlog.viewer.choices.note.Note
 import badlog.rules.Finding
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf
+import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
