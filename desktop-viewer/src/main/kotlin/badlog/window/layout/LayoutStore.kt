@@ -118,14 +118,9 @@ internal class LayoutStore(
         val before = board.state
         board.change { open.standardGraphs }
         view.change { reset() }
-        if (!before.showsSame(board.state)) {
-            notices.say(
-                "The graphs that this log begins with are shown.",
-                NoticeAction("Undo") {
-                    board.change { before }
-                },
-            )
-        }
+        if (before.showsSame(board.state)) return
+        val undo = NoticeAction("Undo") { board.change { before } }
+        notices.say("The graphs that this log begins with are shown.", undo)
     }
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */

@@ -179,15 +179,8 @@ internal class LogPage(
             redraw()
         }
         BoardDrag(board, graphs, boardSection)
-        Keyboard(
-            scene, search, findings, evidence,
-            BoardKeys(
-                board,
-                graphs,
-                boardSection,
-            ),
-            values, formulaDialog, noteDialog, help, video, live,
-        )
+        val keys = BoardKeys(board, graphs, boardSection)
+        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, help, video, live)
     }
 
     /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */

@@ -48,11 +48,7 @@ internal class PageSource(root: Element) {
                 element.tagName != "SCRIPT" || element.id == "additions" -> Unit
 
                 else -> {
-                    if (element.id ==
-                        "packed"
-                    ) {
-                        copy.add("<script type=\"application/octet-stream\" id=\"packed-additions\">$additions</script>\n")
-                    }
+                    if (element.id == "packed") copy.addAdditions(additions)
                     copy.addScript(element)
                 }
             }
@@ -60,6 +56,9 @@ internal class PageSource(root: Element) {
         copy.add("</body>\n</html>\n")
         return copy.toBlob()
     }
+
+    private fun BlobParts.addAdditions(packed: String) =
+        add("<script type=\"application/octet-stream\" id=\"packed-additions\">$packed$END\n")
 
     /** Adds [script], whose text may be hundreds of megabytes long, text node by text node. */
     private fun BlobParts.addScript(script: Element) {
