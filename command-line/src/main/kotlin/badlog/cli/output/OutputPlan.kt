@@ -78,7 +78,7 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
 /** The options of all commands that write one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { ResultPlace.of(it) }
-        .help("Write to this file; a name without an ending is a folder, as for several logs.")
+        .help("Write to this file; a name without an ending is a folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
     /** Returns the plan for the logs below [paths]. */

@@ -50,8 +50,9 @@ class RecoverSpec : FunSpec({
         after.topics.map { it.name } shouldBe before.topics.map { it.name }
         after.topics.map { topic -> topic.samples.filterNot { it.isNaN() } } shouldBe
             before.topics.map { topic -> topic.samples.filterNot { it.isNaN() } }
-        badlog("recover", clean / log.fileName.toString(), "-o", folder / "again", "--force").code shouldBe ExitCode.WHOLE
-        (folder / "again").readBytes().toList() shouldBe (clean / log.fileName.toString()).readBytes().toList()
+        val again = folder / "again-${log.fileName}"
+        badlog("recover", clean / log.fileName.toString(), "-o", again, "--force").code shouldBe ExitCode.WHOLE
+        again.readBytes().toList() shouldBe (clean / log.fileName.toString()).readBytes().toList()
     }
 
     for (log in (ROOT / "core/conformance").listDirectoryEntries("*.bag").sorted()) {

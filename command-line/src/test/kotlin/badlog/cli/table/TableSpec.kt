@@ -155,7 +155,7 @@ class TableSpec : FunSpec({
             val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(OutputStream.nullOutputStream()), false)
             return Badlog(console, input.byteInputStream()).run(listOf("table", "-", "--value", "max(Speed)", "--csv", "--no-cache")) to out.toString(Charsets.UTF_8)
         }
-        piped(BAG) shouldBe (ExitCode.WHOLE to "Match,File,max(Speed) (m/s)\r\nMatch 42,-,5.5\n")
+        piped(BAG) shouldBe (ExitCode.WHOLE to "Match,File,max(Speed) (m/s)\r\nMatch 42,standard input,5.5\n")
         piped("There is nothing here\nbut words\n").first shouldBe ExitCode.NOTHING
     }
 

@@ -99,6 +99,23 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("what another tab put on the board of the same log stays there, also when this one undoes its own") {
+        onPage(TestPages.of(stepBag(graphs = 3))) {
+            script(
+                "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                    "localStorage.setItem(key, arguments[0])",
+                """{"graphs":[{"title":"Step 3","lines":["Step 3"]}]}""",
+            )
+            graph("Step 2").scrollTo().hover(0.5)
+            press("p")
+            texts(".board .graph-title") shouldBe listOf("Step 2", "Step 3")
+            click("#undo")
+            texts(".board .graph-title") shouldBe listOf("Step 3")
+            reload()
+            texts(".board .graph-title") shouldBe listOf("Step 3")
+        }
+    }
+
     browserTest("the start board brings back what the page begins with, and is undone like any change") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val before = texts(".board .graph-title")

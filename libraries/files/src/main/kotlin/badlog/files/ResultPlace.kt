@@ -7,8 +7,8 @@ import java.nio.file.Path
  * Where results go, as typed after `--out`.
  *
  * @property path the file or folder.
- * @property isFolder whether it is a folder: one that exists, or a name with a slash at its end or without an ending. Whoever writes a file
- *   named `page` nearly always wants a folder.
+ * @property isFolder whether it is a folder: one that exists, a name with a slash at its end, or, of what does not exist, a name without
+ *   an ending. Whoever writes a file named `page` nearly always wants a folder.
  */
 public class ResultPlace private constructor(public val path: Path, public val isFolder: Boolean) {
     public companion object {
@@ -21,7 +21,8 @@ public class ResultPlace private constructor(public val path: Path, public val i
             val path = Path.of(text)
             val name = path.fileName?.toString().orEmpty()
             val hasEnding = name.lastIndexOf('.') in 1 until name.lastIndex
-            return ResultPlace(path, text.endsWith('/') || text.endsWith('\\') || !hasEnding || Files.isDirectory(path))
+            val endsWithSlash = text.endsWith('/') || text.endsWith('\\')
+            return ResultPlace(path, endsWithSlash || if (Files.exists(path)) Files.isDirectory(path) else !hasEnding)
         }
     }
 }

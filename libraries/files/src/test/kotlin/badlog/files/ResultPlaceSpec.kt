@@ -12,11 +12,14 @@ class ResultPlaceSpec : FunSpec({
         for (folder in listOf("out", "out/", "match.bag/", ".", "..", ".hidden", "deep/er", "odd.")) ResultPlace.of(folder).isFolder shouldBe true
     }
 
-    test("a folder that exists is one whatever its name") {
+    test("a folder that exists is one whatever its name, and so is a file, except with a slash behind it") {
         inFolder { folder ->
             ResultPlace.of("${(folder / "pages.2026").createDirectory()}").isFolder shouldBe true
             (folder / "page.html").writeText("")
             ResultPlace.of("${folder / "page.html"}").isFolder shouldBe false
+            (folder / "page").writeText("")
+            ResultPlace.of("${folder / "page"}").isFolder shouldBe false
+            ResultPlace.of("${folder / "page"}/").isFolder shouldBe true
         }
     }
 })

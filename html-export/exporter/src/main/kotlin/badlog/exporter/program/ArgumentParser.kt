@@ -48,7 +48,7 @@ internal class ArgumentParser {
         private val paths by argument("INPUT").path().multiple(required = true)
             .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
-            .help("Write to this file; a name without an ending is a folder, as for several logs.")
+            .help("Write to this file; a name without an ending is a folder.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
             .help("Include this file in each page; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()

@@ -22,8 +22,8 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     /** The board it began with, unless the browser remembered one. */
     private var begun: BoardHistory? = null
 
-    /** The board as this tab last read or stored it. */
-    private var known: Board? = null
+    /** The board as this tab last read or stored it; while nothing is stored, the one it began with. */
+    private var known = Board()
 
     /** Returns the board that the page begins with for everybody. */
     private var start: () -> Board = { Board() }
@@ -59,9 +59,9 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
      */
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
-        known = own
         start = board
         val first = BoardHistory(own ?: board())
+        known = first.now
         if (own == null) begun = first
         show(if (visited == null) first else first.changed(visited))
     }
@@ -70,6 +70,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     fun beginAgain(board: Board) {
         start = { board }
         if (history !== begun || board.showsSame(history.now)) return
+        known = board
         begun = BoardHistory(board).also(::show)
     }
 
@@ -90,12 +91,12 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
 
     private fun keep(changed: BoardHistory) {
         if (changed === history) return
-        // Another tab may have changed it meanwhile. What neither of them remembered before is not merged: each began with the same.
-        val read = known
-        val stored = if (read == null) null else remembered()
-        show(if (read == null || stored == null) changed else changed.mergedWith(stored, read))
-        known = history.now
+        // Another tab may have changed it meanwhile.
+        val stored = remembered()
+        show(if (stored == null) changed else changed.mergedWith(stored, known))
         LocalStorage[key] = history.now.toJson()
+        // As it is read: what JSON cannot hold is not a change of another tab.
+        known = remembered() ?: history.now
         onKeep()
     }
 
