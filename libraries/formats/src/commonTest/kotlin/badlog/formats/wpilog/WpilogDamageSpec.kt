@@ -141,7 +141,7 @@ class WpilogDamageSpec : FunSpec({
         val fifth = WHOLE.records.keys.elementAt(4).toInt()
         val heard = Heard(ROBOT.copyOf().also { it.fill(0, third, fifth) })
         heard.count(ProblemKind.UNKNOWN_ENTRY) shouldBe 300
-        heard.recording.problems.single { it.kind == ProblemKind.UNKNOWN_ENTRY }.message shouldContain "(numbers 3, 4) were dropped (300×)"
+        heard.recording.problems.single { it.kind == ProblemKind.UNKNOWN_ENTRY }.message shouldContain "300 records belong to entries (numbers 3, 4)"
         heard.recording.topics.size shouldBe Heard(ROBOT).recording.topics.size - 2
     }
 
