@@ -61,9 +61,10 @@ class ArchivesProof : FunSpec({
         val root = "badlog-conformance-$VERSION"
         val packed = entriesOf(File(RELEASE, "$root.zip")).map { it.name }.filterNot { it.endsWith("/") }.toSet()
         for ((folder, source) in listOf("bags" to "core/conformance", "logs" to "libraries/formats/conformance")) {
-            val files = File(ROOT, source).list().orEmpty().toList()
+            val corpus = File(ROOT, source)
+            val files = corpus.walk().filter { it.isFile }.map { it.relativeTo(corpus).invariantSeparatorsPath }.toList()
             packed.filter { it.startsWith("$root/$folder/") }.toSet() shouldBe files.map { "$root/$folder/$it" }.toSet()
-            val logs = files.filterNot { it.endsWith(".json") || it.endsWith(".md") }
+            val logs = files.filterNot { it.endsWith(".json") || it.endsWith(".md") || '/' in it }
             logs.size shouldBeGreaterThan 10
             logs.filterNot { "${it.substringBeforeLast('.')}.json" in files || "$it.json" in files }.shouldBeEmpty()
         }

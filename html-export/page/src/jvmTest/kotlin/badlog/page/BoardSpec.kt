@@ -314,6 +314,8 @@ internal class BoardSpec : PageSpec({
                 settle()
                 titles().size shouldBeGreaterThan before
                 keepScreenshot("board-pinned-${screen.width}")
+                // A notice about what was added is over the lower edge for some seconds.
+                script("document.getElementById('add-topics').scrollIntoView({ block: 'center' })")
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")
                 number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
