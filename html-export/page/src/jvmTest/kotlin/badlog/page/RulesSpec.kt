@@ -104,7 +104,7 @@ internal class RulesSpec : PageSpec({
             press("n", "n", "n")
             element(".finding[aria-current]").text shouldContain "as the last match"
             press("/")
-            press("browned")
+            press("\"browned out\"")
             texts(".search-count").single() shouldContain "1 finding"
             texts(".incident p").count { "browned out" in it } shouldBe 1
             texts(".finding-source") shouldBe emptyList()
