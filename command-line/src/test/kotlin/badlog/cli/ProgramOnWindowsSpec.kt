@@ -127,6 +127,11 @@ class ProgramOnWindowsSpec : FunSpec({
         answerOfWindows(listOf("info", "--only", "*battery voltage", "torn*.bag")) shouldBe said
     }
 
+    test("a path that begins as Windows' own programs write long ones means the same log").config(enabledOrReasonIf = { enabled }) {
+        val path = "Z:$windows/$DEEP/Stück.bag".replace('/', '\\')
+        answerOfWindows(listOf("info", "--json", "\\\\?\\$path")) shouldBe answerOfWindows(listOf("info", "--json", path))
+    }
+
     test("a file that another program has open is not replaced, a sentence says so, and nothing is left beside it").config(enabledOrReasonIf = { enabled }) {
         File(windows, "held.bat").writeText("@call badlog\\bin\\badlog.bat cut torn.bag --from 1 --to 2 --force --out held.bag > held.bag\r\n")
         answerOfWindows(listOf("held.bat")) shouldContain "held.bag cannot be replaced: it is read-only, or another program has it open"

@@ -11,12 +11,17 @@ import kotlin.io.path.name
  * Returns [arguments] with the names of files in place of `*.bag` and the like. Elsewhere a shell does that; on Windows nobody does if the
  * pattern is in quotes, and a path cannot contain its characters. What matches no file stays as it is: an expression has `*` and `?`, too.
  *
- * A `?` also stands for each letter of a name that Windows could not pass on, so that it must mean one file only.
+ * A `?` also stands for each letter of a name that Windows could not pass on, so that it must mean one file only. The one in `\\?\`, with
+ * which programs of Windows begin long paths, is left out: Java writes it where it is needed.
  *
  * @param system the name of the operating system.
  */
 internal fun withWildcards(arguments: List<String>, system: String = System.getProperty("os.name")): List<String> =
-    if (system.startsWith("Windows")) arguments.flatMap { matching(it).ifEmpty { listOf(it) } } else arguments
+    if (system.startsWith("Windows")) arguments.map(::withoutLongPathPrefix).flatMap { matching(it).ifEmpty { listOf(it) } } else arguments
+
+private fun withoutLongPathPrefix(argument: String) = LONG_PATH_PREFIX.replace(argument) { found ->
+    found.groupValues[1] + if (found.groupValues[2].isEmpty()) "" else NETWORK_PREFIX
+}
 
 private fun matching(argument: String): List<String> {
     if (argument.none { it in WILD } || argument.startsWith("-")) return emptyList()
@@ -50,3 +55,7 @@ internal fun unreachable(arguments: List<String>, system: String = System.getPro
 }
 
 private const val WILD = "*?"
+
+/** `\\?\C:\…` or `\\?\UNC\server\…`, as an argument or as the value of an option. */
+private val LONG_PATH_PREFIX = Regex("""^(--[a-z-]+=)?\\\\\?\\(UNC\\)?""")
+private const val NETWORK_PREFIX = "\\\\"

@@ -46,4 +46,11 @@ class WildcardsSpec : FunSpec({
             unreachable(listOf("info", "a.bag"), WINDOWS) shouldBe null
         }
     }
+
+    test("a long path as Windows' own programs write it means the same path") {
+        val arguments = listOf("info", """\\?\C:\logs\a.bag""", """\\?\UNC\pit\logs\b.bag""", """--out=\\?\D:\out""")
+        withWildcards(arguments, WINDOWS) shouldContainExactly listOf("info", """C:\logs\a.bag""", """\\pit\logs\b.bag""", """--out=D:\out""")
+        unreachable(withWildcards(arguments, WINDOWS), WINDOWS) shouldBe null
+        withWildcards(arguments, "Linux") shouldBe arguments
+    }
 })

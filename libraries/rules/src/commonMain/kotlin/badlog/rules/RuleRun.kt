@@ -137,13 +137,15 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val own = answer.firstQuantityOver(spans)
         return spans.mapIndexed { i, span ->
             val value = own[i]?.let(::textOf) ?: all ?: textAt(span.from)
-            texted.text(value, span.from, count = 1, span.width).replace(ONCE, "")
+            texted.text(value, span.from, count = 1, span.width)
         }
     }
 
     // A fraction is shown in percent, which needs no unit name.
-    private fun textOf(quantity: Quantity) =
-        (if (quantity.unit == FRACTION) quantity.copy(value = PERCENT * quantity.value, unit = "%") else quantity).text
+    private fun textOf(quantity: Quantity): String {
+        val (value, unit) = if (quantity.unit == FRACTION) PERCENT * quantity.value to "%" else quantity.value to quantity.unit
+        return quantity.copy(value = roundedForText(value), unit = unit).text
+    }
 
     /** Returns the messages of the first topic of [question] that has some, or null. */
     private fun messagesOf(question: RuleProgram.Question, signals: Signals): Messages? {
@@ -155,9 +157,6 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
     }
 
     private companion object {
-        /** What texts say if something occurred once, which is obvious for one of many places. */
-        const val ONCE = " (1×)"
-
         /** The maximum number of different texts of a topic that are listed for a rule. */
         const val MAX_TEXTS = 20
         const val PERCENT = 100.0

@@ -1,5 +1,6 @@
 package badlog.rules
 
+import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.log10
 import kotlin.math.pow
@@ -20,24 +21,32 @@ internal class TextedRule(
     fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList()): String = rule.text.filled(
         mapOf(
             "value" to value,
-            "time" to timeText(time, timeUnit),
+            "time" to timeText(if (timeUnit == "s") round(time * MILLI) / MILLI else time, timeUnit),
             "match" to match,
             "file" to file,
             "topic" to question.topic.orEmpty(),
             "other" to question.other.orEmpty(),
             "device" to question.device,
             "count" to count.toString(),
-            "duration" to timeText(roundedLength(length), timeUnit),
+            "duration" to timeText(rounded(length, LENGTH_DIGITS), timeUnit),
             "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",
         ),
-    )
+    ).let { if (count == 1) it.replace(ONCE, "") else it }
 }
 
-/** Returns [length] with as many digits as are useful for a duration. */
-private fun roundedLength(length: Double): Double {
-    if (!(length > 0 && length.isFinite())) return length
-    val places = 10.0.pow(LENGTH_DIGITS - 1 - floor(log10(length)).toInt())
-    return round(length * places) / places
+/** Returns [value] as precisely as a sentence about a measurement needs it; a whole number, which may be a count, exactly. */
+internal fun roundedForText(value: Double): Double = if (value == round(value)) value else rounded(value, VALUE_DIGITS)
+
+/** Returns [value] with [digits] significant digits. */
+private fun rounded(value: Double, digits: Int): Double {
+    if (value == 0.0 || !value.isFinite()) return value
+    val power = digits - 1 - floor(log10(abs(value))).toInt()
+    // A power below 1 is not exact, and would leave digits behind.
+    return if (power < 0) 10.0.pow(-power).let { round(value / it) * it } else 10.0.pow(power).let { round(value * it) / it }
 }
 
+/** What a text would say of something that happened once. */
+private const val ONCE = " (1×)"
 private const val LENGTH_DIGITS = 3
+private const val VALUE_DIGITS = 4
+private const val MILLI = 1000

@@ -77,13 +77,13 @@ class ResultCache<R : Any>(
         if (!isChanged) return
         // A file that an interrupted thread writes is closed at once.
         val wasInterrupted = Thread.interrupted()
-        write()
+        isChanged = !write()
         if (wasInterrupted) Thread.currentThread().interrupt()
-        isChanged = false
         saved = TimeSource.Monotonic.markNow()
     }
 
-    private fun write() {
+    /** Returns false if it failed: another program may have the file open just now. */
+    private fun write(): Boolean {
         addStored()
         while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
@@ -100,11 +100,12 @@ class ResultCache<R : Any>(
                 Files.deleteIfExists(draft)
             }
             dropOldest()
+            return true
         } catch (_: IOException) {
-            return
+            return false
         } catch (_: OutOfMemoryError) {
             // Nothing is lost: the logs can be read again next time.
-            return
+            return false
         }
     }
 

@@ -1,6 +1,7 @@
 package badlog.catalog.store
 
 import badlog.files.LogFile
+import badlog.files.windows.WindowsFiles
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.comparables.shouldBeLessThan
@@ -95,5 +96,30 @@ class ResultCacheSpec : FunSpec({
         }
         Files.write(kept, whole)
         cacheIn(folder, Duration.ZERO)[file] shouldBe "found"
+    }
+
+    test("on Windows, a cache that is read-only or that another program has open stays whole, with nothing left beside it, and is renewed afterwards") {
+        WindowsFiles().use { windows ->
+            val folder = windows.folder.resolve("cache")
+            fun names() = Files.newDirectoryStream(folder).use { all -> all.map { "${it.fileName}" } }
+            val cache = cacheIn(windows.folder, Duration.ZERO)
+            cache[file] = "old"
+            cache.save()
+            val kept = names().single()
+            windows.whileOpen(folder.resolve(kept)) {
+                cache[file] = "new"
+                cache.save()
+                names() shouldBe listOf(kept)
+                cacheIn(windows.folder, Duration.ZERO)[file] shouldBe "old"
+            }
+            cache.save()
+            cacheIn(windows.folder, Duration.ZERO)[file] shouldBe "new"
+            windows.protect(folder.resolve(kept))
+            cache[file] = "newer"
+            cache.save()
+            names() shouldBe listOf(kept)
+            cacheIn(windows.folder, Duration.ZERO)[file] shouldBe "new"
+            windows.openCount shouldBe 0
+        }
     }
 })

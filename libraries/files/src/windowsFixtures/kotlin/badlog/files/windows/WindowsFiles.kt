@@ -5,6 +5,7 @@ import com.google.common.jimfs.Jimfs
 import java.io.FilterOutputStream
 import java.io.OutputStream
 import java.net.URI
+import java.nio.channels.FileChannel
 import java.nio.channels.SeekableByteChannel
 import java.nio.file.AccessDeniedException
 import java.nio.file.AccessMode
@@ -18,6 +19,7 @@ import java.nio.file.LinkOption
 import java.nio.file.OpenOption
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
+import java.nio.file.StandardOpenOption
 import java.nio.file.attribute.BasicFileAttributes
 import java.nio.file.attribute.FileAttribute
 import java.nio.file.attribute.FileAttributeView
@@ -178,6 +180,13 @@ internal class WindowsFiles : AutoCloseable {
                     isOpen = false
                 }
             }
+        }
+
+        override fun newFileChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): FileChannel {
+            if (StandardOpenOption.WRITE in options) requireWritable(unwrapped(file))
+            val channel = inner.newFileChannel(unwrapped(file), options, *attributes)
+            opened(unwrapped(file))
+            return WindowsChannel(channel) { closed(unwrapped(file)) }
         }
 
         override fun newByteChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): SeekableByteChannel = inner.newByteChannel(unwrapped(file), options, *attributes)
