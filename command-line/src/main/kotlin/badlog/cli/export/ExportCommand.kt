@@ -23,6 +23,8 @@ internal class ExportCommand :
     private val output by OutputOptions()
     private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
         .help("Include this file in each page; may be repeated.")
+    private val compared by option("--compare", metavar = "LOG").path().multiple()
+        .help("Draw this log over the page's own; may be repeated.")
     private val field by option("--field", metavar = "FILE").path()
         .help("WPILib's field file; default: field.json beside the log.")
     private val video by option("--video", metavar = "FILE").path()
@@ -34,9 +36,10 @@ internal class ExportCommand :
     override val examples: List<String> = listOf(
         "export match.bag",
         "export logs --out pages/",
+        "export match.bag --compare other.bag",
         "export match.bag --rules my-rules.toml --attach notes.txt",
     )
 
     override fun makeTask(): Task =
-        ExportTask(paths, output.plan(paths), attachments, video, search.search(hooks, virtual.definitions), isJson, field)
+        ExportTask(paths, output.plan(paths), attachments, compared, video, search.search(hooks, virtual.definitions), isJson, field)
 }

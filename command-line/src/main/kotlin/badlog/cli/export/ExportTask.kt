@@ -44,6 +44,7 @@ import java.nio.file.Path
 /**
  * Makes a page of each log, one after the other: each uses all cores by itself.
  *
+ * @param compared logs that each page draws over its own.
  * @param video a video of the match of the only log; null for none.
  * @param search the rules of the pages, and the hooks to run on the logs.
  * @param field the field of all pages; null for those beside the logs.
@@ -52,6 +53,7 @@ internal class ExportTask(
     private val paths: List<Path>,
     private val plan: OutputPlan,
     private val attachments: List<Path>,
+    private val compared: List<Path>,
     private val video: Path?,
     private val search: Search,
     private val isJson: Boolean,
@@ -59,7 +61,7 @@ internal class ExportTask(
 ) : Task {
     override fun run(console: Console): ExitCode {
         try {
-            (attachments + listOfNotNull(video)).forEach(::requireRegularFile)
+            (attachments + compared + listOfNotNull(video)).forEach(::requireRegularFile)
         } catch (e: UnreadableFileException) {
             console.warn(e.message)
             return ExitCode.NOTHING
@@ -79,7 +81,7 @@ internal class ExportTask(
             return ExitCode.USAGE
         }
         val hooks = search.hooksWith(named)
-        val exporter = HtmlExporter(attachments)
+        val exporter = HtmlExporter(attachments, compared)
         val refused = ArrayList<List<SkippedRule>>()
         val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
             val rules = if (named == null) rulesBeside(input.file, console) else null

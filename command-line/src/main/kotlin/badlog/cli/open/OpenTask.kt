@@ -47,7 +47,7 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
         val page = computer.folders.cache / "pages" / "${log.fileName}.html"
         val plan = OutputPlan(ResultPlace.of("$page"), listOf(log), isForced = true)
         val search = Search(null, isWithoutRules = false, emptyList(), emptyList())
-        val code = ExportTask(listOf(log), plan, emptyList(), null, search, isJson = false).run(console.withoutResults())
+        val code = ExportTask(listOf(log), plan, emptyList(), emptyList(), null, search, isJson = false).run(console.withoutResults())
         // The page itself reports lost data.
         if (code == ExitCode.NOTHING ||
             code == ExitCode.USAGE

@@ -25,4 +25,13 @@ public class GraphSeries internal constructor(
 
     /** Whether a sample's value holds until the next one: true for a topic with times of its own, which is logged when it changes. */
     public val holds: Boolean get() = topic.times != null && !isDerived
+
+    /**
+     * Returns this line with [offset] added to each x, in the unit of x, and [suffix] behind its name and its topic's: so a line of one log
+     * is drawn among those of another. The times of the topic itself stay.
+     */
+    public fun moved(offset: Double, suffix: String): GraphSeries =
+        GraphSeries(name + suffix, unit, topic.copy(name = topic.name + suffix), states, isDerived) {
+            if (offset == 0.0) data else Series(DoubleArray(data.size) { data.x[it] + offset }, data.y)
+        }
 }

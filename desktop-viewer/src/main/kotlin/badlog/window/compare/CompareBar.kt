@@ -38,6 +38,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import badlog.viewer.choices.comparison.Alignment
+import badlog.viewer.choices.comparison.OFFSET_STEPS
+import badlog.viewer.choices.comparison.offsetOf
+import badlog.viewer.choices.comparison.roundedOffset
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.text.exactText
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
@@ -45,8 +50,6 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
-import java.math.BigDecimal
-import java.math.RoundingMode
 import androidx.compose.ui.Alignment as Place
 
 /** The logs compared with the open one, and their alignment; empty if there are none. */
@@ -63,7 +66,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
         ) {
             Text("Align at", Modifier.padding(end = 6.dp), color = palette.muted)
             for (alignment in Alignment.entries) {
-                ToolButton(alignment.hint, text = alignment.title, isOn = alignment == comparison.alignment) {
+                ToolButton(alignment.hint, text = alignment.title, isOn = alignment == comparison.offsets.alignment) {
                     compared.change { alignedBy(alignment, open) }
                 }
             }
@@ -115,9 +118,9 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
         } else {
             val moveTo = { offset: Double -> compared.change { movedTo(recording.file, offset, open) } }
-            for (step in STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(rounded(drawn.offset - step)) }
+            for (step in OFFSET_STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(roundedOffset(drawn.offset - step)) }
             OffsetField(drawn.name, drawn.offset, moveTo)
-            for (step in STEPS) Nudge(drawn.name, "+", step) { moveTo(rounded(drawn.offset + step)) }
+            for (step in OFFSET_STEPS) Nudge(drawn.name, "+", step) { moveTo(roundedOffset(drawn.offset + step)) }
             ToolButton("Stop comparing with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
         }
     }
@@ -128,26 +131,24 @@ private fun Nudge(label: String, sign: String, step: Double, onClick: () -> Unit
     ToolButton("Move $label by $sign$step", text = "$sign${step.toString().removePrefix("0").removeSuffix(".0")}", onClick = onClick)
 }
 
-/** The steps by which a click moves a recording, in units of x. */
-private val STEPS = listOf(0.02, 0.1, 1.0)
-
 /** Shows the offset of the recording called [label], and accepts a typed number; Enter or leaving the field moves it. */
 @Composable
 internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
     val palette = LocalPalette.current
     // What is being typed; null while nothing is.
     var draft by remember(offset) { mutableStateOf<String?>(null) }
+    val isMistyped = draft?.let { offsetOf(it) == null } == true
     val finish = {
         draft?.let(::offsetOf)?.let(onMove)
         draft = null
     }
     BasicTextField(
-        draft ?: exactText(rounded(offset)),
+        draft ?: exactText(roundedOffset(offset)),
         { draft = it },
         Modifier
             .width(88.dp)
             .background(palette.raised, RoundedCornerShape(4.dp))
-            .border(1.dp, if (draft != null && offsetOf(draft) == null) palette.error else palette.border, RoundedCornerShape(4.dp))
+            .border(1.dp, if (isMistyped) palette.error else palette.border, RoundedCornerShape(4.dp))
             .padding(horizontal = 5.dp, vertical = 3.dp)
             .onFocusChanged { if (!it.isFocused) finish() }
             .onKeyEvent { event ->
@@ -161,12 +162,3 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
         cursorBrush = SolidColor(palette.accent),
     )
 }
-
-/** Returns the number that a person has typed, with a comma or a point; null for none. */
-internal fun offsetOf(text: String?): Double? = text?.trim()?.replace(',', '.')?.toDoubleOrNull()?.takeIf { it.isFinite() }
-
-/** Returns [offset] without the rounding errors of steps. */
-internal fun rounded(offset: Double): Double =
-    if (offset.isFinite()) BigDecimal(offset).setScale(DECIMALS, RoundingMode.HALF_EVEN).toDouble() else offset
-
-private const val DECIMALS = 6

@@ -2,6 +2,8 @@ package badlog.window.compare
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import badlog.viewer.shown.comparison.LogName
+import badlog.viewer.shown.comparison.namesBeside
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingReader
@@ -30,7 +32,7 @@ internal class ComparedRecordings(
         val open = current.recording ?: return@derivedStateOf emptyList()
         val others = state.checked.filter { it != open.file }.mapNotNull { state.loaded[it] }
         if (others.isEmpty()) return@derivedStateOf listOf(DrawnRecording(open))
-        val names = namesOf(listOf(open) + others)
+        val names = namesBeside((listOf(open) + others).map(::nameOf))
         listOf(DrawnRecording(open, name = names[0])) +
             others.mapIndexed { i, other -> DrawnRecording(other, state.offsetOf(other, open), names[i + 1]) }
     }
@@ -63,6 +65,12 @@ internal class ComparedRecordings(
     /** Keeps [open] as the only copy of its file, if that is checked. */
     fun share(open: OpenRecording) {
         if (state.loaded[open.file] !== open) change { withLoaded(open) }
+    }
+
+    private fun nameOf(recording: OpenRecording): LogName {
+        val file = recording.file.fileName.toString()
+        val match = recording.match.orNamed(file)
+        return LogName(match.event, match.match, recording.label, file)
     }
 
     private fun load(file: Path) {

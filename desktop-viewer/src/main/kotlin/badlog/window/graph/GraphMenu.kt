@@ -17,8 +17,8 @@ import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.draw.axis.AxisSide
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query
-import badlog.window.compare.shortLabel
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.xy.drawnXys
 import badlog.window.menu.MenuBox

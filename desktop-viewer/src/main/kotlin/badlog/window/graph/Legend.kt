@@ -31,11 +31,11 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.unitText
-import badlog.window.compare.shortLabel
 import badlog.window.graph.plot.DrawnLine
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.graph.scene.GraphScene

@@ -3,7 +3,7 @@ package badlog.window.layout
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.window.compare.Alignment
+import badlog.viewer.choices.comparison.Alignment
 import badlog.window.compare.Comparison
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
@@ -18,8 +18,8 @@ internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topi
 /** Returns [comparison] in the form for a layout, with files relative to [folder]. */
 internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
     files = comparison.checked.map { pathText(it, folder) },
-    alignment = comparison.alignment.layoutName,
-    offsets = comparison.handOffsets.mapKeys { pathText(it.key, folder) },
+    alignment = comparison.offsets.alignment.layoutName,
+    offsets = comparison.offsets.byHand.mapKeys { pathText(it.key, folder) },
 )
 
 /** Returns the alignment of [layout]. */

@@ -6,6 +6,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FittedBoard
+import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.choices.formula.joined
 import badlog.window.choice.AxisChoice
 import badlog.window.compare.ComparedRecordings
@@ -219,7 +220,7 @@ internal class LayoutStore(
         val offsets = layout.offsets.entries.mapNotNull { (text, offset) -> fileOf(text)?.let { it to offset } }
         compared.state.checked.filter { it !in files }.forEach(compared::remove)
         files.filter { it !in compared.state.checked }.forEach(compared::add)
-        compared.change { copy(alignment = alignmentOf(layout), handOffsets = offsets.toMap()) }
+        compared.change { copy(offsets = LogOffsets(alignmentOf(layout), offsets.toMap())) }
     }
 
     private fun applyGraphs(layout: Layout) {

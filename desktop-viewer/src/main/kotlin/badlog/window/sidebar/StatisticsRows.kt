@@ -38,7 +38,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
-import badlog.window.compare.shortLabel
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip

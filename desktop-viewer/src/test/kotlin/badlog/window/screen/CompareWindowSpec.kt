@@ -1,7 +1,7 @@
 package badlog.window.screen
 
 import badlog.catalog.folder.putSamples
-import badlog.window.compare.Alignment
+import badlog.viewer.choices.comparison.Alignment
 import badlog.window.sidebar.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -21,7 +21,7 @@ class CompareWindowSpec : FunSpec({
             window.awaitState("two recordings") { it.compared.drawn.size == 2 }
             window.look { viewer -> viewer.compared.state.checked.size } shouldBe 2
             window.click(Alignment.ENABLED.hint)
-            window.awaitState("the alignment") { it.compared.state.alignment == Alignment.ENABLED }
+            window.awaitState("the alignment") { it.compared.state.offsets.alignment == Alignment.ENABLED }
             window.awaitGraphs()
             window.point("Plot Battery and current", 0.5, 0.5)
             window.picture("compare", guide = "viewer-compare")

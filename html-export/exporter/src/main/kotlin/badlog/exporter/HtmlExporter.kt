@@ -7,6 +7,7 @@ import badlog.exporter.NotesFile
 import badlog.files.AtomicFile
 import badlog.files.Unpacked
 import badlog.files.partsOfLog
+import badlog.files.readRecording
 import badlog.files.unpacked
 import badlog.files.withGzipCut
 import badlog.formats.LOG_FORMATS
@@ -25,9 +26,14 @@ import java.nio.file.Path
  * concurrently.
  *
  * @param attachments files to put into every page beside the recording.
+ * @param compared logs that every page draws over its own; a page's own log is not among them.
  * @param parts the program and the styles of the pages.
  */
-class HtmlExporter(private val attachments: List<Path> = emptyList(), private val parts: PageParts = PageParts.bundled()) {
+class HtmlExporter(
+    private val attachments: List<Path> = emptyList(),
+    private val compared: List<Path> = emptyList(),
+    private val parts: PageParts = PageParts.bundled(),
+) {
     /**
      * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
      * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
@@ -47,7 +53,7 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
     ): ExportReport {
         val page = output.toAbsolutePath().normalize()
         val logParts = partsOfLog(input)
-        val files = attachments + logParts
+        val files = attachments + compared + logParts
         files.forEach(::checkReadable)
         checkWritable(page, files)
         return refusing {
@@ -116,7 +122,8 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
                         RawEmbedding(threads, out, parser::accept).embed(source, heard)
                     }
                 }
-                attachments.forEach { attach(it, writer, threads) }
+                attachments.forEach { file -> embed(file, threads) { writer.attachment(file.fileName.toString(), it) } }
+                compared.filterNot { Files.isSameFile(it, input) }.forEach { compare(it, writer, threads) }
                 embedded
             }
             val embeddedFile = embedded.file
@@ -135,11 +142,18 @@ class HtmlExporter(private val attachments: List<Path> = emptyList(), private va
     private fun titleIn(file: Path): String? = reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } }
         .let(FileHead::of).title
 
-    private fun attach(file: Path, writer: PageWriter, threads: ExportThreads) {
-        reading(file) { Files.newInputStream(file) }.use { stream ->
-            writer.attachment(file.fileName.toString()) { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) }
+    private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
+        val refusal = readRecording(input, LOG_FORMATS, keepSamples = false).problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+        if (refusal != null) throw ExportException.NotARecording(input, "$input: ${refusal.message}")
+        val parts = if (log.path == input) partsOfLog(input) else listOf(log.path)
+        parts.forEachIndexed { i, part ->
+            val name = if (i == 0) log.name else part.fileName.toString()
+            embed(part, threads) { writer.compared(name, it) }
         }
     }
+
+    private fun embed(file: Path, threads: ExportThreads, write: ((Base64Stream) -> EmbeddedFile) -> Unit) =
+        reading(file) { Files.newInputStream(file) }.use { stream -> write { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) } }
 
     private companion object {
         const val MANY_BYTES = 4_000_000L

@@ -62,6 +62,10 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun attachment(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
+    /** Writes a file of a log that the page compares with its own; [embed] as in [recording]. */
+    fun compared(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
+        base64("class=\"compared\" data-name=\"${escapeHtml(name)}\"", embed)
+
     /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
     fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
         val file = embedded.file

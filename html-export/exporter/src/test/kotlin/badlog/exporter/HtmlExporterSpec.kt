@@ -115,7 +115,7 @@ class HtmlExporterSpec : FunSpec({
             val name = "<!--'\"&<\\script>\u0001ü"
             val input = folder / name
             input.writeText(header)
-            HtmlExporter(listOf(input), parts).export(input, folder / "page.html")
+            HtmlExporter(listOf(input), parts = parts).export(input, folder / "page.html")
             val page = ReadPage(folder / "page.html")
             page.about.getValue("name").jsonPrimitive.content shouldBe name
             page.title shouldContain "&lt;/title&gt;&lt;/script&gt;"
@@ -150,7 +150,7 @@ class HtmlExporterSpec : FunSpec({
             val files = listOf("notes.txt", "auto.json").map { folder / it }
             files.forEach { it.writeText("I am ${it.name}") }
             (folder / "a.bag").writeText(BAG)
-            HtmlExporter(files, parts).export(folder / "a.bag", folder / "p.html")
+            HtmlExporter(files, parts = parts).export(folder / "a.bag", folder / "p.html")
             val attachments = ReadPage(folder / "p.html").attachments
             attachments.keys.toList() shouldContainExactly listOf("notes.txt", "auto.json")
             attachments.getValue("notes.txt").decodeToString() shouldBe "I am notes.txt"
@@ -214,7 +214,7 @@ class HtmlExporterSpec : FunSpec({
         test("an attachment that is missing") {
             failing(large) { input, page ->
                 val missing = input.resolveSibling("nix.txt")
-                shouldThrow<ExportException.Unreadable> { HtmlExporter(listOf(missing), parts).export(input, page) }
+                shouldThrow<ExportException.Unreadable> { HtmlExporter(listOf(missing), parts = parts).export(input, page) }
                     .message shouldContain "nix.txt"
             }
         }

@@ -25,8 +25,10 @@ internal class ReadPage(file: Path) {
     val recording: ByteArray = decode(between("id=\"recording\"", "</script>").substringAfter('>'))
 
     /** The attached files, by their escaped names. */
-    val attachments: Map<String, ByteArray> = Regex("class=\"attachment\" data-name=\"([^\"]*)\">([^<]*)</script>")
-        .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
+    val attachments: Map<String, ByteArray> = filesOf("attachment")
+
+    /** The files of the logs that the page compares with its own. */
+    val compared: Map<String, ByteArray> = filesOf("compared")
 
     private val parts = unpacked(packed)
     val style: String = parts.substringBefore(SEPARATOR)
@@ -42,6 +44,9 @@ internal class ReadPage(file: Path) {
         check(from >= start.length) { "The page has no $start" }
         return html.substring(from, html.indexOf(end, from))
     }
+
+    private fun filesOf(kind: String) = Regex("class=\"$kind\" data-name=\"([^\"]*)\">([^<]*)</script>")
+        .findAll(html).associate { (it.groupValues[1]) to inflate(decode(it.groupValues[2])) }
 
     private fun decode(text: String) = decodeLines(text)
 

@@ -43,6 +43,11 @@ internal object TestPages {
     /** The page of the sample [name] with [additions]. */
     fun ofSample(name: String, additions: PageAdditions): Path = ofFile(SAMPLES.resolve(name), additions)
 
+    /** The page of the sample [name] that compares it with the samples [others]. */
+    fun ofSamples(name: String, others: List<String>): Path = folder.resolve("page-${count++}.html").also { page ->
+        HtmlExporter(compared = others.map(SAMPLES::resolve)).export(SAMPLES.resolve(name), page)
+    }
+
     /** The page of a file with this [text]. */
     fun of(text: String, name: String = "test.bag"): Path = of(text.encodeToByteArray(), name)
 

@@ -24,7 +24,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.path.XyTrace
-import badlog.window.compare.shortLabel
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LineColor
 import badlog.window.theme.LineName

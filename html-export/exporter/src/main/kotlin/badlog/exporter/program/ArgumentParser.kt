@@ -51,6 +51,8 @@ internal class ArgumentParser {
             .help("Write to this file; a name without an ending is a folder.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
             .help("Include this file in each page; may be repeated.")
+        private val compared by option("--compare", metavar = "LOG").path().multiple()
+            .help("Draw this log over the page's own; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()
             .help("The pages run no rules: neither those of badlog-rules.toml beside a log nor the built-in ones.")
         private val field by option("--field", metavar = "FILE").path()
@@ -85,7 +87,7 @@ internal class ArgumentParser {
 
         override fun run() = Unit
 
-        fun result() = Arguments(paths, out, attachments, !isWithoutRules, field, video, opensPage)
+        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, opensPage)
     }
 
     private companion object {

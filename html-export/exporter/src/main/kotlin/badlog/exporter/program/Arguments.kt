@@ -9,6 +9,7 @@ import java.nio.file.Path
  * @property paths the inputs, and possibly the output, in order; at least one.
  * @property out the folder for all pages, or the only page; null to put them beside their inputs.
  * @property attachments files to put into each page.
+ * @property compared logs that each page draws over its own.
  * @property hasRules whether the pages run rules.
  * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
  * logs.
@@ -19,6 +20,7 @@ internal class Arguments(
     val paths: List<Path>,
     val out: ResultPlace?,
     val attachments: List<Path>,
+    val compared: List<Path>,
     val hasRules: Boolean,
     val field: Path?,
     val video: Path?,

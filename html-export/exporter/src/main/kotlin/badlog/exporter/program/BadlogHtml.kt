@@ -27,15 +27,15 @@ internal typealias Export = (input: Path, page: Path, additions: PageAdditions, 
  * @param out receives one line for each page: its absolute path.
  * @param err receives all other messages for people.
  * @param isTerminal whether [err] is a terminal, which can show a progress bar.
- * @param exporterOf creates the function that exports, with these attachments in each page.
+ * @param exporterOf creates the function that exports, with these attachments in each page, and these logs compared.
  * @param open opens a page in the browser; returns false if that failed.
  */
 internal class BadlogHtml(
     private val out: PrintStream,
     private val err: PrintStream,
     private val isTerminal: Boolean,
-    private val exporterOf: (attachments: List<Path>) -> Export = { attachments ->
-        val exporter = HtmlExporter(attachments)
+    private val exporterOf: (attachments: List<Path>, compared: List<Path>) -> Export = { attachments, compared ->
+        val exporter = HtmlExporter(attachments, compared)
         val export: Export = exporter::export
         export
     },
@@ -60,7 +60,7 @@ internal class BadlogHtml(
             return ExitCode.USAGE
         }
         val jobs = try {
-            (arguments.attachments + listOfNotNull(arguments.video)).forEach(::checkReadable)
+            (arguments.attachments + arguments.compared + listOfNotNull(arguments.video)).forEach(::checkReadable)
             ExportPlan(arguments).jobs()
         } catch (e: ExportException) {
             err.println(e.message)
@@ -70,7 +70,7 @@ internal class BadlogHtml(
             err.println("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
-        val export = exporterOf(arguments.attachments)
+        val export = exporterOf(arguments.attachments, arguments.compared)
         jobs.forEachIndexed { index, job ->
             val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
             make(job, { additions(job, arguments) }, export, ProgressBar(label, err, isTerminal))

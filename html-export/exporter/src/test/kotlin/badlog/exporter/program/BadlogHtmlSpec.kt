@@ -36,8 +36,8 @@ class BadlogHtmlSpec : FunSpec({
     }
 
     // Makes pages, but of a file named so it fails as no exporter should.
-    fun failingOn(name: String) = { attachments: List<Path> ->
-        val exporter = HtmlExporter(attachments)
+    fun failingOn(name: String) = { attachments: List<Path>, compared: List<Path> ->
+        val exporter = HtmlExporter(attachments, compared)
         val export: Export = { input, page, additions, progress ->
             check(input.name != name) { "Out of cheese\n+++" }
             exporter.export(input, page, additions, progress)
@@ -81,6 +81,20 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
+    test("with --compare, each page has the other log's bytes, but none its own once more") {
+        inFolder { folder ->
+            val other = folder.with("best.bag", "Time,A\n0,1\n")
+            run("--compare", other, folder.with("match.bag"), "--out", folder / "match.html").code shouldBe ExitCode.WHOLE
+            ReadPage(folder / "match.html").compared.mapValues { it.value.decodeToString() } shouldBe mapOf("best.bag" to "Time,A\n0,1\n")
+            run("--compare", other, folder, "--out", folder / "pages").code shouldBe ExitCode.WHOLE
+            ReadPage(folder / "pages/best.bag.html").compared shouldBe emptyMap()
+            val refused = run("--compare", (folder / "pit.jpg").apply { writeBytes(byteArrayOf(-1, -40, -1, 0, 0, 16)) }, folder / "match.bag")
+            refused.code shouldBe ExitCode.NOTHING
+            refused.err shouldContain "pit.jpg"
+            run("--compare", folder / "none.bag", folder / "match.bag").err shouldContain "none.bag"
+        }
+    }
+
     test("a page begins with the layout beside its log, by the type of its match; a mistake in it is said once, and leaves nothing out") {
         inFolder { folder ->
             val layouts = ArrayList<String?>()
@@ -90,7 +104,7 @@ class BadlogHtmlSpec : FunSpec({
             }
             fun made(): String {
                 val err = ByteArrayOutputStream()
-                BadlogHtml(PrintStream(ByteArrayOutputStream()), PrintStream(err), false, { export }) { true }.run(listOf("$folder"))
+                BadlogHtml(PrintStream(ByteArrayOutputStream()), PrintStream(err), false, { _, _ -> export }) { true }.run(listOf("$folder"))
                 return err.toString()
             }
             folder.with("a.bag")
@@ -298,9 +312,9 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("an output folder that is a file") {
+    test("an output folder of several pages that is a file") {
         inFolder { folder ->
-            val ended = run(folder.with("a.bag"), "--out", folder.with("file"))
+            val ended = run(folder.with("a.bag"), folder.with("b.bag"), "--out", folder.with("file"))
             ended.code shouldBe ExitCode.NOTHING
             ended.err shouldContain "${folder / "file"} is a file, not a folder"
         }

@@ -5,6 +5,8 @@ import badlog.page.board.BoardDrag
 import badlog.page.board.BoardKeys
 import badlog.page.board.BoardSection
 import badlog.page.board.TopicDialog
+import badlog.page.compare.CompareBar
+import badlog.page.compare.PageComparison
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -16,6 +18,7 @@ import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.embedded.PageSource
+import badlog.page.embedded.comparedFiles
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.folder.EventsLink
@@ -68,6 +71,7 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
+import org.w3c.files.File
 import kotlin.js.Promise
 
 /** Puts together the page of a recording. */
@@ -124,7 +128,9 @@ internal class LogPage(
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
     private val topicDialog = TopicDialog(scene)
-    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open, video::open)
+    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
+    private val comparison = PageComparison(formulas, about.name)
+    private val compareBar = CompareBar(comparison, scene.notice)
     private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
@@ -136,6 +142,7 @@ internal class LogPage(
         export.element,
         downloads.element,
         video.button,
+        compareBar.button,
         element("div", "page-settings") {
             appendChild(theme.element)
             addIconButton("", Icon.HELP, "Keys and gestures (?)") { help.toggle() }.id = "help-button"
@@ -150,6 +157,7 @@ internal class LogPage(
         appendChild(findings.element)
         appendChild(noteList.element)
         appendChild(printing.element)
+        appendChild(compareBar.element)
         appendChild(zoomBar.element)
         appendChild(evidence.element)
         appendChild(boardSection.element)
@@ -174,6 +182,13 @@ internal class LogPage(
     init {
         nothingFound.isHidden = true
         board.onChange(values::refresh)
+        board.onChange(comparison::followFormulas)
+        comparison.onChange {
+            scene.compared = comparison.drawn
+            graphs.renew()
+            values.refresh()
+        }
+        acceptFiles(::openDropped)
         notes.onChange {
             scene.notes = notes.now.notes
             redraw()
@@ -199,6 +214,7 @@ internal class LogPage(
      */
     fun complete(logged: LogView) {
         folders.layOut(Int.MAX_VALUE)
+        comparedFiles().then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
         findings.wait()
         RuleSearch(logged, additions.rules, about.name).start(
@@ -249,9 +265,9 @@ internal class LogPage(
     }
 
     /** Returns the lines of the board and the evidence, or, if there is neither, all of the log. */
-    private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.graph.series }
+    private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.series }
 
-    private fun allLines() = folders.cards.flatMap { it.graph.series } +
+    private fun allLines() = folders.cards.flatMap { it.series } +
         scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
             .filter { it.states != null || it.topic.samples.isNotEmpty() }
 
@@ -272,6 +288,8 @@ internal class LogPage(
         scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
         boardSection.bringIntoSight()
     }
+
+    private fun openDropped(files: List<File>) = compareBar.open(files.filterNot { layouts.open(it) || video.open(it) })
 
     private fun saveCopy() {
         Promise.resolve(Unit).then { source.copyWith(notes.now.notes, layoutNow().toJson()) }

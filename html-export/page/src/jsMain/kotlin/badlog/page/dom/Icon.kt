@@ -32,6 +32,7 @@ internal enum class Icon(private val path: String) {
     UNDO("M5.5 3.5 2.5 6.5l3 3M2.5 6.5h7a3.5 3.5 0 0 1 0 7H6"),
     VIDEO("M1.5 4h9v8h-9zM10.5 7l4-2.5v7l-4-2.5"),
     NOTE("M3 13l.8-3.2 7-7 2.4 2.4-7 7zM9.3 4.3l2.4 2.4"),
+    COMPARE("M2.5 10.5l3-4 3 2.5 5-5.5M2.5 13.5l3-2.5 3 1.5 5-4"),
     FOLDER("M2 12.5v-9h4l1.5 2H14v7z"),
     ;
 

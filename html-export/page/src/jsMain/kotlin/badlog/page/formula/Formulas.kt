@@ -2,12 +2,14 @@ package badlog.page.formula
 
 import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
 import badlog.page.dom.LocalStorage
 import badlog.signals.namesWith
 import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
@@ -113,6 +115,13 @@ internal class Formulas(val logged: LogView, private val signals: SignalVocabula
         val name = nameOf(definition)
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
+
+    /** Returns another log as it was logged, with the same names for signals. */
+    fun viewOf(recording: Recording): LogView = LogView.of(recording).withSignals(signals)
+
+    /** Returns [other] with the same formulas, as far as it has their topics. */
+    fun extended(other: LogView): LogView =
+        (ofPage + persons).let { if (it.isEmpty()) other else other.withVirtualTopics(it, signals).view }
 
     private fun viewOf(definitions: List<String>) = if (definitions.isEmpty()) given else given.withVirtualTopics(definitions, signals).view
 

@@ -1,6 +1,7 @@
 package badlog.page.graph
 
 import badlog.core.analysis.Graph
+import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.MenuEntry
@@ -14,7 +15,6 @@ import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
-import badlog.page.view.SearchedGraph
 import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.asBoardGraph
@@ -49,11 +49,12 @@ internal class GraphCard(
     var look: BoardGraph = look
         private set
 
-    private val isShown = BooleanArray(graph.series.size)
-    private val searched = SearchedGraph(graph, scene)
-    private var found: List<Boolean>? = null
-    private val statistics = StatisticsTable(graph, scene)
-    private val legend = Legend(graph, statistics::hintOf) { toggle(lines.slice(it..it)) }
+    /** Its lines, and those of compared logs. */
+    val series: List<GraphSeries> get() = drawn.graph.series
+
+    private var drawn = CardLines(graph, lines, scene, ::toggle)
+    private val statistics get() = drawn.statistics
+    private val legend get() = drawn.legend
     private val xy = if (look.isXy) {
         XyGraph(scene, {
             this.look
@@ -112,7 +113,7 @@ internal class GraphCard(
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
             setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
-            if (graph.showsStates) style.height = "${LaneContent.heightOf(graph)}px"
+            if (graph.showsStates) style.height = "${LaneContent.heightOf(drawn.graph)}px"
         }
         appendChild(statistics.element.apply { isHidden = true })
     }
@@ -144,8 +145,7 @@ internal class GraphCard(
     /** Shows it with the settings [wanted]. */
     fun show(wanted: BoardGraph) {
         look = wanted
-        for (i in isShown.indices) isShown[i] = lines[i] !in wanted.hidden && found?.get(i) != false
-        legend.show(isShown)
+        drawn.show(wanted.hidden)
         resetButton.isHidden = wanted.yRange == null && wanted.rightYRange == null
         redraw()
     }
@@ -163,14 +163,21 @@ internal class GraphCard(
 
     /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
     fun filter(query: Query): Boolean {
-        val lines = searched.linesFoundBy(query)
-        val wanted = lines.takeIf { found -> found.any { it } && !found.all { it } }
-        if (wanted != found) {
-            found = wanted
-            legend.list(wanted)
-            show(look)
-        }
-        return searched.isFoundBy(query)
+        if (drawn.search(query)) show(look)
+        return drawn.isFoundBy(query)
+    }
+
+    /** Draws it again with the lines of the logs that are compared now. */
+    fun renew() {
+        val before = drawn
+        drawn = CardLines(graph, lines, scene, ::toggle)
+        if (xy == null) before.legend.element.replaceWith(drawn.legend.element)
+        drawn.statistics.element.isHidden = before.statistics.element.isHidden
+        before.statistics.element.replaceWith(drawn.statistics.element)
+        if (hasStatistics) statistics.update()
+        drawn.show(look.hidden)
+        repaint()
+        legend.update(scene.cursor, scene.xAxis.unit)
     }
 
     /** Gives it the keyboard focus. */
@@ -187,32 +194,32 @@ internal class GraphCard(
             resizing = ResizeObserver { if (room != width) repaint() }.also { it.observe(host) }
             return
         }
-        if (graph.series.all { series -> series.data.y.all { it.isNaN() } }) {
+        if (series.all { series -> series.data.y.all { it.isNaN() } }) {
             showEmpty()
             return
         }
         val content = newContent()
         host.textContent = ""
         host.style.height = "${content.height}px"
-        val drawn = PlotCanvas(scene, content, host, width)
+        val canvas = PlotCanvas(scene, content, host, width)
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
-        PlotGestures(drawn.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
-        overlay = CursorOverlay(graph, scene, content, drawn)
-        plot = drawn
+        PlotGestures(canvas.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
+        overlay = CursorOverlay(drawn.graph, scene, content, canvas)
+        plot = canvas
         shown = content
         isStale = true
         legend.update(scene.cursor, scene.xAxis.unit)
         if (!statistics.element.isHidden) updateStatisticsSoon()
         resizing = ResizeObserver {
-            drawn.resize(host.clientWidth)
+            canvas.resize(host.clientWidth)
             overlay?.update()
         }.also { it.observe(host) }
     }
 
     private fun newContent() = if (graph.showsStates) {
-        LaneContent(graph, isShown, scene.range.full.to)
+        LaneContent(drawn.graph, drawn.isShown, scene.range.full.to)
     } else {
-        LineContent(graph, scene, isShown) { look }
+        LineContent(drawn.graph, scene, drawn.isShown) { look }
     }
 
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
@@ -220,7 +227,7 @@ internal class GraphCard(
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
         sheet.graphHead(graph.title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
-        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, graph, newContent(), scene)
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn.graph, newContent(), scene)
     }
 
     /** Releases the resources for drawing. */
@@ -229,7 +236,7 @@ internal class GraphCard(
             resizing?.disconnect()
             xy.leave(host)
         }
-        val drawn = plot ?: return
+        if (plot == null) return
         // Keeps its height, so that the page does not move below the reader.
         host.style.height = "${host.clientHeight}px"
         resizing?.disconnect()

@@ -76,6 +76,11 @@ internal class VisibleGraphs(private val scene: Scene) {
         draw(near)
     }
 
+    /** Draws everything again, with the lines of the logs that are compared now. */
+    fun renew() {
+        for (card in cardOf.values) card.renew()
+    }
+
     /** Redraws everything with the current colors, for the current screen. */
     fun repaint() {
         for (card in near) card.repaint()

@@ -9,7 +9,6 @@ import badlog.page.view.Notice
 import badlog.viewer.choices.board.BoardException
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.boardLayoutOf
-import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.files.Blob
@@ -18,20 +17,17 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The buttons that save the board to a layout file and open one; the window uses the same files. A layout file dropped on the page is
- * opened, too.
+ * The buttons that save the board to a layout file and open one; the window uses the same files.
  *
  * @param name the log's name.
  * @param layoutNow returns what to save.
  * @param onOpen called with the opened layout.
- * @param openOther opens a dropped file that is not a layout; returns false if it cannot.
  */
 internal class LayoutButtons(
     private val name: String,
     private val notice: Notice,
     private val layoutNow: () -> BoardLayout,
     private val onOpen: (BoardLayout) -> Unit,
-    private val openOther: (File) -> Boolean,
 ) {
     private val input = element("input").unsafeCast<HTMLInputElement>().apply {
         type = "file"
@@ -51,18 +47,14 @@ internal class LayoutButtons(
         appendChild(input)
     }
 
-    init {
-        document.addEventListener("dragover", { event -> if (hasFile(event)) event.preventDefault() })
-        document.addEventListener("drop", { event ->
-            if (!hasFile(event)) return@addEventListener
-            event.preventDefault()
-            event.asDynamic().dataTransfer.files[0].unsafeCast<File?>()?.let { if (!openOther(it)) read(it) }
-        })
-    }
-
-    private fun hasFile(event: dynamic): Boolean = event.dataTransfer?.types?.includes("Files") == true
-
     private fun save() = saveFile(Blob(arrayOf(layoutNow().toJson()), BlobPropertyBag("application/json")), name + BoardLayout.ENDING)
+
+    /** Opens [file] if it is a layout. Returns false otherwise. */
+    fun open(file: File): Boolean {
+        val isLayout = file.name.endsWith(".json", ignoreCase = true)
+        if (isLayout) read(file)
+        return isLayout
+    }
 
     private fun read(file: File) {
         file.asDynamic().text().unsafeCast<Promise<String>>().then { text ->

@@ -8,7 +8,6 @@ import badlog.page.embedded.About
 import badlog.page.embedded.Base64Text
 import kotlinx.browser.window
 import org.w3c.dom.Element
-import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker
 import kotlin.js.Promise
 
@@ -34,30 +33,7 @@ internal class Reading(private val about: About, private val element: Element, p
 
     private fun readIn(worker: Worker, resolve: (ReadLog) -> Unit, reject: (Throwable) -> Unit) {
         val text = Base64Text(element)
-        var hasAnswered = false
-        worker.onerror = { event ->
-            worker.terminate()
-            // Some browsers forbid the worker only after its constructor has returned.
-            if (hasAnswered) reject(Error(event.asDynamic().message as? String)) else readHere(resolve, reject)
-        }
-        worker.onmessage = { event: MessageEvent ->
-            hasAnswered = true
-            val message: dynamic = event.data
-            when {
-                message == ReadingWorker.MORE -> worker.postMessage(text.next())
-
-                jsTypeOf(message) == "number" -> onProgress(message as Double)
-
-                else -> {
-                    worker.terminate()
-                    if (message.failure != undefined) {
-                        reject(Error(message.failure as String))
-                    } else {
-                        resolve(ReadLog(RecordingMessage.read(message), message.isDamaged as Boolean))
-                    }
-                }
-            }
-        }
+        worker.receive(WorkerAnswers(onProgress, resolve, reject, { readHere(resolve, reject) }) { worker.postMessage(text.next()) })
         worker.postMessage(ReadingWorker.greeting(about))
     }
 

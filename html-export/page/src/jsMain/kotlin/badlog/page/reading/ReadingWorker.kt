@@ -3,12 +3,13 @@ package badlog.page.reading
 import badlog.page.embedded.About
 import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
+import org.w3c.files.File
 
 /**
  * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
  * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it
- * receives, then null. The worker answers with `"more"`, numbers (the fraction that is done), an object with `failure`,
+ * receives, then null; or an object with `files` alone. The worker answers with `"more"`, numbers (the fraction that is done), an object with `failure`,
  * or the recording with `isDamaged`. It answers to parts of a recording as described in [PartMessage].
  */
 internal object ReadingWorker {
@@ -24,6 +25,13 @@ internal object ReadingWorker {
         return message
     }
 
+    /** Returns what the page sends instead to have [files] read. */
+    fun greeting(files: List<File>): dynamic {
+        val message = js("({})")
+        message.files = files.toTypedArray()
+        return message
+    }
+
     /** Does the worker's work. */
     fun run() {
         val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
@@ -33,6 +41,7 @@ internal object ReadingWorker {
             val current = reader
             when {
                 PartMessage.isPart(message) -> PartMessage.answer(page, message)
+                message != null && message.files != undefined -> readFiles(page, message.files.unsafeCast<Array<File>>().toList())
                 current == null -> reader = open(page, message)
                 message == null -> current.end()
                 else -> current.accept(message as String).then({ page.postMessage(MORE) }, { answerFailure(page, it) })
@@ -45,14 +54,21 @@ internal object ReadingWorker {
         val reader = RecordingReader(greeting.expectedBytes as Double, greeting.isWhole as Boolean, lineSums) {
             page.postMessage(it)
         }
-        reader.recording.then({ read ->
-            val answer = RecordingMessage.of(read.recording)
-            answer.isDamaged = read.isDamaged
-            page.postMessage(answer, RecordingMessage.buffersOf(read.recording))
-        }).catch { answerFailure(page, it) }
+        reader.recording.then({ read -> answer(page, read) }).catch { answerFailure(page, it) }
         page.postMessage(MORE)
         page.postMessage(MORE)
         return reader
+    }
+
+    private fun readFiles(page: DedicatedWorkerGlobalScope, files: List<File>) {
+        val reader = LogFileReader(files) { page.postMessage(it) }
+        reader.read().then({ read -> answer(page, ReadLog(read, isDamaged = false)) }).catch { answerFailure(page, it) }
+    }
+
+    private fun answer(page: DedicatedWorkerGlobalScope, read: ReadLog) {
+        val answer = RecordingMessage.of(read.recording)
+        answer.isDamaged = read.isDamaged
+        page.postMessage(answer, RecordingMessage.buffersOf(read.recording))
     }
 
     private fun answerFailure(page: DedicatedWorkerGlobalScope, problem: Throwable) {

@@ -19,6 +19,7 @@ import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.Field
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.shown.outline.traits
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
@@ -53,6 +54,9 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
     /** The notes about moments, in the order of x. */
     var notes: List<Note> = emptyList()
 
+    /** The logs that every graph draws besides this one. */
+    var compared: List<ComparedLog> = emptyList()
+
     /** The place of the last finding that a person went to; null if there was none. */
     var visited: FindingPlace<Finding>? = null
         set(value) {
@@ -66,7 +70,7 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
 
     val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
     val cursor: Cursor = Cursor(xAxis.clocks)
-    val sharedY: SharedY = SharedY(board, range)
+    val sharedY: SharedY = SharedY(board, range) { compared }
 
     /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }

@@ -1,5 +1,6 @@
 package badlog.page.view
 
+import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
@@ -7,31 +8,38 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.draw.axis.SeenOfUnit
 import badlog.viewer.draw.axis.seenTogether
 import badlog.viewer.draw.curve.Curve
+import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.text.unitText
 
-/** What is visible in all graphs of [board] that share their y limits, on the screen or not. */
-internal class SharedY(private val board: PageBoard, private val range: VisibleRange) {
-    private var lines: BoardLines? = null
-    private val curves = HashMap<String, Curve>()
+/**
+ * What is visible in all graphs of [board] that share their y limits, on the screen or not.
+ *
+ * @param compared returns the logs that they draw besides the page's own.
+ */
+internal class SharedY(private val board: PageBoard, private val range: VisibleRange, private val compared: () -> List<ComparedLog>) {
+    private val curves = HashMap<GraphSeries, Curve>()
     private val columns = PixelColumns(COLUMNS)
+    private var curvesOf: Pair<BoardLines, List<ComparedLog>>? = null
     private var seenOf: Pair<Board, Span>? = null
     private var seen = emptyMap<String, SeenOfUnit>()
 
     /** Returns what is currently visible of [unit]; null for nothing. */
     fun seen(unit: String): SeenOfUnit? {
         val now = board.now to range.now
-        if (now != seenOf || lines !== board.lines) {
+        val logs = board.lines to compared()
+        if (now != seenOf || logs != curvesOf) {
             seenOf = now
-            if (lines !== board.lines) curves.clear()
-            lines = board.lines
-            seen = seenTogether(board.now.graphs.filter { it.sharesY }.flatMap { it.lines - it.hidden }.distinct().mapNotNull(::see))
+            if (logs != curvesOf) curves.clear()
+            curvesOf = logs
+            val names = board.now.graphs.filter { it.sharesY }.flatMap { it.lines - it.hidden }.distinct()
+            seen = seenTogether(names.flatMap { name -> (listOf(board.lines[name]) + logs.second.map { it[name] }).mapNotNull(::see) })
         }
         return seen[unit]
     }
 
-    private fun see(name: String): SeenOfUnit? {
-        val line = board.lines[name]?.takeIf { it.states == null } ?: return null
-        val curve = curves.getOrPut(name) { Curve(line.data, if (line.holds) range.full.to else null) }
+    private fun see(line: GraphSeries?): SeenOfUnit? {
+        if (line == null || line.states != null) return null
+        val curve = curves.getOrPut(line) { Curve(line.data, if (line.holds) range.full.to else null) }
         curve.draw(range.now.from, range.now.to, columns)
         return SeenOfUnit(unitText(line.unit), curve.min, curve.max)
     }

@@ -70,7 +70,11 @@ internal class WindowsFiles : AutoCloseable {
         if (!Files.exists(file)) return
         if (Files.getAttribute(file, "dos:readonly") == true) throw AccessDeniedException("$file")
         if (file.toAbsolutePath().normalize() in open) {
-            throw FileSystemException("$file", other?.toString(), "The process cannot access the file because it is being used by another process")
+            throw FileSystemException(
+                "$file",
+                other?.toString(),
+                "The process cannot access the file because it is being used by another process",
+            )
         }
     }
 
@@ -140,7 +144,9 @@ internal class WindowsFiles : AutoCloseable {
 
         override fun getPath(first: String, vararg more: String) = Wrapped(inner.getPath(first, *more))
 
-        override fun getPathMatcher(pattern: String) = inner.getPathMatcher(pattern).let { matcher -> java.nio.file.PathMatcher { matcher.matches(unwrapped(it)) } }
+        override fun getPathMatcher(pattern: String) = inner.getPathMatcher(pattern).let { matcher ->
+            java.nio.file.PathMatcher { matcher.matches(unwrapped(it)) }
+        }
 
         override fun getUserPrincipalLookupService() = throw UnsupportedOperationException()
 
@@ -189,7 +195,8 @@ internal class WindowsFiles : AutoCloseable {
             return WindowsChannel(channel) { closed(unwrapped(file)) }
         }
 
-        override fun newByteChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): SeekableByteChannel = inner.newByteChannel(unwrapped(file), options, *attributes)
+        override fun newByteChannel(file: Path, options: Set<OpenOption>, vararg attributes: FileAttribute<*>): SeekableByteChannel =
+            inner.newByteChannel(unwrapped(file), options, *attributes)
 
         private fun requireWritable(file: Path) {
             if (Files.exists(file) && Files.getAttribute(file, "dos:readonly") == true) throw AccessDeniedException("$file")
@@ -204,7 +211,8 @@ internal class WindowsFiles : AutoCloseable {
             }
         }
 
-        override fun createDirectory(folder: Path, vararg attributes: FileAttribute<*>) = inner.createDirectory(unwrapped(folder), *attributes)
+        override fun createDirectory(folder: Path, vararg attributes: FileAttribute<*>) =
+            inner.createDirectory(unwrapped(folder), *attributes)
 
         override fun isSameFile(one: Path, other: Path) = inner.isSameFile(unwrapped(one), unwrapped(other))
 
@@ -217,13 +225,17 @@ internal class WindowsFiles : AutoCloseable {
             if (AccessMode.WRITE in modes) requireWritable(unwrapped(file))
         }
 
-        override fun <V : FileAttributeView> getFileAttributeView(file: Path, type: Class<V>, vararg options: LinkOption): V? = inner.getFileAttributeView(unwrapped(file), type, *options)
+        override fun <V : FileAttributeView> getFileAttributeView(file: Path, type: Class<V>, vararg options: LinkOption): V? =
+            inner.getFileAttributeView(unwrapped(file), type, *options)
 
-        override fun <A : BasicFileAttributes> readAttributes(file: Path, type: Class<A>, vararg options: LinkOption): A = inner.readAttributes(unwrapped(file), type, *options)
+        override fun <A : BasicFileAttributes> readAttributes(file: Path, type: Class<A>, vararg options: LinkOption): A =
+            inner.readAttributes(unwrapped(file), type, *options)
 
-        override fun readAttributes(file: Path, names: String, vararg options: LinkOption): Map<String, Any> = inner.readAttributes(unwrapped(file), names, *options)
+        override fun readAttributes(file: Path, names: String, vararg options: LinkOption): Map<String, Any> =
+            inner.readAttributes(unwrapped(file), names, *options)
 
-        override fun setAttribute(file: Path, name: String, value: Any?, vararg options: LinkOption) = inner.setAttribute(unwrapped(file), name, value, *options)
+        override fun setAttribute(file: Path, name: String, value: Any?, vararg options: LinkOption) =
+            inner.setAttribute(unwrapped(file), name, value, *options)
 
         override fun getScheme() = "windows"
 

@@ -1,0 +1,147 @@
+package badlog.page.compare
+
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.dom.isHidden
+import badlog.page.reading.FileReading
+import badlog.page.view.Notice
+import badlog.viewer.choices.comparison.Alignment
+import badlog.viewer.choices.comparison.OFFSET_STEPS
+import badlog.viewer.choices.comparison.offsetOf
+import badlog.viewer.choices.comparison.roundedOffset
+import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.shown.comparison.ComparedLog
+import badlog.viewer.text.exactText
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.HTMLSelectElement
+import org.w3c.dom.asList
+import org.w3c.files.File
+
+/** The compared logs, each with its color and offset, and how they are aligned; hidden if there are none. */
+internal class CompareBar(private val comparison: PageComparison, private val notice: Notice) {
+    private lateinit var alignment: HTMLSelectElement
+    private lateinit var logs: HTMLElement
+
+    private val input = element("input").unsafeCast<HTMLInputElement>().apply {
+        type = "file"
+        id = "compare-file"
+        multiple = true
+        isHidden = true
+        setAttribute("aria-label", "Log to compare")
+        addEventListener("change", {
+            open(files?.asList().orEmpty())
+            value = ""
+        })
+    }
+
+    val element: HTMLElement = element("section", "compare findings card") {
+        id = "compare"
+        setAttribute("aria-label", "Compared logs")
+        add("header", "graph-head") {
+            add("h2", "findings-title", "Compared")
+            alignment = add("select").unsafeCast<HTMLSelectElement>()
+            add("div", "graph-tools") {
+                addIconButton("", Icon.PLUS, "Compare with another log") { input.click() }
+                addIconButton("", Icon.CLOSE, "Stop comparing") { comparison.clear() }.id = "stop-comparing"
+            }
+        }
+        logs = add("ul", "compared-logs")
+        isHidden = true
+    }
+
+    /** Opens a log. */
+    val button: HTMLElement = element("div", "downloads") {
+        addButton("", "", "Draw another log over this one; or drop it on the page") { input.click() }.apply {
+            id = "compare-button"
+            appendChild(Icon.COMPARE.draw())
+            add("span", "", "Compare")
+        }
+        appendChild(input)
+    }
+
+    init {
+        alignment.id = "alignment"
+        alignment.setAttribute("aria-label", "Align at")
+        for (way in Alignment.entries) {
+            alignment.add("option", "", "Align: ${way.title}").apply {
+                setAttribute("value", way.name)
+                title = way.hint
+            }
+        }
+        alignment.addEventListener("change", { comparison.alignBy(Alignment.valueOf(alignment.value)) })
+        comparison.onChange(::list)
+    }
+
+    /** Reads the logs in [files], one after the other, and compares them. */
+    fun open(files: List<File>) {
+        // The first file of a Driver Station log is read before its second.
+        val (seconds, firsts) = files.partition { it.name.endsWith(SECOND) }
+        val first = (firsts + seconds).firstOrNull() ?: return
+        val log = listOf(first) + seconds.filter { it !== first && it.name.removeSuffix(SECOND) == first.name.removeSuffix(FIRST) }
+        val name = first.name
+        lateinit var reading: FileReading
+        reading = FileReading(log) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", reading::cancel) }
+        notice.show("Reading $name…", reading::cancel)
+        reading.start().then({ read ->
+            notice.hide()
+            accept(name, read)
+            open(files - log.toSet())
+        }, { failure -> notice.say("$name cannot be read: ${failure.message}. Open it again.") })
+    }
+
+    private fun accept(name: String, read: Recording) {
+        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+        when {
+            unreadable != null -> notice.say("$name: ${unreadable.message}")
+            read.topics.all { it.samples.isEmpty() } -> notice.say("$name has no samples, so there is nothing to compare.")
+            else -> comparison.add(name, read)
+        }
+    }
+
+    private fun list() {
+        element.isHidden = comparison.drawn.isEmpty()
+        alignment.value = comparison.alignment.name
+        logs.textContent = ""
+        logs.add("li", "compared-log") { addName(0, comparison.openName) }
+        comparison.drawn.forEachIndexed { i, log -> logs.add("li", "compared-log") { fill(i, log) } }
+    }
+
+    private fun HTMLElement.fill(index: Int, log: ComparedLog) {
+        val moveTo = { offset: Double -> comparison.move(index, roundedOffset(offset)) }
+        val shown = exactText(roundedOffset(log.offset))
+        addName(index + 1, log.name)
+        add("span", "compared-moves") {
+            for (step in OFFSET_STEPS.reversed()) addStep("-", step, log) { moveTo(log.offset - step) }
+            val typed = add("input", "compared-offset").unsafeCast<HTMLInputElement>()
+            typed.value = shown
+            typed.setAttribute("inputmode", "decimal")
+            typed.setAttribute("aria-label", "Offset of ${log.name}")
+            typed.addEventListener("change", { offsetOf(typed.value)?.let(moveTo) ?: run { typed.value = shown } })
+            for (step in OFFSET_STEPS) addStep("+", step, log) { moveTo(log.offset + step) }
+            addIconButton("", Icon.CLOSE, "Stop comparing with ${log.name}") { comparison.remove(index) }
+        }
+    }
+
+    private fun HTMLElement.addName(color: Int, name: String) {
+        add("span", "swatch line-${color % LINE_COLORS}")
+        add("bdi", "", name)
+    }
+
+    private fun HTMLElement.addStep(sign: String, step: Double, log: ComparedLog, onClick: () -> Unit) {
+        val shown = sign + exactText(step).removePrefix("0")
+        addButton("compared-step", shown, "Move ${log.name} by $sign${exactText(step)}", onClick)
+            .setAttribute("aria-label", "Move ${log.name} by $sign${exactText(step)}")
+    }
+
+    private companion object {
+        /** The endings of a Driver Station log's two files. */
+        const val FIRST = ".dslog"
+        const val SECOND = ".dsevents"
+    }
+}

@@ -1,0 +1,112 @@
+package badlog.page.compare
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.enabledSpans
+import badlog.core.analysis.matchTitle
+import badlog.core.analysis.meant
+import badlog.core.recording.Recording
+import badlog.page.formula.Formulas
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.comparison.Alignment
+import badlog.viewer.choices.comparison.LogMoments
+import badlog.viewer.choices.comparison.LogOffsets
+import badlog.viewer.shown.comparison.ComparedLog
+import badlog.viewer.shown.comparison.LogName
+import badlog.viewer.shown.comparison.namesBeside
+
+/**
+ * The logs that are compared with the page's own, in the order in which they came, and where they are on x.
+ *
+ * @param file the name of the page's own file.
+ */
+internal class PageComparison(private val formulas: Formulas, file: String) {
+    private class Log(val id: Int, val file: String, val view: LogView, val name: LogName, val moments: LogMoments)
+
+    private val open = logOf(OPEN, file, formulas.logged)
+    private val logs = ArrayList<Log>()
+    private var offsets = LogOffsets<Int>()
+    private var lastId = OPEN
+    private val listeners = ArrayList<() -> Unit>()
+
+    /** The page's own formulas, and those of its reader, when the others' lines were calculated. */
+    private var calculated: LogView? = null
+    private val lines = HashMap<Int, BoardLines>()
+
+    val alignment: Alignment get() = offsets.alignment
+
+    /** The logs, as they are drawn. */
+    var drawn: List<ComparedLog> = emptyList()
+        private set
+
+    /** The name of the page's own log beside the others. */
+    var openName = ""
+        private set
+
+    /** Calls [listener] after each change. */
+    fun onChange(listener: () -> Unit) {
+        listeners += listener
+    }
+
+    /** Adds the log [recording] from the file [file]; one of the same file makes way for it. */
+    fun add(file: String, recording: Recording) {
+        logs.removeAll { it.file == file }
+        logs += logOf(++lastId, file, formulas.viewOf(recording))
+        show()
+    }
+
+    /** Removes the log at [index] of [drawn]. */
+    fun remove(index: Int) {
+        offsets = offsets.without(logs.removeAt(index).id)
+        show()
+    }
+
+    /** Removes all. */
+    fun clear() {
+        logs.clear()
+        show()
+    }
+
+    /** Aligns all by [wanted]. */
+    fun alignBy(wanted: Alignment) {
+        offsets = offsets.alignedBy(wanted, OPEN, moments())
+        show()
+    }
+
+    /** Moves the log at [index] of [drawn] to [offset], by hand. */
+    fun move(index: Int, offset: Double) {
+        offsets = offsets.moved(logs[index].id, offset, OPEN, moments())
+        show()
+    }
+
+    /** Calculates the formulas of all logs again, if they have changed. */
+    fun followFormulas() {
+        if (logs.isNotEmpty() && calculated !== formulas.view) show()
+    }
+
+    private fun show() {
+        if (calculated !== formulas.view) lines.clear()
+        calculated = formulas.view
+        val names = namesBeside((listOf(open) + logs).map { it.name })
+        val moments = moments()
+        openName = names[0]
+        drawn = logs.mapIndexed { i, log ->
+            val own = lines.getOrPut(log.id) { BoardLines(formulas.extended(log.view)) }
+            ComparedLog(names[i + 1], own, offsets.of(log.id, OPEN, moments))
+        }
+        for (listener in listeners) listener()
+    }
+
+    private fun moments() = (listOf(open) + logs).associate { it.id to it.moments }
+
+    private fun logOf(id: Int, file: String, view: LogView): Log {
+        val values = view.recording.values
+        val match = matchTitle(null, values.meant("match type"), values.meant("match number", "match"))
+        val name = LogName(values.meant("event name", "event"), match, view.title ?: file, file)
+        return Log(id, file, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
+    }
+
+    private companion object {
+        /** The page's own log. */
+        const val OPEN = 0
+    }
+}

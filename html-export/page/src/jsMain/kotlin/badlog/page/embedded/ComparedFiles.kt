@@ -1,0 +1,17 @@
+package badlog.page.embedded
+
+import kotlinx.browser.document
+import org.w3c.dom.Element
+import org.w3c.dom.asList
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/** Returns the files of the logs in this page that it compares with its own; rejected if one was damaged. */
+internal fun comparedFiles(): Promise<List<File>> {
+    val files = document.querySelectorAll("script.compared").asList().map { node ->
+        val element = node.unsafeCast<Element>()
+        val name = element.getAttribute("data-name").orEmpty()
+        EmbeddedFile(element).inflated().then { File(arrayOf<dynamic>(it), name) }
+    }
+    return Promise.all(files.toTypedArray()).then { it.toList() }
+}

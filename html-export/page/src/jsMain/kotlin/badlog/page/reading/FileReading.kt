@@ -1,0 +1,43 @@
+package badlog.page.reading
+
+import badlog.core.recording.Recording
+import badlog.page.dom.startWorker
+import org.w3c.dom.Worker
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * Reads a log from [files] that a person opened, in a worker if the browser allows one. They stay on the person's computer.
+ *
+ * @param onProgress receives the fraction of the bytes that has been read, 0 to 1.
+ */
+internal class FileReading(private val files: List<File>, private val onProgress: (Double) -> Unit) {
+    private var worker: Worker? = null
+    private var isCancelled = false
+
+    /** Starts, and promises the recording; never fulfilled after [cancel]. */
+    fun start(): Promise<Recording> = Promise { resolve, reject ->
+        val finish = { read: Recording -> if (!isCancelled) resolve(read) }
+        val readHere = { LogFileReader(files, ::advance).read().then(finish, reject) }
+        val started = startWorker().also { worker = it } ?: return@Promise readHere().unsafeCast<Unit>()
+        started.receive(
+            WorkerAnswers(
+                onProgress = ::advance,
+                onRead = { finish(it.recording) },
+                onFailure = reject,
+                onRefusal = { readHere() },
+            ),
+        )
+        started.postMessage(ReadingWorker.greeting(files))
+    }
+
+    /** Stops it. */
+    fun cancel() {
+        isCancelled = true
+        worker?.terminate()
+    }
+
+    private fun advance(share: Double) {
+        if (!isCancelled) onProgress(share)
+    }
+}

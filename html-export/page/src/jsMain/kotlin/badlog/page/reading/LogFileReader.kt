@@ -1,0 +1,60 @@
+package badlog.page.reading
+
+import badlog.core.bag.RecordingParser
+import badlog.core.recording.Recording
+import badlog.formats.LOG_FORMATS
+import badlog.page.embedded.Inflater
+import org.khronos.webgl.ArrayBuffer
+import org.khronos.webgl.Int8Array
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * Reads a log from the files that a person opened, one after the other: a Driver Station log has two. Used in the worker, or on the page if
+ * there is none. Only a gzipped file is held whole.
+ *
+ * @param onProgress receives the fraction of the bytes that has been read.
+ */
+internal class LogFileReader(private val files: List<File>, private val onProgress: (Double) -> Unit) {
+    private val size = files.sumOf { it.size.toDouble() }
+    private val parser = RecordingParser(LOG_FORMATS, size.toLong())
+    private var done = 0.0
+
+    /** Reads all, and promises the recording; rejected if a file cannot be read, for example since it was removed. */
+    fun read(): Promise<Recording> {
+        val all = files.fold(Promise.resolve(Unit)) { before, file -> before.then { begin(file) }.unsafeCast<Promise<Unit>>() }
+        return all.then { parser.finish() }
+    }
+
+    private fun begin(file: File): Promise<Unit> = bytesOf(file, 0.0, 2.0).then { head ->
+        if (head.contentEquals(GZIP)) inflate(file) else goOn(file, 0.0)
+    }.unsafeCast<Promise<Unit>>()
+
+    private fun inflate(file: File) = bytesOf(file, 0.0, file.size.toDouble()).then { bytes ->
+        Inflater(bytes) { parser.accept(it, 0, it.size) }.run()
+        advance(bytes.size)
+    }
+
+    private fun goOn(file: File, from: Double): Promise<Unit> = bytesOf(file, from, from + PIECE).then { bytes ->
+        parser.accept(bytes, 0, bytes.size)
+        advance(bytes.size)
+        if (bytes.size < PIECE) Unit else goOn(file, from + PIECE)
+    }.unsafeCast<Promise<Unit>>()
+
+    private fun advance(bytes: Int) {
+        done += bytes
+        onProgress(done / size)
+    }
+
+    private fun bytesOf(file: File, from: Double, until: Double): Promise<ByteArray> {
+        val part = file.asDynamic().slice(from, until)
+        return part.arrayBuffer().unsafeCast<Promise<ArrayBuffer>>().then { Int8Array(it).unsafeCast<ByteArray>() }
+    }
+
+    private companion object {
+        val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
+
+        /** The number of bytes that are read at once. */
+        const val PIECE = 4_000_000
+    }
+}

@@ -1,0 +1,141 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.files.gzip
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.By
+import org.openqa.selenium.Keys
+import java.util.Base64
+
+private const val VOLTS = "Battery Voltage"
+
+/** Several logs on one page. */
+internal class CompareSpec : PageSpec({
+    val topics = listOf(TIME, BagTopic(VOLTS, "V"), BagTopic("Enabled"), BagTopic("State"))
+
+    /** A log that begins at [start], in which the robot is enabled [enabledAfter] seconds later, and the battery has [volts]. */
+    fun log(start: Double, enabledAfter: Double, volts: Double) = bagOf(topics, rows = 101) { row, column ->
+        when (column) {
+            0 -> start + row / 10.0
+            1 -> volts
+            2 -> if (row / 10.0 >= enabledAfter) 1 else 0
+            else -> if (row < 30) "IDLE" else "SHOOT"
+        }
+    }
+
+    val own = log(0.0, 2.0, 12.0)
+    val page by lazy { TestPages.of(own, "own.bag", PageAdditions(rules = RuleSet.NONE.with(RuleSet.BUILT_IN.signals))) }
+
+    /** Drops files with these names and bytes. */
+    fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
+        script(
+            """
+            const data = new DataTransfer()
+            for (const [name, base64] of arguments[0]) {
+                data.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], name))
+            }
+            document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
+            """.trimIndent(),
+            files.map { (name, bytes) -> listOf(name, Base64.getEncoder().encodeToString(bytes)) },
+        )
+    }
+
+    fun OpenPage.awaitLogs(count: Int) = await("$count logs") { number("return document.querySelectorAll('#compare:not([hidden]) .compared-log').length") == count.toDouble() }
+
+    fun OpenPage.legend() = texts(".graph[data-name='$VOLTS'] .legend-name").zip(texts(".graph[data-name='$VOLTS'] .legend .value")) { name, value -> "$name $value" }
+
+    fun OpenPage.offset() = element(".compared-offset").getAttribute("value").orEmpty().toDouble()
+
+    browserTest("a dropped log is drawn over the page's own in each graph, with its values at the cursor and in the statistics") {
+        onPage(page) {
+            element("#compare").isDisplayed shouldBe false
+            drop("other.bag" to log(100.0, 3.0, 11.0))
+            awaitLogs(2)
+            texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "other.bag")
+            graph(VOLTS).click(0.5)
+            legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (other.bag) 11")
+            texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State", "State (other.bag)")
+            graph(VOLTS).card.findElement(By.cssSelector(".statistics-toggle")).click()
+            texts(".statistics tbody th") shouldContainExactly listOf(VOLTS, "$VOLTS (other.bag)")
+            keepScreenshot("compare")
+            seriousForReaders() shouldBe emptyList()
+        }
+    }
+
+    browserTest("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
+        onPage(page) {
+            drop("other.bag" to log(100.0, 3.0, 11.0))
+            awaitLogs(2)
+            offset() shouldBe (-100.0 plusOrMinus 1e-6)
+            script("const s = document.querySelector('#alignment'); s.value = 'ENABLED'; s.dispatchEvent(new Event('change'))")
+            offset() shouldBe (-101.0 plusOrMinus 1e-6)
+            elements(".compared-step").first { it.text == "+.1" }.click()
+            offset() shouldBe (-100.9 plusOrMinus 1e-6)
+            element("#alignment").getAttribute("value") shouldBe "MANUAL"
+            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
+            offset() shouldBe (-99.5 plusOrMinus 1e-6)
+            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
+            offset() shouldBe (-99.5 plusOrMinus 1e-6)
+        }
+    }
+
+    browserTest("several logs are read one after the other, also gzipped ones, and each can go again") {
+        onPage(page) {
+            drop("a.bag" to log(0.0, 2.0, 11.0), "b.bag.gz" to gzip(log(5.0, 2.0, 10.0)))
+            awaitLogs(3)
+            graph(VOLTS).click(0.5)
+            legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (a.bag) 11", "$VOLTS (b.bag.gz) 10")
+            elements(".compared-log .icon-button")[0].click()
+            legend().size shouldBe 2
+            element("#stop-comparing").click()
+            element("#compare").isDisplayed shouldBe false
+            texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
+        }
+    }
+
+    browserTest("a formula of the page is calculated for all logs, whichever came first") {
+        onPage(page) {
+            fun addFormula(text: String) {
+                press("f")
+                press(text, Keys.ENTER)
+                settle()
+            }
+            addFormula("First [V] = $VOLTS * 2")
+            drop("other.bag" to log(100.0, 3.0, 11.0))
+            awaitLogs(2)
+            addFormula("Second [V] = $VOLTS * 3")
+            for (name in listOf("First", "Second")) {
+                graph(name).card.findElements(By.cssSelector(".legend-entry")).size shouldBe 2
+            }
+        }
+    }
+
+    browserTest("what is not a log is said to be none, and the page stays as it was") {
+        onPage(page) {
+            drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
+            await("the sentence") { "pit.jpg" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
+            element("#compare").isDisplayed shouldBe false
+            drop("empty.bag" to ByteArray(0))
+            await("the sentence") { "empty.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
+            element("#compare").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a page exported with other logs begins with them, also on a phone, and matches of one event are called by their number") {
+        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+            onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz")), screen) {
+                awaitLogs(2)
+                texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
+                (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                text shouldContain "Qualification 57"
+                keepScreenshot(if (screen === Screen.PHONE) "phone-compare" else "compare-exported")
+            }
+        }
+    }
+})

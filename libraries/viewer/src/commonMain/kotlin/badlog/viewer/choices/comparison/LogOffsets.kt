@@ -1,0 +1,55 @@
+package badlog.viewer.choices.comparison
+
+import kotlin.math.round
+
+/**
+ * Where each compared log is on x. Immutable; each transition returns a new one.
+ *
+ * @param K what tells logs apart.
+ * @property alignment which moments are aligned.
+ * @property byHand the manual offset of each log, in units of x; only differences between them matter, and a log that is not in it has 0.
+ */
+data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand: Map<K, Double> = emptyMap()) {
+    /** Returns what to add to the x of [log] so that it is aligned with [open]; always finite. [moments] are those of both. */
+    fun of(log: K, open: K, moments: Map<K, LogMoments>): Double {
+        if (log == open) return 0.0
+        val isByHand = alignment == Alignment.MANUAL
+        val offset = if (isByHand) handOffset(log) - handOffset(open) else momentIn(moments[open]) - momentIn(moments[log])
+        return if (offset.isFinite()) offset else 0.0
+    }
+
+    /** Aligns by [wanted]; for manual alignment, each of the logs with [moments] stays where it is beside [open]. */
+    fun alignedBy(wanted: Alignment, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
+        val isFirstByHand = wanted == Alignment.MANUAL && alignment != Alignment.MANUAL
+        return LogOffsets(wanted, if (isFirstByHand) moments.keys.associateWith { of(it, open, moments) } else byHand)
+    }
+
+    /** Moves [log] to [offset] beside [open], which makes the alignment manual. An offset that is not a number is ignored. */
+    fun moved(log: K, offset: Double, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
+        if (!offset.isFinite() || log == open) return this
+        val byHand = alignedBy(Alignment.MANUAL, open, moments)
+        return byHand.copy(byHand = byHand.byHand + (log to byHand.handOffset(open) + offset))
+    }
+
+    /** Forgets the manual offset of [log]. */
+    fun without(log: K): LogOffsets<K> = copy(byHand = byHand.filterKeys { it != log })
+
+    private fun handOffset(log: K) = byHand[log] ?: 0.0
+
+    private fun momentIn(moments: LogMoments?): Double = when (alignment) {
+        Alignment.START -> moments?.first ?: 0.0
+        Alignment.ENABLED -> moments?.enabled ?: moments?.first ?: 0.0
+        Alignment.NONE, Alignment.MANUAL -> 0.0
+    }
+}
+
+/** Returns the number that a person has typed as an offset, with a comma or a point; null for none. */
+fun offsetOf(text: String): Double? = text.trim().replace(',', '.').toDoubleOrNull()?.takeIf { it.isFinite() }
+
+/** Returns [offset] without the rounding errors of steps. */
+fun roundedOffset(offset: Double): Double = if (offset.isFinite()) round(offset * MILLION) / MILLION else offset
+
+/** The steps by which a click moves a log, in units of x. */
+val OFFSET_STEPS: List<Double> = listOf(0.02, 0.1, 1.0)
+
+private const val MILLION = 1e6

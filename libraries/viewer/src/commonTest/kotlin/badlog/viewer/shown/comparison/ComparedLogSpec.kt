@@ -1,0 +1,35 @@
+package badlog.viewer.shown.comparison
+
+import badlog.core.analysis.LogView
+import badlog.viewer.bagView
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.board.lineNames
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+
+class ComparedLogSpec : FunSpec({
+    val topics = listOf("Time|xaxis|hide", "A/Volts|join:A/Both", "A/State", "A/Amps|join:A/Both")
+    val open = bagView(topics, listOf("0,12,IDLE,1", "1,11,IDLE,2", "2,10,SHOOT,3"))
+    val other = bagView(topics, listOf("5,8,IDLE,1", "6,7,IDLE,2"))
+
+    fun compared(view: LogView, offset: Double = 0.0, name: String = "Q2") = ComparedLog(name, BoardLines(view), offset)
+
+    test("the lines of another log stand beside those of the open one, moved, and called after their log") {
+        val graph = open.folders.flatMap { it.graphs }.first { it.name == "A/Both" }
+        val both = comparedGraph(graph, graph.lineNames, listOf(compared(other, offset = -5.0)))
+        both.lines shouldContainExactly listOf("A/Volts", "A/Volts", "A/Amps", "A/Amps")
+        both.graph.series.map { it.topic.name } shouldContainExactly listOf("A/Volts", "A/Volts (Q2)", "A/Amps", "A/Amps (Q2)")
+        both.graph.series[1].data.x.toList() shouldContainExactly listOf(0.0, 1.0)
+        both.graph.series[1].data.y.toList() shouldContainExactly listOf(8.0, 7.0)
+    }
+
+    test("a line that the other log lacks, or that is a number there and a state here, is drawn alone") {
+        val graph = open.folders.flatMap { it.graphs }.first { it.showsStates }
+        val numbers = bagView(listOf("Time|xaxis", "A/State"), listOf("0,1", "1,2"))
+        val others = bagView(listOf("Time|xaxis", "B"), listOf("0,1", "1,2"))
+        for (view in listOf(numbers, others)) comparedGraph(graph, graph.lineNames, listOf(compared(view))).graph.series.size shouldBe 1
+        val all = comparedGraph(graph, graph.lineNames, listOf(compared(other), compared(open, name = "Q3")))
+        all.graph.series.map { it.topic.name } shouldContainExactly listOf("A/State", "A/State (Q2)", "A/State (Q3)")
+    }
+})
