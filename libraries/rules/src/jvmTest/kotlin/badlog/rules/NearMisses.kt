@@ -79,7 +79,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         number("Intake/Current") { if (it in 20.0..20.3) 40.0 else 8.0 }
     },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.09 else angle }) },
-    "Module lags" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.01 else angle }) },
+    "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.947 else 0.95) * angle }) },
     "Module points aside" to { swerve(speed = { module, _ -> if (module == 2) 1.98 else 2.0 }) },
     "Module drives weakly" to {
         swerve()

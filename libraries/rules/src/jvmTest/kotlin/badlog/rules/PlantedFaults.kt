@@ -73,7 +73,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         number("Intake/Current") { if (it in 20.0..22.0) 40.0 else 8.0 }
     },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) 0.0 else angle }) },
-    "Module lags" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.03 else angle }) },
+    "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.93 else 0.95) * angle }) },
     "Module points aside" to { swerve(speed = { module, _ -> if (module == 2) 1.8 else 2.0 }) },
     "Module drives weakly" to {
         swerve()

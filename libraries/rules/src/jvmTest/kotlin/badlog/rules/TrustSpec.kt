@@ -65,7 +65,7 @@ class TrustSpec : FunSpec({
         }
         val finding = match.finding("Heavy load")
         fun channel(index: Int) = "/PowerDistribution/ChannelCurrent[$index]"
-        finding.text shouldBe "The robot drew more than 200 A for 1.02 s, up to 250 A (1×); " +
+        finding.text shouldBe "The robot drew more than 200 A for 1.02 s, up to 250 A; " +
             "most by ${channel(2)} (90 A), ${channel(0)} (70 A), ${channel(3)} (40 A), ${channel(4)} (30 A)."
         finding.evidence.filter { "Channel" in it } shouldBe listOf(2, 0, 3, 4).map(::channel)
     }

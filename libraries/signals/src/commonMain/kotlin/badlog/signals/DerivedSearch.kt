@@ -22,7 +22,8 @@ import kotlin.math.sin
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
 val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
-    "module angle error" to false, "module speed share" to false, "coupling error" to false, "encoder frozen" to false,
+    "module angle error" to false, "module angle lag" to false, "module speed share" to false, "coupling error" to false,
+    "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
     "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,

@@ -7,6 +7,7 @@ import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.currentShares
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.moduleAngleError
+import badlog.signals.derived.moduleAngleLags
 import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.scaled
 import badlog.signals.derived.timesOf
@@ -17,7 +18,19 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     private val modules = robot.modules
 
     val signals: List<DerivedSignal> get() = modules.indices.flatMap { at ->
-        listOfNotNull(angleError(at).takeIf { modules.all { module -> module.targetAngle != null } }, speedShare(at), currentShare(at))
+        val angles = if (modules.all { it.targetAngle != null }) listOf(angleLag(at), angleError(at)) else emptyList()
+        angles + listOfNotNull(speedShare(at), currentShare(at))
+    }
+
+    /** What the modules of a drive were to do, and did. */
+    private class Steering(
+        val times: DoubleArray,
+        val angles: List<DoubleArray>,
+        val targets: List<DoubleArray>,
+        val speeds: List<DoubleArray>,
+        val isEnabled: BooleanArray,
+    ) {
+        val lags by lazy { moduleAngleLags(times, angles, targets, speeds, isEnabled) }
     }
 
     /** The topics of the drive motor of a module besides those of [SwerveModule]. */
@@ -38,13 +51,28 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         }
     }
 
-    private fun angleError(at: Int) = DerivedSignal("module angle error", "deg", modules[at].label, modules[at].topics) { samples ->
+    private fun steering(samples: NamedSamples): Steering {
         val angles = modules.map { samples.raw(it.angle) }
         val targets = modules.map { samples.raw(checkNotNull(it.targetAngle)) }
         val times = timesOf(angles)
         fun radians(series: List<Series>) = series.mapIndexed { k, one -> scaled(one.heldAt(times), modules[k].radians) }
         val speeds = modules.map { samples.raw(it.targetSpeed ?: it.speed).heldAt(times) }
-        moduleAngleError(at, times, radians(angles), radians(targets), speeds, samples.enabledAt(times))
+        return Steering(times, radians(angles), radians(targets), speeds, samples.enabledAt(times))
+    }
+
+    private fun angleLag(at: Int) = DerivedSignal("module angle lag", "", modules[at].label, modules[at].topics) { samples ->
+        steering(samples).run { once(times, lags?.get(at)) }
+    }
+
+    /** Nothing for a module that is not behind the others in all: then a moment in which it seems to be comes from late measurements. */
+    private fun angleError(at: Int) = DerivedSignal("module angle error", "deg", modules[at].label, modules[at].topics) { samples ->
+        val drive = steering(samples)
+        val lag = drive.lags?.get(at)
+        if (lag != null && lag > BEHIND) {
+            drive.run { moduleAngleError(at, times, angles, targets, speeds, isEnabled) }
+        } else {
+            once(drive.times, null)
+        }
     }
 
     private fun speedShare(at: Int) = DerivedSignal(
@@ -65,6 +93,8 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     }
 
     private companion object {
+        /** How many times as far behind as the others a module is that does not follow. */
+        const val BEHIND = 1.15
         val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
     }
 }

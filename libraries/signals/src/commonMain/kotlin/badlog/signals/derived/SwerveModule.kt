@@ -97,7 +97,7 @@ fun moduleAngleError(
         DoubleArray(turning.size) { times[turning[it]] },
         DoubleArray(turning.size) { k ->
             val i = turning[k]
-            if (!isEnabled[i] || abs(speeds[at][i]) < MOVING) {
+            if (!isEnabled[i] || !isDriving(speeds[at][i])) {
                 Double.NaN
             } else {
                 val since = indexBefore(times, i, age)
@@ -109,7 +109,10 @@ fun moduleAngleError(
 }
 
 /** Returns the size of an angle of [radians] modulo a half turn, in degrees, 0 to 90. */
-private fun halfTurnError(radians: Double): Double = abs(radians - PI * round(radians / PI)) * 180 / PI
+internal fun halfTurnError(radians: Double): Double = abs(radians - PI * round(radians / PI)) * 180 / PI
+
+/** Whether a module that is to have [speed], in m/s, has to keep its angle. */
+internal fun isDriving(speed: Double): Boolean = abs(speed) >= MOVING
 
 private const val STRUCT_ANGLE = "/angle/value"
 private val SPEED_FIELDS = listOf("/speed", "/velocity")

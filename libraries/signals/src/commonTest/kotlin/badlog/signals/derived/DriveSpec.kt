@@ -27,6 +27,23 @@ class DriveSpec : FunSpec({
         error(0) { 0.0 } shouldBeLessThan 1e-6
     }
 
+    test("a module that is further behind its target than the others lags, whatever the others have to turn; late measurements are no lag") {
+        val turns = listOf(1.0, 1.0, 1.4, 1.4)
+        val targets = turns.map { much -> times.of { much * swing(2 * it) } }
+        fun lags(behind: (Int) -> Double) = moduleAngleLags(
+            times,
+            turns.mapIndexed { at, much -> times.of { much * swing(2 * (it - behind(at))) } },
+            targets,
+            List(4) { times.of { 1.0 } },
+            times.always(),
+        )
+        val slow = checkNotNull(lags { if (it == 1) 0.05 else 0.03 })
+        checkNotNull(slow[1]) shouldBe (5.0 / 3 plusOrMinus 0.2)
+        slow[0] shouldBe null
+        checkNotNull(lags { 0.03 }).forEach { checkNotNull(it) shouldBe (1.0 plusOrMinus 0.03) }
+        moduleAngleLags(times, targets, targets, List(4) { times.of { 0.0 } }, times.always()) shouldBe null
+    }
+
     test("a wheel that turns slower than the others in straight driving has less than its share") {
         val angles = List(4) { times.of { 0.3 } }
         val shares = moduleSpeedShares(List(4) { at -> times.of { if (at == 1) 1.9 else 2.0 } }, angles)

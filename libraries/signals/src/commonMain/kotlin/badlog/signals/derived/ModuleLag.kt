@@ -1,0 +1,50 @@
+package badlog.signals.derived
+
+/**
+ * Returns by how many times each module of a drive is further behind its target angle than the worst of the others, over all the time in
+ * which it turns while it drives: 1.0 in a healthy drive, since all are steered alike. How far it is behind is measured by how far its
+ * target turns, so that a module that has to turn more does not seem slower. Null if it hardly drove, and for a module whose others are
+ * not alike: then late measurements are likelier than two bad modules.
+ *
+ * @param angles the measured angles at [times], in rad; each module has a list of its own in [targets] and [speeds], too.
+ */
+fun moduleAngleLags(
+    times: DoubleArray,
+    angles: List<DoubleArray>,
+    targets: List<DoubleArray>,
+    speeds: List<DoubleArray>,
+    isEnabled: BooleanArray,
+): List<Double?>? {
+    val behind = angles.indices.map { at ->
+        var error = 0.0
+        var turned = 0.0
+        var count = 0
+        for (i in 1 until times.size) {
+            val isDriven = isEnabled[i] && isEnabled[i - 1] && isDriving(speeds[at][i]) && isDriving(speeds[at][i - 1])
+            val off = halfTurnError(targets[at][i] - angles[at][i])
+            val step = halfTurnError(targets[at][i] - targets[at][i - 1])
+            if (!isDriven || off.isNaN() || step.isNaN()) continue
+            error += minOf(off, FARTHEST)
+            turned += minOf(step, FARTHEST)
+            count++
+        }
+        if (count < LEAST_SAMPLES || turned < LEAST_TURNED) return null
+        // What no sensor resolves is not a lag.
+        (error + RESOLUTION * count) / turned
+    }
+    return behind.mapIndexed { at, own ->
+        val others = behind.filterIndexed { index, _ -> index != at }
+        if (others.max() > ALIKE_LAGS * others.min()) null else own / others.max()
+    }
+}
+
+/** A target that jumps, and an angle that is far away, say nothing of how fast a module turns; in degrees. */
+private const val FARTHEST = 20.0
+
+/** In degrees. */
+private const val RESOLUTION = 0.2
+private const val LEAST_SAMPLES = 500
+
+/** In degrees. */
+private const val LEAST_TURNED = 360.0
+private const val ALIKE_LAGS = 1.12
