@@ -9,8 +9,10 @@ import java.io.File
  *
  * @param property the system property with the command that starts it, its words separated by line ends; the build sets it.
  * @param separator what separates the parts of its class path.
+ * @property listsDisks whether its programs can list the folders of a disk. The 32-bit C library in an emulator refuses the 64-bit positions
+ *   in the folders of a 64-bit system; those of a file system in memory are small.
  */
-internal class Platform private constructor(val name: String, private val property: String, private val separator: String) {
+internal class Platform private constructor(val name: String, private val property: String, private val separator: String, val listsDisks: Boolean = true) {
     private val command = System.getProperty(property).orEmpty().lines().filter { it.isNotEmpty() }
 
     val isMissing: Boolean get() = command.isEmpty()
@@ -41,7 +43,7 @@ internal class Platform private constructor(val name: String, private val proper
             Platform("Windows (Wine)", "badlog.platforms.windows", ";"),
             Platform("64-bit ARM (qemu)", "badlog.platforms.arm64", ":"),
             Platform("Java 25 on 64-bit ARM, as on Systemcore (qemu)", "badlog.platforms.systemcore", ":"),
-            Platform("32-bit ARM (qemu)", "badlog.platforms.armhf", ":"),
+            Platform("32-bit ARM (qemu)", "badlog.platforms.armhf", ":", listsDisks = false),
         )
     }
 }

@@ -3,7 +3,6 @@ package badlog.core.number
 import io.kotest.assertions.fail
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
-import io.kotest.core.test.config.DefaultTestConfig
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
@@ -18,26 +17,20 @@ import kotlin.math.round
 import kotlin.math.sin
 import kotlin.random.Random
 
-class FiveDigitFormatJavaSpec : FunSpec({
-    defaultTestConfig = DefaultTestConfig(
-        enabledOrReasonIf = {
-            if (Runtime.version().feature() == 17) {
-                Enabled.enabled
-            } else {
-                Enabled.disabled("Java ${Runtime.version().feature()} does not format like the reference, Java 17")
-            }
-        },
-    )
+private val IF_REFERENCE = Runtime.version().feature().let { version ->
+    if (version == 17) Enabled.enabled else Enabled.disabled("Java $version does not format like the reference, Java 17")
+}
 
-    test("equals Java for random bit patterns") {
+class FiveDigitFormatJavaSpec : FunSpec({
+    test("equals Java for random bit patterns").config(enabledOrReasonIf = { IF_REFERENCE }) {
         checkAll(200_000, Arb.long()) { expectJava(Double.fromBits(it)) }
     }
 
-    test("equals Java for doubles of every kind") {
+    test("equals Java for doubles of every kind").config(enabledOrReasonIf = { IF_REFERENCE }) {
         checkAll(50_000, Arb.double()) { expectJava(it) }
     }
 
-    test("equals Java for every binary exponent with random and with extreme fractions") {
+    test("equals Java for every binary exponent with random and with extreme fractions").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(1)
         for (exponent in 0..2046L) {
             val base = exponent shl 52
@@ -57,16 +50,16 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for all subnormals of up to 20 bits, and some beyond") {
+    test("equals Java for all subnormals of up to 20 bits, and some beyond").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (units in 0..(1L shl 20) + 20_000) expectJava(Double.fromBits(units))
     }
 
-    test("equals Java for random subnormals") {
+    test("equals Java for random subnormals").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(2)
         repeat(200_000) { expectJava(Double.fromBits(random.nextLong() ushr 12 + random.nextInt(33))) }
     }
 
-    test("equals Java at and next to decimal ties of every magnitude") {
+    test("equals Java at and next to decimal ties of every magnitude").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(3)
         for (power in -329..303) {
             for (i in 0..39) {
@@ -80,24 +73,24 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java next to all ties of four decimals from 1 to 10 and from 0.1 to 1") {
+    test("equals Java next to all ties of four decimals from 1 to 10 and from 0.1 to 1").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (digits in 100_005..999_995 step 10) {
             expectJavaAround(digits / 1.0e5, 1)
             expectJava(-digits / 1.0e6)
         }
     }
 
-    test("equals Java for doubles whose distance to a tie is half of that to the next double") {
+    test("equals Java for doubles whose distance to a tie is half of that to the next double").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (digits in 295_145..590_305 step 10) expectJavaAround("${digits}e15".toDouble(), 1)
         for (digits in 100_005..118_105 step 10) expectJavaAround("${digits}e16".toDouble(), 1)
     }
 
-    test("equals Java for the doubles that come closest to a tie from half of the distance to the next double") {
+    test("equals Java for the doubles that come closest to a tie from half of the distance to the next double").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val closest = listOf(3.77845e-250, 6.2745e51, 1.7854999999999999e266, 8.927499999999999e265, 4.08305e157)
         for (value in closest) expectJavaAround(value, 3)
     }
 
-    test("equals Java for integers and simple fractions") {
+    test("equals Java for integers and simple fractions").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (n in -60_000..160_000) {
             expectJava(n.toDouble())
             expectJava(n / 8.0)
@@ -105,12 +98,12 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for large integers") {
+    test("equals Java for large integers").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(4)
         repeat(100_000) { expectJava((random.nextLong() ushr random.nextInt(47)).toDouble()) }
     }
 
-    test("equals Java for powers of two and ten and their neighbors") {
+    test("equals Java for powers of two and ten and their neighbors").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (exponent in -1074..1023) expectJavaAround(2.0.pow(exponent), 4)
         for (exponent in -323..308) {
             expectJavaAround("1e$exponent".toDouble(), 4)
@@ -118,7 +111,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for what a robot logs") {
+    test("equals Java for what a robot logs").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(5)
         repeat(100_000) {
             val volts = random.nextDouble(-13.0, 13.0)
@@ -132,7 +125,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for values with a text of their own") {
+    test("equals Java for values with a text of their own").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val values = listOf(
             0.0,
             -0.0,
@@ -149,7 +142,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         for (value in values) expectJava(value)
     }
 
-    test("allocates nothing") {
+    test("allocates nothing").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(6)
         val values = DoubleArray(4096) {
             when (it % 4) {

@@ -1,9 +1,12 @@
 package badlog.signals.derived
 
+import kotlin.math.sqrt
+
 /**
  * Returns how the current of each of [currents], the channels of a power distribution, changed from the first sixth of enabled time to the
- * last two fifths, as a share of how those of its equals changed: 1 if all changed alike. Only the four channels that took most at first
- * are equals of each other, the drive motors of a swerve drive; null for others, or if a log is too short.
+ * last two fifths, as a share of how those of its equals changed: 1 if all changed alike. Equals are the four drive motors of a swerve
+ * drive: at first they take alike, and more and less at the same moments. Null for others, if there are no such four, if the other three
+ * changed unlike each other, as they do if wheels work against each other, or if a log is too short.
  */
 fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { isEnabled[it] }
@@ -13,23 +16,55 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
     if (seconds < LEAST_SECONDS) return null
     val early = used.filter { times[it] < start + seconds * EARLY }
     val late = used.filter { times[it] > start + seconds * LATE }
-    fun mean(current: DoubleArray, at: List<Int>) = at.sumOf { current[it].let { a -> if (a.isNaN()) 0.0 else a } } / at.size
-    val first = currents.map { mean(it, early) }
-    val last = currents.map { mean(it, late) }
-    val equals = currents.indices.sortedByDescending { first[it] }.take(EQUALS)
-    // Equals are alike, and more than the next.
-    if (equals.size < EQUALS || first[equals.last()] < 0.6 * first[equals.first()] || first[equals.last()] < 1) return null
-    val rest = currents.indices.filter { it !in equals }.maxOfOrNull { first[it] } ?: 0.0
-    if (rest > 0.85 * first[equals.last()]) return null
-    val ratios = equals.associateWith { last[it] / first[it] }
+    val first = currents.map { meanOf(it, early) }
+    val equals = equalsAmong(currents, first, early) ?: return null
+    val ratios = equals.associateWith { meanOf(currents[it], late) / first[it] }
     return currents.indices.map { index ->
         val own = ratios[index] ?: return@map null
         val others = ratios.filterKeys { it != index }.values.sorted()
-        own / others[others.size / 2]
+        if (others.last() > ALIKE_CHANNELS * others.first()) null else own / others[others.size / 2]
     }
 }
+
+/** Returns which four of [currents], whose means are [means], are alike at the times [at], and like no other one. */
+private fun equalsAmong(currents: List<DoubleArray>, means: List<Double>, at: List<Int>): Set<Int>? {
+    val drawing = currents.indices.filter { means[it] >= LEAST_MEAN }
+    val alike = drawing.associateWith { one ->
+        drawing.filterTo(HashSet()) { other ->
+            other == one || correlation(currents[one], means[one], currents[other], means[other], at) > LEAST_CORRELATION
+        }
+    }
+    return alike.values.firstOrNull { group ->
+        val sizes = group.map { means[it] }
+        group.size == EQUALS && group.all { alike[it] == group } && sizes.max() <= ALIKE_CHANNELS * sizes.min()
+    }
+}
+
+/** Returns Pearson's correlation of [one] and [other], whose means are given, at the times [at]; NaN if either is constant. */
+private fun correlation(one: DoubleArray, mean: Double, other: DoubleArray, otherMean: Double, at: List<Int>): Double {
+    var both = 0.0
+    var squares = 0.0
+    var otherSquares = 0.0
+    for (i in at) {
+        val a = orZero(one[i]) - mean
+        val b = orZero(other[i]) - otherMean
+        both += a * b
+        squares += a * a
+        otherSquares += b * b
+    }
+    return both / sqrt(squares * otherSquares)
+}
+
+private fun meanOf(current: DoubleArray, at: List<Int>) = at.sumOf { orZero(current[it]) } / at.size
+
+private fun orZero(amperes: Double) = if (amperes.isNaN()) 0.0 else amperes
 
 private const val EQUALS = 4
 private const val LEAST_SECONDS = 30.0
 private const val EARLY = 1.0 / 6
 private const val LATE = 0.6
+
+/** In A. */
+private const val LEAST_MEAN = 1.0
+private const val LEAST_CORRELATION = 0.5
+private const val ALIKE_CHANNELS = 1.3

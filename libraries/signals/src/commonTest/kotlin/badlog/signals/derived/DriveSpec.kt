@@ -59,22 +59,28 @@ class DriveSpec : FunSpec({
         shares(0.1, 0.1, 0.1, 0.1) shouldBe null
     }
 
-    test("a channel that takes less than before has lost its share") {
-        val currents = List(6) { at ->
-            times.of {
-                if (at > 3) {
-                    1.0
-                } else if (at == 2 && it > 20) {
-                    8.0
-                } else {
-                    20.0
+    test("a channel that takes less than before has lost its share of the four drive motors, which more and less current flows to alike") {
+        /** Four drive motors, a compressor that draws more, and two motors that draw at other moments. */
+        fun changes(change: (at: Int, time: Double) -> Double) = channelChanges(
+            times,
+            List(7) { at ->
+                times.of { time ->
+                    when {
+                        at < 4 -> (10 + 8 * swing(time)) * change(at, time)
+                        at == 4 -> 20.0
+                        else -> 12 + 9 * swing(time, period = 2.9)
+                    }
                 }
-            }
-        }
-        val changes = channelChanges(times, currents, times.always())
-        checkNotNull(changes)[2] shouldBe (0.4 plusOrMinus 1e-6)
-        changes[0] shouldBe (1.0 plusOrMinus 1e-6)
-        changes[5] shouldBe null
+            },
+            times.always(),
+        )
+        val lost = checkNotNull(changes { at, time -> if (at == 2 && time > 20) 0.4 else 1.0 })
+        checkNotNull(lost[2]) shouldBe (0.4 plusOrMinus 0.02)
+        checkNotNull(lost[0]) shouldBe (1.0 plusOrMinus 0.02)
+        lost.subList(4, 7) shouldBe listOf(null, null, null)
+        // Wheels that work against each other change unlike each other.
+        checkNotNull(changes { at, time -> if (time > 20) listOf(0.6, 1.0, 1.5, 1.0)[at] else 1.0 })[0] shouldBe null
+        changes { at, _ -> if (at == 1) 2.0 else 1.0 } shouldBe null
     }
 
     test("a side of a tank drive that needs more output at the same speed drags") {
