@@ -23,8 +23,9 @@ import java.nio.file.Path
  *
  * @property log the file to read.
  * @property page the file to write.
+ * @property compared the logs that the page compares with its own.
  */
-internal data class PageJob(val log: Path, val page: Path)
+internal data class PageJob(val log: Path, val page: Path, val compared: List<Path> = emptyList())
 
 /**
  * The result of several [PageJob]s.
@@ -58,7 +59,8 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
     jobs.forEachIndexed { i, job ->
         if (Thread.interrupted()) throw InterruptedException()
         try {
-            exporter.export(job.log, job.page, additions.of(job.log)) { done, total ->
+            val own = if (job.compared.isEmpty()) exporter else HtmlExporter(compared = job.compared)
+            own.export(job.log, job.page, additions.of(job.log)) { done, total ->
                 val share = if (total > 0) done.toFloat() / total else 0f
                 progress((i + share.coerceAtMost(1f)) / jobs.size)
             }

@@ -32,11 +32,12 @@ internal class PageSaver(
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and makes the page of the current recording, which begins with the graphs of the window. */
+    /** Asks for a file, and makes the page of the current recording, which begins with the graphs of the window, and compares what it compares. */
     fun savePage() {
         val log = current.recording?.file ?: return sayNoLog(notices)
         val page = askToWrite(files, notices, "Export the page", log.parent, log.fileName.toString(), ".html") ?: return
-        save("Saving ${page.fileName}", board.state) { listOf(PageJob(log, page)) }
+        val others = compared.state.checked.filter { it != log }
+        save("Saving ${page.fileName}", board.state) { listOf(PageJob(log, page, others)) }
     }
 
     /** Asks for a folder, and makes the pages of all checked recordings likewise. */

@@ -53,6 +53,14 @@ class PageExportSpec : FunSpec({
         Additions(emptyList(), emptyList(), folder).of(log).layout shouldBe null
     }
 
+    test("the page of a log that is compared holds the other log, too") {
+        val folder = tempdir().toPath()
+        val (log, other) = listOf("a.bag", "b.bag").map { Files.writeString(folder.resolve(it), armBag(100)) }
+        val jobs = listOf(PageJob(log, folder.resolve("a.html"), listOf(other)), PageJob(other, folder.resolve("b.html")))
+        val pages = makePages(jobs, Additions(emptyList(), emptyList(), folder)).made.map(Files::readString)
+        pages.map { "class=\"compared\" data-name=\"b.bag\"" in it } shouldBe listOf(true, false)
+    }
+
     test("logs of the same name in different folders get pages of different names") {
         val folder = tempdir().toPath()
         val jobs = pageJobs(listOf("one/match.bag", "two/match.bag", "two/MATCH.bag").map(folder::resolve), folder)
