@@ -84,7 +84,7 @@ class FindSpec : FunSpec({
         // Only some samples have a topic State.
         val ended = badlog("find", samples, "State = SCORING", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
-        ended.err shouldContain "There is no topic “SCORING”; put a text in single quotes, as in 'SCORING'."
+        ended.err shouldContain "“SCORING” is not a topic or signal of this log; put a text in single quotes, as in 'SCORING'."
     }
 
     test("what the log does not tell is unknown, with the reason") {

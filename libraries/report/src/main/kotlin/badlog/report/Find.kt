@@ -34,7 +34,7 @@ class Find(
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
-    signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    private val signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
     private val clauses = QuestionClauses.of(question)
     private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
@@ -43,7 +43,7 @@ class Find(
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
-        val question: ParsedQuestion = Question.parse(clauses.question, names.vocabulary)
+        val question: ParsedQuestion = askedQuestion(clauses.question, shape, names, signals)
     }
 
     /** What is wrong with the question regardless of the log, such as an unclosed parenthesis; null if nothing seems wrong. */
