@@ -107,7 +107,7 @@ class TableSpec : FunSpec({
                 "“Playoff” is not a header value of this log; put a text in single quotes, as in 'Playoff'."
             badlog("find", folder, "max(Speed) where Even = 'x'", "--no-cache").err shouldContain "“Even” is not a header value"
             folder.with("3.bag", BAG.replace("Match Number", "Event"))
-            badlog("find", folder, "max(Speed) where Event = 42", "--no-cache").out shouldContain "2 logs have no header value “Event”."
+            badlog("find", folder, "max(Speed) where Event = 42", "--no-cache").out shouldContain "2 logs have no header value “Event”: 1.bag, 2.bag."
         }
     }
 

@@ -56,7 +56,8 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         val until = nameEnd(from)
         var next = from + length
         while (next < until && text[next] == ' ') next++
-        val goesOn = length > 0 && next in from + length + 1 until until && !isCalled(until) && vocabulary.longestAt(text, next, ignoreCase = true) == 0
+        val hasRest = length > 0 && next in from + length + 1 until until
+        val goesOn = hasRest && !isCalled(until) && vocabulary.longestAt(text, next, ignoreCase = true) == 0
         val name = text.substring(from, until)
         if (goesOn && near(name).isNotEmpty()) failUnknownTopic(name, from, until)
     }

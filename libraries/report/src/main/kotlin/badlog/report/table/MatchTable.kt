@@ -14,10 +14,10 @@ import badlog.expression.Question
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.files.LogFile
-import badlog.report.askedQuestion
 import badlog.report.HookFailure
 import badlog.report.NamedTopics
 import badlog.report.Reply
+import badlog.report.askedQuestion
 import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome
