@@ -18,6 +18,7 @@ import badlog.cli.lake.LakeCommand
 import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
 import badlog.cli.open.OpenCommand
+import badlog.cli.pack.RulesCommand
 import badlog.cli.part.PartLoader
 import badlog.cli.record.RecordCommand
 import badlog.cli.recover.RecoverCommand
@@ -73,6 +74,7 @@ internal class BadlogCommand(
         FindCommand(),
         TableCommand(),
         ReportCommand(),
+        RulesCommand(),
         ReplayCommand(),
         RecordCommand(robots),
         FetchCommand(robots),

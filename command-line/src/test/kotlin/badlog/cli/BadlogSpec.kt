@@ -17,7 +17,7 @@ import io.kotest.matchers.string.shouldNotContain
 import java.io.InputStream
 
 class BadlogSpec : FunSpec({
-    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "table", "report", "replay", "record", "fetch", "open", "doctor", "lake", "sql", "mcp")
+    val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "table", "report", "replay", "record", "fetch", "open", "doctor", "lake", "sql", "mcp", "rules")
 
     test("without arguments, and asked for help, it lists its sub-commands") {
         for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
@@ -82,6 +82,7 @@ class BadlogSpec : FunSpec({
             listOf("merge", "a", "b", "-o", "c", "--append", "--join"), listOf("fetch"), listOf("fetch", "0"), listOf("fetch", "a b"),
             listOf("fetch", "1014", "--limit", "fast"), listOf("fetch", "1014", "--delete-older-than", "2 weeks"), listOf("fetch", "1", "2"),
             listOf("lake", "a"), listOf("sql"), listOf("sql", "a", "SELECT 1", "--csv", "--json"), listOf("mcp"), listOf("mcp", "a", "b"), listOf("mcp", "a", "--json"),
+            listOf("rules"), listOf("rules", "run", "a"), listOf("rules", "check"), listOf("rules", "check", "a", "--silent"), listOf("rules", "new", "a"), listOf("rules", "new", "a", "--from", "b", "--at", "x", "--name", "c"),
             listOf("record"), listOf("record", "0"), listOf("record", "a b"), listOf("record", "1", "2"), listOf("record", "localhost:0"),
         )
         for (arguments in wrong) {

@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
 import badlog.rules.commandWords
 import io.kotest.core.spec.style.FunSpec
@@ -11,6 +12,9 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
+
+/** The width of the terminal that guides show. */
+private const val GUIDE_WIDTH = 100
 
 /**
  * Runs the examples of the guides, which build on each other, and compares what they print. A line `…` stands for any lines;
@@ -26,7 +30,7 @@ class GuideSpec : FunSpec({
             Path.of(target).writeBytes(Path.of(log).readBytes().copyOf(size.toInt()))
             return "$command\n"
         }
-        val ended = badlogBeside(robots, *commandWords(command.removePrefix("$ badlog ")).toTypedArray())
+        val ended = badlogOn(Computer(), *commandWords(command.removePrefix("$ badlog ")).toTypedArray(), robots = robots, width = GUIDE_WIDTH)
         return "$command\n${ended.out}${ended.err}"
     }
 

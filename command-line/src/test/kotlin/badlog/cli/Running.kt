@@ -4,6 +4,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.cli.fetch.Robots
+import badlog.cli.text.LINE_WIDTH
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogWriter
@@ -63,10 +64,11 @@ internal fun badlogOn(
     vararg arguments: Any,
     robots: Robots = Robots.ofSystem(),
     input: InputStream = InputStream.nullInputStream(),
+    width: Int = LINE_WIDTH,
 ): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()
-    val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
+    val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false, width = width)
     val code = Badlog(console, input, robots = robots, computer = computer).run(arguments.map { it.toString() })
     err.toString(Charsets.UTF_8) shouldNotContain "\tat "
     err.toString(Charsets.UTF_8) shouldNotContain "defect"

@@ -31,8 +31,8 @@ import badlog.report.HookFailureJson
 import badlog.report.SkippedJson
 import badlog.report.UndefinedJson
 import badlog.report.page.hookParts
-import badlog.rules.FolderRules
 import badlog.rules.SkippedRule
+import badlog.rules.folder.FolderRules
 import badlog.rules.skippedFor
 import badlog.signals.namesWith
 import badlog.terminal.Progress
@@ -139,7 +139,7 @@ internal class ExportTask(
         refused += skipped
         val reported = search.reportedOf(skipped)
         val text = listOf("${input.file} -> $target") +
-            listOfNotNull(folder?.file?.let { wrapped("  ", "with the rules of $it") }) +
+            (listOfNotNull(folder?.file) + folder?.packs.orEmpty()).map { wrapped("  ", "with the rules of $it") } +
             listOfNotNull(own.field?.let { "  with the picture of a field, ${it.length / BYTES} kB" }) +
             listOfNotNull(found.count?.let { "  " + counted(it.toLong(), "finding") + " of hooks" }) +
             listOfNotNull(found.unreadable?.let { wrapped("  ", "no hook was run: $it") }) +
@@ -151,6 +151,7 @@ internal class ExportTask(
             "output" to JsonPrimitive(target.toString()),
             "rows" to JsonPrimitive(report.recording.rowCount),
             "rulesFile" to JsonPrimitive(folder?.file?.toString()),
+            "rulePacks" to JsonArray(folder?.packs.orEmpty().map { JsonPrimitive("$it") }),
             "rulesProblem" to JsonPrimitive(folder?.problem),
             "findings" to JsonPrimitive(found.count),
             "findingsError" to JsonPrimitive(found.unreadable),

@@ -84,7 +84,7 @@ internal class FindTask(
             return ExitCode.USAGE
         }
         val asked = results.filter { (it.reply as? Reply.Unreadable)?.isNoLog != true }
-        if (!isJson && asked.isNotEmpty()) console.say(findText(asked))
+        if (!isJson && asked.isNotEmpty()) console.say(findText(asked, console.width))
         val outcomes = Outcomes("find", console, isJson)
         val resultOf = results.associateBy { it.file }
         logs.report(outcomes) { input, file ->

@@ -1,6 +1,5 @@
 package badlog.cli.info
 
-import badlog.cli.console.Console
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.counted
@@ -35,6 +34,9 @@ internal class InfoText(
     private val view = summary.view
     private val recording = view.recording
 
+    /** The width of sentences, which nobody reads in longer lines. */
+    private val lineWidth = minOf(width, LINE_WIDTH)
+
     /** Returns the lines, without a newline at their end. */
     fun text(): String = listOf(
         summaryLines(),
@@ -57,7 +59,7 @@ internal class InfoText(
 
     private fun summaryLines(): List<String> = buildList {
         add(printable(summary.file.toString()))
-        view.title?.let { add(wrapped("  match   ", it)) }
+        view.title?.let { add(wrapped("  match   ", it, width = lineWidth)) }
         add("  format  ${recording.format.name.lowercase().replace('_', ' ')}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
             if (recording.format.hasRows) counted(recording.rowCount.toLong(), "row") else counted(recording.sampleCount, "sample"),
@@ -65,7 +67,7 @@ internal class InfoText(
             counted(recording.values.size.toLong(), "value"),
         )
         add("  holds   ${sizes.joinToString()}")
-        add(wrapped("  x       ", xText()))
+        add(wrapped("  x       ", xText(), width = lineWidth))
     }
 
     private fun xText(): String {
@@ -76,20 +78,22 @@ internal class InfoText(
 
     private fun valueLines(): List<String> {
         val names = recording.values.map { printable(it.name) }
-        val width = minOf(VALUE_NAME, names.maxOfOrNull(::displayWidth) ?: 0)
+        val nameWidth = minOf(VALUE_NAME, names.maxOfOrNull(::displayWidth) ?: 0)
         return recording.values.zip(names) { value, name ->
-            wrapped(name + " ".repeat(maxOf(0, width - displayWidth(name)) + 2), value.text, width + 2)
+            wrapped(name + " ".repeat(maxOf(0, nameWidth - displayWidth(name)) + 2), value.text, nameWidth + 2, lineWidth)
         }
     }
 
     private fun topicLines(): List<String> {
         if (summary.topics.isEmpty()) return emptyList()
-        val lines = topicTable().lines(summary.topics.map(::cellsOf)).flatten()
-        if (InfoPart.ATTRIBUTES !in parts) return lines
-        return lines.take(1) + summary.topics.flatMapIndexed { index, topic ->
+        val blocks = TextTable(COLUMNS, width, repeated = 1).blocks(summary.topics.map(::cellsOf))
+        if (InfoPart.ATTRIBUTES !in parts) return blocks.flatMapIndexed { index, block -> listOf("").take(index) + block.flatten() }
+        val first = blocks.first()
+        val others = blocks.drop(1).flatMap { listOf("") + it.flatten() }
+        return first.first() + summary.topics.flatMapIndexed { index, topic ->
             val attributes = topic.topic.attributes.joinToString()
-            listOfNotNull(lines[index + 1], wrapped("    ", attributes).takeIf { attributes.isNotBlank() })
-        }
+            first[index + 1] + listOfNotNull(wrapped("    ", attributes, width = lineWidth).takeIf { attributes.isNotBlank() })
+        } + others
     }
 
     private fun cellsOf(summary: TopicSummary): List<String> {
@@ -115,31 +119,16 @@ internal class InfoText(
         else -> "${shortNumber(summary.min, DIGITS)} … ${shortNumber(summary.max, DIGITS)}"
     }
 
-    /** Additional width goes to names, and a little of it to units and ranges; what is missing is taken from them. */
-    private fun topicTable(): TextTable {
-        val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
-        val little = if (more < 0) more / 4 else minOf(more / 5, MAX_MORE)
-        val forUnit = maxOf(little, -MAX_LESS)
-        return TextTable(
-            listOf(
-                Column("TOPIC", TOPIC + more - forUnit - little),
-                Column("UNIT", 5 + forUnit),
-                Column("KIND", 7),
-                Column("COUNT", 7, isNumber = true),
-                Column("HZ", 4, isNumber = true),
-                Column("RANGE", 18 + little),
-                Column("GAPS", 4, isNumber = true),
-            ),
-            shortens = width != Console.UNLIMITED,
-        )
-    }
-
     private companion object {
-        const val TOPIC = 23
-        const val MAX_MORE = 10
-
-        /** A unit keeps three letters. */
-        const val MAX_LESS = 2
+        val COLUMNS = listOf(
+            Column("TOPIC"),
+            Column("UNIT"),
+            Column("KIND", isWhole = true),
+            Column("COUNT", isNumber = true),
+            Column("HZ", isNumber = true),
+            Column("RANGE", isWhole = true),
+            Column("GAPS", isNumber = true),
+        )
         const val VALUE_NAME = 32
         const val DIGITS = 4
     }

@@ -19,6 +19,7 @@ internal class OverviewText(width: Int) {
             Column("SAMPLES", 10, isNumber = true),
             Column("ERRORS", 6, isNumber = true),
         ),
+        width,
         shortens = width != Console.UNLIMITED,
     )
 

@@ -101,7 +101,7 @@ internal class ReportTask(
     }
 
     private fun say(result: ReportResult, console: Console) = when (form) {
-        ResultForm.TEXT -> console.say(reportText(result))
+        ResultForm.TEXT -> console.say(reportText(result, console.width))
 
         ResultForm.CSV -> {
             console.say(reportCsv(result).trimEnd())

@@ -23,17 +23,13 @@ internal enum class AnswerForm {
                 if (!isCut) rows += row.map(::textOf)
                 !isCut
             }
-            val table = TextTable(
-                columns.mapIndexed { i, it ->
-                    TextTable.Column(
-                        it.name,
-                        if (i == columns.lastIndex) Int.MAX_VALUE else MAX_WIDTH,
-                        it.isNumber,
-                    )
-                },
-                console.width,
-            )
-            for (line in table.lines(rows).flatten()) console.say(line)
+            val shown = columns.mapIndexed { i, it ->
+                val most = if (i == columns.lastIndex) Int.MAX_VALUE else MAX_WIDTH
+                TextTable.Column(it.name, most, it.isNumber, it.isNumber || TIME_TYPES.any(it.type::startsWith))
+            }
+            // The first column usually says what a row is about.
+            val table = TextTable(shown, console.width, repeated = if (shown.size > 1) 1 else 0)
+            for (line in table.text(rows)) console.say(line)
             if (isCut) console.warn("Only the first ${counted(MAX_ROWS.toLong(), "row")} are shown; --csv prints all.")
         }
     },
@@ -64,6 +60,9 @@ internal enum class AnswerForm {
     internal companion object {
         private const val MAX_ROWS = 1000
         private const val MAX_WIDTH = 60
+
+        /** Moments and lengths of time are values, as numbers are. */
+        private val TIME_TYPES = listOf("TIME", "DATE", "INTERVAL")
 
         /** Returns [value] for people: empty for null. */
         fun textOf(value: JsonElement): String = when (value) {

@@ -11,6 +11,7 @@ import badlog.cli.part.SeasonException
 import badlog.cli.part.SeasonService
 import badlog.cli.part.SqlSession
 import badlog.cli.part.WrongQueryException
+import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.counted
 import badlog.cli.text.wrapped
 import badlog.files.UserFolders
@@ -81,7 +82,8 @@ internal class SqlTask(
     private fun explain(session: SqlSession, console: Console) {
         for (table in session.tables()) {
             console.say("${table.name}: ${table.meaning}")
-            console.say(wrapped("  ", table.columns.joinToString { "${nameOf(it.name)} ${it.type.lowercase()}" }, INDENT))
+            val columns = table.columns.joinToString { "${nameOf(it.name)} ${it.type.lowercase()}" }
+            console.say(wrapped("  ", columns, INDENT, minOf(console.width, LINE_WIDTH)))
         }
     }
 

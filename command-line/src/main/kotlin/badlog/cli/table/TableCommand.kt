@@ -129,7 +129,7 @@ internal class TableTask(
 
     private fun say(table: MatchTable, rows: List<TableRow>, console: Console) {
         when (form) {
-            ResultForm.TEXT -> console.say(tableText(table, rows))
+            ResultForm.TEXT -> console.say(tableText(table, rows, console.width))
             ResultForm.CSV -> console.say(tableCsv(table, rows).trimEnd())
             ResultForm.JSON -> return
         }

@@ -79,7 +79,7 @@ class ConvertSpec : FunSpec({
             val log = folder.with("a.bag", BAG)
             val ended = badlog("convert", log, "--to", "csv", "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")
             ended.code shouldBe ExitCode.WHOLE
-            ended.out shouldContain "There is no topic “Sped”"
+            ended.out shouldContain "“Sped” is not a topic"
             val lines = (folder / "a.csv").readText().lines()
             lines[0] shouldBe "Time,Speed,Enabled,Log,Twice"
             lines.drop(1).take(4).map { it.substringAfterLast(',') } shouldBe listOf("3", "5", "7", "")

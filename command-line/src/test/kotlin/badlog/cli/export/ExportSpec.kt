@@ -102,7 +102,7 @@ class ExportSpec : FunSpec({
             val log = folder.with("a.bag", BAG)
             val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
             ended.code shouldBe ExitCode.WHOLE
-            ended.out shouldContain "There is no topic “Sped”"
+            ended.out shouldContain "“Sped” is not a topic"
             additionsIn(folder / "a.bag.html") shouldContain "Twice = Speed * 2"
         }
     }
@@ -221,7 +221,7 @@ class ExportSpec : FunSpec({
             wrong.out shouldContain "The rule “R” is wrong"
             val missing = export("Sped < 1")
             missing.code shouldBe ExitCode.SALVAGED
-            missing.out shouldContain "There is no topic “Sped”"
+            missing.out shouldContain "“Sped” is not a topic"
             export("Speed < 1").code shouldBe ExitCode.WHOLE
         }
     }

@@ -8,11 +8,17 @@ import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.files.LogFile
+import badlog.report.Find
+import badlog.report.Reply
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import kotlinx.serialization.json.jsonPrimitive
 import kotlin.io.path.div
+
+private const val HEADER_OF_VOLTAGE = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"/SystemStats/BatteryVoltage","unit":"V"}],"values":[]}"""
 
 class FindSpec : FunSpec({
     val samples = SAMPLES
@@ -84,7 +90,7 @@ class FindSpec : FunSpec({
         // Only some samples have a topic State.
         val ended = badlog("find", samples, "State = SCORING", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
-        ended.err shouldContain "There is no topic “SCORING”; put a text in single quotes, as in 'SCORING'."
+        ended.err shouldContain "“SCORING” is not a topic or signal of this log; put a text in single quotes, as in 'SCORING'."
     }
 
     test("what the log does not tell is unknown, with the reason") {
@@ -100,5 +106,45 @@ class FindSpec : FunSpec({
         val ended = badlog("find", samples, "max(Power) > 2000", "--topic", "Power = Volage * 2", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
         ended.err shouldContain "Power = Volage * 2\n        ^^^^^^"
+    }
+
+    test("a misspelled signal is suggested, beside the topic that comes near, though the question has no word of it") {
+        inFolder { folder ->
+            val bag = HEADER_OF_VOLTAGE + "\nTime,V\n0,12\n1,11\n"
+            folder.with("a.bag", bag)
+            badlog("find", folder, "max(battery voltge)", "--no-cache").run {
+                code shouldBe ExitCode.USAGE
+                err shouldContain "“battery voltge” is not a topic or signal of this log. Did you mean “/SystemStats/BatteryVoltage” or `battery`?\n" +
+                    "max(battery voltge)\n    ^^^^^^^^^^^^^^"
+            }
+            badlog("find", folder, "min(batery)", "--no-cache").err shouldContain "Did you mean `battery`?"
+            badlog("table", folder, "--value", "min(batery)", "--no-cache").err shouldContain "Did you mean `battery`?"
+            badlog("find", folder, "max(battery voltage)", "--no-cache").code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("which logs lack what is said with their names, at most three for each") {
+        inFolder { folder ->
+            folder.with("speed.bag", BAG)
+            for (number in 1..5) folder.with("$number.bag", HEADER_OF_VOLTAGE + "\nTime,V\n0,12\n1,11\n")
+            badlog("find", folder, "max(Speed)", "--no-cache").out shouldContain "5 logs have no topic “Speed”: 1.bag, 2.bag, 3.bag and 2 more."
+            badlog("find", folder, "min(battery)", "--no-cache").out shouldContain "1 log has no topic “battery”: speed.bag."
+        }
+    }
+
+    test("how many samples a signal left out, since no robot has such values, is said, as a line and in JSON, from the cache too") {
+        inFolder { folder ->
+            val cells = "\nTime,V\n0,37.375\n1,12\n2,37.375\n3,11\n"
+            for (name in listOf("a.bag", "b.bag")) folder.with(name, HEADER_OF_VOLTAGE + cells)
+            folder.with("c.bag", HEADER_OF_VOLTAGE + cells.replace("37.375", "12"))
+            badlog("find", folder, "max(battery)", "--no-cache").out shouldContain
+                "Found in 3 of 3 logs.\nLeft out 4 samples of “/SystemStats/BatteryVoltage” in 2 logs: no robot has such values.\n"
+            badlog("find", folder, "max(BatteryVoltage)", "--no-cache").out shouldNotContain "Left out"
+            val json = badlogJson("find", folder, "max(battery)", "--no-cache").json
+            json.map { it.getValue("implausible").toString() } shouldBe
+                listOf("""[{"topic":"/SystemStats/BatteryVoltage","samples":2}]""", """[{"topic":"/SystemStats/BatteryVoltage","samples":2}]""", "[]")
+            val find = { Find("max(battery)", cache = folder / "cache").over(listOf(LogFile.of(folder / "a.bag"))).single().reply as Reply.Answered }
+            repeat(2) { find().implausible shouldBe listOf("/SystemStats/BatteryVoltage" to 2) }
+        }
     }
 })

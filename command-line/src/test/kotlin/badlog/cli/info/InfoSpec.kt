@@ -156,7 +156,7 @@ class InfoSpec : FunSpec({
         inFolder { folder ->
             for (i in 1..4) folder.with("$i.bag", BAG)
             folder.with("5.bag", BAG.replace("Speed", "Sped"))
-            badlog("info", folder, "--topic", "Odd = Sped").out shouldContain "“Odd = Sped” is not in 4 logs: There is no topic “Sped”"
+            badlog("info", folder, "--topic", "Odd = Sped").out shouldContain "“Odd = Sped” is not in 4 logs: “Sped” is not a topic"
         }
     }
 

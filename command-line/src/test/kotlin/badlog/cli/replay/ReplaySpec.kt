@@ -21,7 +21,7 @@ class ReplaySpec : FunSpec({
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldContain "is served on port"
         ended.out shouldContain "only look at port 5810"
-        ended.err shouldContain "There is no topic “Nix”"
+        ended.err shouldContain "“Nix” is not a topic"
     }
 
     test("a program gets the port, and why there is none") {

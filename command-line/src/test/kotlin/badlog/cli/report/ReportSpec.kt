@@ -27,7 +27,7 @@ class ReportSpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
 
     test("the built-in rules find the brownout, as text, CSV and JSON") {
-        badlog("report", match, "--no-cache").out shouldContain "browned out at 93.7096 s"
+        badlog("report", match, "--no-cache").out shouldContain "browned out at 93.71 s"
         badlog("report", match, "--no-cache", "--csv").out shouldContain ",Browned out,error,"
         val json = badlogJson("report", match, "--no-cache").json.single()
         json.getValue("status").jsonPrimitive.content shouldBe "whole"

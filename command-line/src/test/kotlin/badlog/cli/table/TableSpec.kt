@@ -80,7 +80,7 @@ class TableSpec : FunSpec({
             json.map { it.getValue("values").jsonObject.getValue("min(Speed)").jsonPrimitive.content } shouldBe listOf("1.5", "0.1")
             json[0].getValue("units").jsonObject.getValue("min(Speed)").jsonPrimitive.content shouldBe "m/s"
             json[0].getValue("by").jsonObject.getValue("Match Number").jsonPrimitive.content shouldBe "1"
-            json[1].getValue("messages").jsonObject.getValue("count(Height)").jsonPrimitive.content shouldBe "There is no topic “Height”."
+            json[1].getValue("messages").jsonObject.getValue("count(Height)").jsonPrimitive.content shouldBe "“Height” is not a topic or signal of this log."
             table(folder, "--value", "min(Speed)", "--csv", "--json").code shouldBe ExitCode.USAGE
         }
     }
@@ -102,12 +102,12 @@ class TableSpec : FunSpec({
             folder.match("2")
             val ended = table(folder, "--value", "max(Speed)", "--where", "Match Tpye = 'Playoff'")
             ended.code shouldBe ExitCode.USAGE
-            ended.err shouldContain "There is no header value “Match Tpye”; did you mean “Match Type”?\nMatch Tpye = 'Playoff'\n^^^^^^^^^^"
+            ended.err shouldContain "“Match Tpye” is not a header value of this log. Did you mean “Match Type”?\nMatch Tpye = 'Playoff'\n^^^^^^^^^^"
             table(folder, "--value", "max(Speed)", "--where", "Match Type = Playoff").err shouldContain
-                "There is no header value “Playoff”; put a text in single quotes, as in 'Playoff'."
-            badlog("find", folder, "max(Speed) where Even = 'x'", "--no-cache").err shouldContain "There is no header value “Even”"
+                "“Playoff” is not a header value of this log; put a text in single quotes, as in 'Playoff'."
+            badlog("find", folder, "max(Speed) where Even = 'x'", "--no-cache").err shouldContain "“Even” is not a header value"
             folder.with("3.bag", BAG.replace("Match Number", "Event"))
-            badlog("find", folder, "max(Speed) where Event = 42", "--no-cache").out shouldContain "2 logs have no header value “Event”."
+            badlog("find", folder, "max(Speed) where Event = 42", "--no-cache").out shouldContain "2 logs have no header value “Event”: 1.bag, 2.bag."
         }
     }
 
@@ -116,7 +116,7 @@ class TableSpec : FunSpec({
             folder.match("1")
             val missing = table(folder, "--value", "max(Speed)", "--value", "max(Sped)")
             missing.code shouldBe ExitCode.USAGE
-            missing.err shouldContain "There is no topic “Sped”; did you mean “Speed”?\nmax(Sped)\n    ^^^^"
+            missing.err shouldContain "“Sped” is not a topic or signal of this log. Did you mean “Speed”?\nmax(Sped)\n    ^^^^"
             missing.out shouldBe ""
             table(folder, "--value", "max(Speed").code shouldBe ExitCode.USAGE
             table(folder / "none", "--value", "max(Speed)", "--where", "Match Type = ").err shouldContain "^"

@@ -8,7 +8,7 @@ import badlog.files.stationLogsIn
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_HEAD_SIZE
 import badlog.formats.driverstation.stationStartIn
-import badlog.rules.FolderRules
+import badlog.rules.folder.FolderRules
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.StationSearch

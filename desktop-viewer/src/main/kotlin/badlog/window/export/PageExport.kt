@@ -9,7 +9,7 @@ import badlog.expression.undefinedTopics
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.protocol.PageAdditions
-import badlog.rules.FolderRules
+import badlog.rules.folder.FolderRules
 import badlog.signals.namesWith
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout

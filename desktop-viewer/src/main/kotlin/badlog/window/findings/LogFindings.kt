@@ -4,7 +4,7 @@ import androidx.compose.runtime.snapshotFlow
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.rules.Finding
-import badlog.rules.FolderRules
+import badlog.rules.folder.FolderRules
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn

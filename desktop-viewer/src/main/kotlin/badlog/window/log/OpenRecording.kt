@@ -10,8 +10,8 @@ import badlog.files.LogFile
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
-import badlog.rules.FolderRules
 import badlog.rules.RuleSet
+import badlog.rules.folder.FolderRules
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.RobotBesideStation
 import badlog.signals.clock.secondsPerX

@@ -55,7 +55,7 @@ class FormulaDialogSpec : FunSpec({
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Tab) }
             onNodeWithText("Power [W] = System/Battery Voltage").assertExists()
             onNodeWithContentDescription(field).performTextInput(" * cur")
-            onNodeWithText("There is no topic “cur”", substring = true).assertExists()
+            onNodeWithText("“cur” is not a topic", substring = true).assertExists()
             savePicture("formula-error")
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.DirectionDown) }
             onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Enter) }
@@ -109,7 +109,7 @@ class FormulaDialogSpec : FunSpec({
         viewer.formulas.replaceAll(listOf("A = Arm/Angle * 2"))
         viewer.settings.change { copy(theme = Theme.DARK) }
         over(viewer) {
-            onNodeWithText("There is no topic “Arm/Angle”", substring = true).assertExists()
+            onNodeWithText("“Arm/Angle” is not a topic", substring = true).assertExists()
             viewer.notices.all shouldBe emptyList()
             onNodeWithContentDescription("Formula without a topic: A = Arm/Angle * 2").performClick()
             onNodeWithText("Change the formula").assertExists()

@@ -29,7 +29,7 @@ internal class FormulaSpec : PageSpec({
         onPage(TestPages.of(bag, additions = PageAdditions(listOf("Bad = Voltge * 2", "Good = Voltage * 2")))) {
             graphNames shouldContain "Good"
             element(".problem-list").isDisplayed shouldBe true
-            texts(".problem-text").single() shouldContain "did you mean “Power/Voltage”"
+            texts(".problem-text").single() shouldContain "Did you mean “Power/Voltage”"
             texts(".problem .pointer").single() shouldBe "Bad = Voltge * 2\n      ^^^^^^"
         }
     }

@@ -11,6 +11,8 @@ class NamesByWordsSpec : FunSpec({
     val names = listOf("/SystemStats/BatteryVoltage", "battery", "/Left/StatorCurrent", "/Right/StatorCurrent", "/Arm/Current_Angle")
     val vocabulary = Vocabulary(names.map { Signal(it, SignalKind.NUMBER) })
 
+    val withSignal = Vocabulary(vocabulary.signals, hasTime = true, meanings = setOf("battery", "total current"))
+
     fun topicOf(text: String) = Expression.parse("$text > 1", vocabulary).shouldBeInstanceOf<Expression>().topics.single()
 
     test("words find a topic, however they are joined, and in any order") {
@@ -32,5 +34,18 @@ class NamesByWordsSpec : FunSpec({
     test("operators that are words end a name") {
         Expression.parse("battery voltage > 1 and battery < 13", vocabulary).shouldBeInstanceOf<Expression>().topics shouldBe
             setOf("/SystemStats/BatteryVoltage", "battery")
+    }
+
+    test("of words that mean nothing, the message names the topic and the signal that come near, whatever joins their words") {
+        fun messageFor(text: String) = Expression.parse(text, withSignal).shouldBeInstanceOf<ExpressionError>().run { this.text.substring(from, until) to message }
+        for (text in listOf("battery voltge", "Voltge Battery", "BateryVoltage", "battery_voltag")) {
+            messageFor("max($text) > 1").first shouldBe text
+        }
+        messageFor("max(battery voltge)").second shouldBe
+            "“battery voltge” is not a topic or signal of this log. Did you mean “/SystemStats/BatteryVoltage” or `battery`?"
+        messageFor("max(voltge battery)").second shouldBe
+            "“voltge battery” is not a topic or signal of this log. Did you mean “/SystemStats/BatteryVoltage” or `battery`?"
+        messageFor("batery > 1").second shouldBe "“batery” is not a topic or signal of this log. Did you mean `battery`?"
+        messageFor("xyz > 1").second shouldBe "“xyz” is not a topic or signal of this log."
     }
 })

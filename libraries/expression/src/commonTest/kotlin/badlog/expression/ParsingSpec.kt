@@ -103,7 +103,7 @@ class ParsingSpec : FunSpec({
     test("the longest name wins, but not one that ends within a word") {
         val vocabulary = names("Speed", "Speed Limit", "Speed Limited")
         shape(parsed("Speed Limit", vocabulary).root) shouldBe "Speed Limit"
-        errorOf("Speed Limiter", vocabulary).message shouldContain "“Limiter” is not expected here"
+        errorOf("Speed Limiter", vocabulary).message shouldContain "“Speed Limiter” is not a topic of this log. Did you mean “Speed Limited”?"
     }
 
     test("times have units, and a number needs none") {
@@ -141,10 +141,10 @@ class ParsingSpec : FunSpec({
         Triple(
             "min(Battery Voltge) < 7",
             "Battery Voltge",
-            "There is no topic “Battery Voltge”; did you mean “System/Battery Voltage”?",
+            "“Battery Voltge” is not a topic of this log. Did you mean “System/Battery Voltage”?",
         ),
-        Triple("max(zzzzzzzz) < 7", "zzzzzzzz", "There is no topic “zzzzzzzz”."),
-        Triple("\"Arn\" > 1", "\"Arn\"", "There is no topic “Arn”; did you mean “Arm”?"),
+        Triple("max(zzzzzzzz) < 7", "zzzzzzzz", "“zzzzzzzz” is not a topic of this log."),
+        Triple("\"Arn\" > 1", "\"Arn\"", "“Arn” is not a topic of this log. Did you mean “Arm”?"),
         Triple("Current > 5", "Current", "“Current” may mean “Elevator/Current” or “Intake/Current”."),
         Triple("mim(a) < 1", "mim", "There is no function “mim”; did you mean min?"),
         Triple("frobnicated(a) < 1", "frobnicated", "There is no function “frobnicated”."),
@@ -179,29 +179,29 @@ class ParsingSpec : FunSpec({
         Triple("State + 1", "State", "A number is needed here, not “State”, which is a text."),
         Triple("-'a'", "'a'", "A number is needed here, not a text."),
         Triple("State == 1", "State == 1", "A text, “State”, cannot be compared with a number; put texts in single quotes."),
-        Triple("State == IDLE", "IDLE", "There is no topic “IDLE”; put a text in single quotes, as in 'IDLE'."),
-        Triple("State = \"STOWED\"", "\"STOWED\"", "There is no topic “STOWED”; put a text in single quotes, as in 'STOWED'."),
-        Triple("Log contains \"x y\"", "\"x y\"", "There is no topic “x y”; put a text in single quotes, as in 'x y'."),
+        Triple("State == IDLE", "IDLE", "“IDLE” is not a topic of this log; put a text in single quotes, as in 'IDLE'."),
+        Triple("State = \"STOWED\"", "\"STOWED\"", "“STOWED” is not a topic of this log; put a text in single quotes, as in 'STOWED'."),
+        Triple("Log contains \"x y\"", "\"x y\"", "“x y” is not a topic of this log; put a text in single quotes, as in 'x y'."),
         Triple("a > 90 % for 1 s", "90 %", "“a” has no unit, so 90 % cannot be compared with it; write the number alone, as it is logged."),
         Triple(
             "max(Arm/a)",
             "Arm/a",
-            "There is no topic “Arm/a”; did you mean “a”? To divide, put spaces around the slash: Arm / a.",
+            "“Arm/a” is not a topic of this log. Did you mean “a”? To divide, put spaces around the slash: Arm / a.",
         ),
         Triple(
             "max(Arm/Enabled)",
             "Arm/Enabled",
-            "There is no topic “Arm/Enabled”; did you mean “System/Enabled”? To divide, put spaces around the slash: Arm / Enabled.",
+            "“Arm/Enabled” is not a topic of this log. Did you mean “System/Enabled”? To divide, put spaces around the slash: Arm / Enabled.",
         ),
         Triple(
             "/System/Battery Voltge > 1",
             "/System/Battery Voltge",
-            "There is no topic “/System/Battery Voltge”; did you mean “System/Battery Voltage”?",
+            "“/System/Battery Voltge” is not a topic of this log. Did you mean “System/Battery Voltage”?",
         ),
         Triple(
             "Battery  Volts > 1",
             "Battery  Volts",
-            "There is no topic “Battery  Volts”; did you mean “System/Battery Voltage”?",
+            "“Battery  Volts” is not a topic of this log. Did you mean “System/Battery Voltage”?",
         ),
         Triple("sum(a) > 1", "sum", "There is no function “sum”; did you mean integral?"),
         Triple("avg(a) > 1", "avg", "There is no function “avg”; did you mean mean?"),
@@ -242,7 +242,7 @@ class ParsingSpec : FunSpec({
 
     test("an error points at its place in its line") {
         error("a > 1\n and Battery Voltge < 7").pointed() shouldBe
-            "There is no topic “Battery Voltge”; did you mean “System/Battery Voltage”?\n and Battery Voltge < 7\n     ^^^^^^^^^^^^^^"
+            "“Battery Voltge” is not a topic of this log. Did you mean “System/Battery Voltage”?\n and Battery Voltge < 7\n     ^^^^^^^^^^^^^^"
         error("a +").pointed().lines().drop(1) shouldBe listOf("a +", "   ^")
     }
 

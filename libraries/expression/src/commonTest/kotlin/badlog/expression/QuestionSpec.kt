@@ -56,12 +56,12 @@ class QuestionSpec : FunSpec({
     val mistakes = mapOf(
         "max(\"PDP/Curent *\") by topic" to ("\"PDP/Curent *\"" to "No topic matches “PDP/Curent *”; * matches anything, ? one character."),
         "max(PDP/Voltage) by topic" to ("topic" to "“by topic” needs a name with * in double quotes, as in max(\"PDP/Current *\") by topic."),
-        "max(PDP/Voltage) by Stat" to ("Stat" to "There is no topic “Stat”; did you mean “State”?"),
+        "max(PDP/Voltage) by Stat" to ("Stat" to "“Stat” is not a topic of this log. Did you mean “State”?"),
         "max(PDP/Voltage) by PDP/Voltage" to ("PDP/Voltage" to "“PDP/Voltage” is a number; “by” needs a signal with states, or “topic”."),
-        "max(PDP/Voltge) by State" to ("PDP/Voltge" to "There is no topic “PDP/Voltge”; did you mean “PDP/Voltage”?"),
+        "max(PDP/Voltge) by State" to ("PDP/Voltge" to "“PDP/Voltge” is not a topic of this log. Did you mean “PDP/Voltage”?"),
         "PDP/Voltage by State" to ("PDP/Voltage" to "“by State” needs one number for the whole log before it, as in max(x) by State."),
         "each(PDP/Voltage, State)" to ("PDP/Voltage, State" to "each needs a condition that changes over time, such as x > 0."),
-        "each(Low, Stat)" to ("Stat" to "There is no topic “Stat”; did you mean “State”?"),
+        "each(Low, Stat)" to ("Stat" to "“Stat” is not a topic of this log. Did you mean “State”?"),
         "max(PDP/Voltage) buy State" to ("buy" to "“buy” is not expected here; an operator such as + or < may follow, or the end."),
     )
     for ((text, mistake) in mistakes) {

@@ -54,7 +54,7 @@ class VirtualTopicSpec : FunSpec({
         Triple("true = 3", "true ", "“true” is a word of the language; use another name."),
         Triple("enabled [V] = 1", "enabled [V] ", "“enabled” is a word of the language; use another name."),
         Triple("\"a\" b = Voltage", "\"a\" b ", "Only a unit in brackets may be between a quoted name and =."),
-        Triple("Power = Voltage * Curent", "Curent", "There is no topic “Curent”; did you mean “PDP/Current”?"),
+        Triple("Power = Voltage * Curent", "Curent", "“Curent” is not a topic of this log. Did you mean “PDP/Current”?"),
     )
     for ((text, place, message) in errors) {
         test("“$text” is an error at “$place”") {

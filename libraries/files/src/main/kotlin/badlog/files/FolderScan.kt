@@ -23,7 +23,7 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
 
         /**
          * Scans [folder] and all folders in it, without reading a file. Follows links, but never enters a folder twice. Skips
-         * hidden files, and build folders.
+         * hidden files, build folders, and packs of rules, whose slices are not logs of their own.
          *
          * @param checkpoint called for each file; may throw to cancel.
          * @throws IOException if [folder] itself cannot be read.
@@ -79,8 +79,11 @@ private fun isNamedLikeLog(name: String): Boolean {
         (!parts.ending.equals(LogName.HOOT, ignoreCase = true) || Owlet.isInstalled)
 }
 
+/** What the name of a folder with a pack of rules ends in. */
+private const val PACK = ".badlog-rules"
+
 private fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()
-    return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" ||
+    return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" || name.endsWith(PACK, ignoreCase = true) ||
         (name == "build" && listOf("build.gradle", "build.gradle.kts").any { Files.exists(folder.resolveSibling(it)) })
 }

@@ -31,6 +31,14 @@ class FolderScanSpec : FunSpec({
         }
     }
 
+    test("slices of a pack of rules are not logs of the folder, but are those of the pack") {
+        inFolder { folder ->
+            listOf("a.bag", "our.badlog-rules/fires/Jammed/b.bag").forEach { folder.put(it) }
+            found(folder) shouldBe listOf("a.bag")
+            found(folder.resolve("our.badlog-rules")) shouldBe listOf("fires/Jammed/b.bag")
+        }
+    }
+
     test("a .dslog with its .dsevents is one log of both sizes, and each alone is one, too") {
         inFolder { folder ->
             listOf("a/one.dslog", "a/one.dsevents", "a/two.dslog", "three.dsevents", "three.DSLOG", "Four.DSLOG", "Four.DSEVENTS", "five.dslog.gz", "five.dsevents.gz")

@@ -34,7 +34,7 @@ class Find(
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
-    signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    private val signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
 ) {
     private val clauses = QuestionClauses.of(question)
     private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
@@ -43,7 +43,7 @@ class Find(
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
-        val question: ParsedQuestion = Question.parse(clauses.question, names.vocabulary)
+        val question: ParsedQuestion = askedQuestion(clauses.question, shape, names, signals)
     }
 
     /** What is wrong with the question regardless of the log, such as an unclosed parenthesis; null if nothing seems wrong. */
@@ -74,7 +74,9 @@ class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val key = "$BADLOG_VERSION\nfind\n${virtualTopics.joinToString("\n")}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
+        val key = "$BADLOG_VERSION\nfind, and what was left out\n${virtualTopics.joinToString(
+            "\n",
+        )}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
         val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
         runCached(files, known, ::ask) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
@@ -118,7 +120,7 @@ class Find(
                 val asked = asked[LogShape.of(content.view)]
                 when (val question = asked.question) {
                     is ExpressionError -> notAsked(question)
-                    is Question -> answered(question.answer(asked.names.signalsOf(content.view)))
+                    is Question -> asked.names.signalsOf(content.view).let { answered(question.answer(it), it.implausible) }
                 }
             }
             CachedResult(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
@@ -129,7 +131,7 @@ class Find(
         const val MAX_SPANS = 100
         const val MAX_SHAPES = 64
 
-        fun answered(answer: Answer) = Reply.Answered(
+        fun answered(answer: Answer, implausible: Map<String, Int>) = Reply.Answered(
             answer.outcome,
             answer.spans.take(MAX_SPANS),
             answer.times,
@@ -138,6 +140,7 @@ class Find(
             answer.timeUnit,
             answer.reason,
             answer.occurrences.take(MAX_SPANS).map { Reply.Occurrence(it.span, it.before) },
+            implausible.toList(),
         )
     }
 }

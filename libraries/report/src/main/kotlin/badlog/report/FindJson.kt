@@ -21,6 +21,7 @@ class FindJson private constructor(
     private val message: String?,
     private val undefined: List<UndefinedJson>,
     private val occurrences: List<OccurrenceJson>,
+    private val implausible: List<ImplausibleJson>,
 ) {
     private constructor(result: FindResult, answered: Reply.Answered?, refused: Reply.NotAsked?) : this(
         match = result.title,
@@ -35,6 +36,7 @@ class FindJson private constructor(
         message = refused?.message ?: answered?.reason,
         undefined = result.undefined.map(::UndefinedJson),
         occurrences = answered?.occurrences.orEmpty().map(::OccurrenceJson),
+        implausible = answered?.implausible.orEmpty().map { (topic, samples) -> ImplausibleJson(topic, samples) },
     )
 
     constructor(result: FindResult) : this(result, result.reply as? Reply.Answered, result.reply as? Reply.NotAsked)
@@ -44,6 +46,10 @@ class FindJson private constructor(
 internal class QuantityJson(private val name: String, private val value: Double?, private val unit: String, private val time: Double?) {
     constructor(quantity: Quantity) : this(quantity.name, finite(quantity.value), quantity.unit, finite(quantity.time))
 }
+
+/** How many samples of a topic were left out, since no robot has such values. */
+@Serializable
+internal class ImplausibleJson(private val topic: String, private val samples: Int)
 
 /** One occurrence of something, in the form for other programs. */
 @Serializable

@@ -51,6 +51,7 @@ sealed interface Reply {
      * @property time where to look first; NaN if unknown.
      * @property timeUnit the unit of all times; empty if x has none.
      * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
+     * @property implausible the topics of which samples were left out, since no robot has such values, and how many.
      * @property occurrences each occurrence, with the values just before, if the question asks for them; at most the first hundred.
      */
     @Serializable
@@ -70,6 +71,7 @@ sealed interface Reply {
         val timeUnit: String,
         val reason: String? = null,
         val occurrences: List<Occurrence> = emptyList(),
+        val implausible: List<Pair<String, Int>> = emptyList(),
     ) : Reply
 
     /** One occurrence of something, see [badlog.expression.Occurrence]. */

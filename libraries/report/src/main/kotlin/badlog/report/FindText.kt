@@ -2,36 +2,38 @@ package badlog.report
 
 import badlog.expression.Outcome
 import badlog.expression.syntax.ExpressionErrorKind
+import badlog.files.LogFile
 import badlog.rules.timeText
 import badlog.terminal.TextTable
+import badlog.terminal.TextTable.Column
 
 /**
- * Returns the logs in which the question holds, as a table of match, file, time and value at most 100 columns wide, and below it
+ * Returns the logs in which the question holds, as a table of match, file, time and value at most [width] columns wide, and below it
  * how many others there were and why, except for those that cannot be read. For a question that asks for a number, all logs that
  * have it.
  */
-fun findText(results: List<FindResult>): String {
+fun findText(results: List<FindResult>, width: Int = TEXT_WIDTH): String {
     val found = results.filter(::isFound)
     val lines = ArrayList<String>()
+    val names = shortNames(results.map { it.file })
     if (found.isNotEmpty()) {
-        val names = shortNames(results.map { it.file })
         val rows = found.flatMap { result ->
             val reply = result.reply as Reply.Answered
             val file = names.getValue(result.file)
             val row = listOf(result.title ?: file, file, timeText(reply.time, reply.timeUnit), valueText(reply))
             if (reply.occurrences.isEmpty()) listOf(row) else reply.occurrences.map { row.take(2) + occurrenceTexts(it, reply.timeUnit) }
         }
-        lines += TABLE.lines(rows).flatten()
+        lines += TextTable(COLUMNS, width).lines(rows).flatten()
         lines += ""
     }
-    lines += summaryOf(results, found.size)
+    lines += summaryOf(results, names, found.size)
     return lines.joinToString("\n")
 }
 
-/** The maximum width of texts for a terminal. */
+/** The usual width of texts that are not for a certain terminal. */
 internal const val TEXT_WIDTH = 100
 
-private val TABLE = TextTable(listOf("Match", "File", "Time", "Value").map { TextTable.Column(it) }, TEXT_WIDTH)
+private val COLUMNS = listOf(Column("Match"), Column("File"), Column("Time", isWhole = true), Column("Value"))
 
 /** Returns whether the question holds there, or there is the number it asks for. */
 internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
@@ -44,33 +46,56 @@ internal fun isFound(result: FindResult): Boolean = when (val reply = result.rep
     else -> false
 }
 
-private fun summaryOf(results: List<FindResult>, found: Int): List<String> {
+private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, found: Int): List<String> {
     val lines = ArrayList<String>()
     lines += "Found in $found of ${count(results.size, "log")}."
     val unknown = results.mapNotNull { it.reply as? Reply.Answered }.filter { it.outcome == Outcome.UNKNOWN || it.reason != null }
     unknown.groupBy { it.reason }.forEach { (reason, replies) ->
         lines += "Unknown in ${count(replies.size, "log")}" + if (reason == null) ", since samples are missing." else ": $reason"
     }
+    lines += implausibleTexts(results.mapNotNull { it.reply as? Reply.Answered })
     val leftOut = results.count { it.reply is Reply.LeftOut }
     if (leftOut > 0) lines += "${count(leftOut, "log")} excluded by the question."
-    val notAsked = results.mapNotNull { it.reply as? Reply.NotAsked }
+    val notAsked = results.mapNotNull { result -> (result.reply as? Reply.NotAsked)?.let { Refused(names.getValue(result.file), it) } }
     val isAnswered = results.any { it.reply is Reply.Answered }
-    val (missing, others) = notAsked.partition { it.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
+    val (missing, others) = notAsked.partition { it.reply.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
     // If a name is missing, the rest of it may be read as anything; but a question that is valid for one log is not a mistake for another.
-    val (lacking, mistaken) = others.partition { isAnswered && it.kind == ExpressionErrorKind.SYNTAX }
-    missing.groupBy { it.topic to it.isOfHeader }.forEach { (what, replies) ->
+    val (lacking, mistaken) = others.partition { isAnswered && it.reply.kind == ExpressionErrorKind.SYNTAX }
+    missing.groupBy { it.reply.topic to it.reply.isOfHeader }.forEach { (what, replies) ->
         val (name, isOfHeader) = what
-        lines += "${have(replies.size)} no ${if (isOfHeader) "header value" else "topic"} “$name”."
+        lines += "${have(replies.size)} no ${if (isOfHeader) "header value" else "topic"} “$name”: ${listed(replies.map { it.file })}."
     }
     if (lacking.isNotEmpty()) {
-        lines += "${count(lacking.size, "log")} ${if (lacking.size == 1) "lacks" else "lack"} some topics of the question."
+        val lack = if (lacking.size == 1) "lacks" else "lack"
+        lines += "${count(lacking.size, "log")} $lack some topics of the question: ${listed(lacking.map { it.file })}."
     }
     // If no log has the topic, it may be misspelled, and the message says more.
-    if (missing.isNotEmpty() && !isAnswered) lines += missing.maxBy { it.place }.pointed
-    mistaken.groupBy { it.pointed }.forEach { (pointed, replies) -> lines += "Skipped for ${count(replies.size, "log")}: $pointed" }
+    if (missing.isNotEmpty() && !isAnswered) lines += missing.map { it.reply }.maxBy { it.place }.pointed
+    mistaken.map { it.reply }.groupBy { it.pointed }.forEach { (pointed, replies) ->
+        lines +=
+            "Skipped for ${count(replies.size, "log")}: $pointed"
+    }
     lines += undefinedTexts(results.filter { it.reply !is Reply.Unreadable }.map { it.undefined })
     return lines
 }
+
+/** Why the question was not asked of the log called [file]. */
+private class Refused(val file: String, val reply: Reply.NotAsked)
+
+/** Returns how many samples of which topics were left out in [replies], since no robot has such values. */
+private fun implausibleTexts(replies: List<Reply.Answered>): List<String> =
+    replies.flatMap { it.implausible }.groupBy({ it.first }, { it.second }).map { (topic, counts) ->
+        val samples = count(counts.sum(), "sample")
+        "Left out $samples of “$topic” in ${count(counts.size, "log")}: no robot has such values."
+    }
+
+/** Returns the first of [files] in a list, and how many more there are. */
+private fun listed(files: List<String>): String {
+    val more = files.size - MOST_LISTED
+    return if (more <= 0) files.joinToString() else "${files.take(MOST_LISTED).joinToString()} and $more more"
+}
+
+private const val MOST_LISTED = 3
 
 private fun have(logs: Int) = "${count(logs, "log")} ${if (logs == 1) "has" else "have"}"
 

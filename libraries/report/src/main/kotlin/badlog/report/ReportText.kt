@@ -13,22 +13,23 @@ import badlog.terminal.TextTable.Column
 import badlog.terminal.printable
 
 /**
- * Returns all incidents and findings, match by match, with time, severity and text, at most 100 columns wide, and below them what
+ * Returns all incidents and findings, match by match, with time, severity and text, at most [width] columns wide, and below them what
  * was skipped. Logs that cannot be read are only counted; files that are not logs are not mentioned.
  */
-fun reportText(result: ReportResult): String {
+fun reportText(result: ReportResult, width: Int = TEXT_WIDTH): String {
+    val table = TextTable(COLUMNS, if (width == Int.MAX_VALUE) width else width - INDENT.length)
     val names = shortNames(result.logs.map { it.file })
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
         val name = names.getValue(log.file)
         val resistance = resistanceText(log.figures).let { if (it.isEmpty()) "" else ", battery $it" }
-        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)") + resistance, TEXT_WIDTH)
+        lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)") + resistance, width)
         val incidents = log.incidents.flatMap(::rowsOf)
         val rows =
             incidents +
                 log.findings.map { listOf(timeText(it.time, it.timeUnit), it.severity.name.lowercase().padEnd(SEVERITY_WIDTH), it.text) }
         // The times of all logs are aligned.
-        lines += TABLE.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
+        lines += table.lines(rows.map { row -> listOf(row[0].padStart(TIME_WIDTH)) + row.drop(1) }).flatten().map { INDENT + it }
         lines += ""
     }
     lines += summary(result)
@@ -89,4 +90,4 @@ internal val ORDER = listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)
 private const val INDENT = "  "
 private const val TIME_WIDTH = 10
 private const val SEVERITY_WIDTH = 7
-private val TABLE = TextTable(listOf(Column(""), Column(""), Column("")), TEXT_WIDTH - INDENT.length)
+private val COLUMNS = listOf(Column("", isWhole = true), Column("", isWhole = true), Column(""))

@@ -74,7 +74,7 @@ class FindSpec : FunSpec({
                 last() shouldBe "Found in 2 of 2 logs."
             }
             findText(Find("Batery Voltage < 7").over(files)) shouldContain
-                "did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
+                "Did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
             findText(Find("Battery Voltage <").over(files)) shouldContain "Something is missing here"
             findText(emptyList()) shouldBe "Found in 0 of 0 logs."
         }
@@ -134,7 +134,7 @@ class FindSpec : FunSpec({
             folder.put("2.bag", bag(mapOf("Time" to "s", "a" to "V"), listOf("0,1")))
             val text = findText(Find("max(Double)", listOf("Double = Battery Voltage * 2")).over(logsIn(folder)))
             text shouldContain "Found in 1 of 2 logs."
-            text shouldContain "“Double = Battery Voltage * 2” is not in 1 log: There is no topic “Battery Voltage”"
+            text shouldContain "“Double = Battery Voltage * 2” is not in 1 log: “Battery Voltage” is not a topic"
         }
     }
 

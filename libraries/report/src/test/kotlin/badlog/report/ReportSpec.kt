@@ -131,7 +131,7 @@ class ReportSpec : FunSpec({
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
-                "did you mean “System/Battery Voltage”?"
+                "Did you mean “System/Battery Voltage”?"
         }
     }
 

@@ -142,7 +142,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
      */
     fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
         val match = rules.signals.matchOf(view.recording)
-        val run = RuleRun(view.identified(match.title, signals.modes), file, isEverywhere)
+        val run = RuleRun(view.identified(match.title, signals.modes), file, rules.devices, isEverywhere)
         val type = match.type
         val isPart = view.recording.isPart
         return steps.asSequence().filter { it.rule.isFor(type) }.map { step ->

@@ -16,9 +16,10 @@ import kotlin.math.round
 /**
  * Runs the rules of a program on [view], which was read from a file called [file].
  *
+ * @param devices what the team calls its devices.
  * @param isEverywhere whether findings have all their spans, with a text for each.
  */
-internal class RuleRun(view: LogView, private val file: String, private val isEverywhere: Boolean) {
+internal class RuleRun(view: LogView, private val file: String, private val devices: DeviceNames, private val isEverywhere: Boolean) {
     private val log = LogViewSignals(view)
     private val match = view.title ?: file
     private val names = log.vocabulary.signals.mapTo(HashSet()) { it.name }
@@ -77,7 +78,7 @@ internal class RuleRun(view: LogView, private val file: String, private val isEv
         val spans = whole ?: found
         val at = if (found.isEmpty()) answer.time else found[0].from
         val time = if (at.isNaN() && spans.isNotEmpty()) spans[0].from else at
-        val texted = TextedRule(rule, question, match, file, answer.timeUnit)
+        val texted = TextedRule(rule, question, match, file, answer.timeUnit, devices)
         val channels = largestChannels(question.channels, found, samples, signals.range?.to ?: Double.NaN)
         return Finding(
             rule.name,

@@ -10,6 +10,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property signals the names of topics that rules refer to by their meaning.
  * @property causes which findings lead to which.
  * @property comparisons rules that compare a log with the team's others, which pages do not do.
+ * @property devices what the team calls the devices on its CAN bus.
  */
 class RuleSet internal constructor(
     internal val aliases: List<Alias>,
@@ -17,9 +18,13 @@ class RuleSet internal constructor(
     val signals: SignalVocabulary,
     val causes: CauseGraph,
     val comparisons: List<Comparison> = emptyList(),
+    val devices: DeviceNames = DeviceNames.NONE,
 ) {
     /** Returns these rules with [signals] as the names of topics. */
-    fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons)
+    fun with(signals: SignalVocabulary): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons, devices)
+
+    /** Returns these rules with [devices] as the names of devices. */
+    internal fun with(devices: DeviceNames): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons, devices)
 
     companion object {
         /** No rules. */

@@ -26,6 +26,7 @@ fun RuleSet.toJson(): String = jsonObject(
     "rules" to jsonArray(rules, ::ruleJson),
     "signals" to signals.toJson(),
     "causes" to causes.toJson(),
+    "devices" to jsonList(devices.devices, ::deviceJson),
 )
 
 /** Returns the rules in [text], or null if [RuleSet.toJson] did not write it. */
@@ -36,7 +37,8 @@ fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
     val json = JsonFields(members)
     val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it) } ?: throw UnreadableJsonException()
     val causes = json.find("causes")?.let(CauseGraph::fromJson) ?: CauseGraph.NONE
-    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes)
+    val devices = DeviceNames(json.list("devices", ::deviceOf))
+    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes, devices = devices)
 } catch (_: UnreadableJsonException) {
     null
 }

@@ -6,13 +6,14 @@ import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.round
 
-/** Builds the texts of [rule] about [question] in a log that was read from [file] and is of [match]. */
+/** Builds the texts of [rule] about [question] in a log that was read from [file] and is of [match], whose team calls [devices] so. */
 internal class TextedRule(
     private val rule: Rule,
     private val question: RuleProgram.Question,
     private val match: String,
     private val file: String,
     private val timeUnit: String,
+    private val devices: DeviceNames,
 ) {
     /**
      * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
@@ -24,9 +25,9 @@ internal class TextedRule(
             "time" to timeText(if (timeUnit == "s") round(time * MILLI) / MILLI else time, timeUnit),
             "match" to match,
             "file" to file,
-            "topic" to question.topic.orEmpty(),
-            "other" to question.other.orEmpty(),
-            "device" to question.device,
+            "topic" to devices.topicText(question.topic.orEmpty()),
+            "other" to devices.topicText(question.other.orEmpty()),
+            "device" to devices.deviceText(question.device),
             "count" to count.toString(),
             "duration" to timeText(rounded(length, LENGTH_DIGITS), timeUnit),
             "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",

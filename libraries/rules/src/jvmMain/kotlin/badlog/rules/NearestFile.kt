@@ -22,8 +22,7 @@ class NearestFile<T> internal constructor(val file: Path?, val found: T?, val pr
          * @param parse reads its text; throws an [IllegalArgumentException] that says what is wrong with it.
          */
         fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
-            val file = foldersOf(log.toAbsolutePath().normalize(), top?.toAbsolutePath()?.normalize()).firstNotNullOfOrNull(inFolder)
-                ?: return NearestFile(null, null, null)
+            val file = foldersOf(log, top).firstNotNullOfOrNull(inFolder) ?: return NearestFile(null, null, null)
             val problem = try {
                 if (Files.size(file) <= MAX_BYTES) return NearestFile(file, parse(Files.readString(file)), null)
                 "It is larger than 1 MB; remove what does not belong there."
@@ -37,10 +36,12 @@ class NearestFile<T> internal constructor(val file: Path?, val found: T?, val pr
             return NearestFile(file, null, problem)
         }
 
-        private fun foldersOf(log: Path, top: Path?): Sequence<Path> {
-            val own = log.parent ?: return emptySequence()
-            if (top == null || !own.startsWith(top)) return sequenceOf(own)
-            return generateSequence(own) { if (it == top) null else it.parent }
+        /** Returns the folder of [log], and those above it up to [top], which is null for only its own. */
+        internal fun foldersOf(log: Path, top: Path?): Sequence<Path> {
+            val own = log.toAbsolutePath().normalize().parent ?: return emptySequence()
+            val last = top?.toAbsolutePath()?.normalize()
+            if (last == null || !own.startsWith(last)) return sequenceOf(own)
+            return generateSequence(own) { if (it == last) null else it.parent }
         }
 
         private const val MAX_BYTES = 1L shl 20

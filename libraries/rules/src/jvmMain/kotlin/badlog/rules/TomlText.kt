@@ -18,8 +18,8 @@ internal class TomlText(source: String) {
     private val source = source.removePrefix(BYTE_ORDER_MARK)
     private val lines = this.source.lines()
 
-    /** Returns all of it; only keys in [known] are allowed. */
-    fun root(known: Set<String>): TomlTable {
+    /** Returns all of it; only keys in [known] are allowed in [what] it is. */
+    fun root(known: Set<String>, what: String = "the file"): TomlTable {
         val root = try {
             Toml.parse(source)
         } catch (_: RuntimeException) {
@@ -30,7 +30,7 @@ internal class TomlText(source: String) {
             val said = error.message.orEmpty().lineSequence().first().trim().trimEnd('.')
             fail(place(error.position(), null), "This is not TOML: $said.")
         }
-        requireKnown(root, known, "the file")
+        requireKnown(root, known, what)
         return root
     }
 

@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.rules.pack.DeviceMap
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import org.tomlj.Toml
@@ -47,6 +48,7 @@ class RulesGuideSpec : FunSpec({
         SignalsFile.parse(examples.getValue("signals")).signals.map { it.name } shouldBe listOf("battery", "hood angle", "robot enabled")
         val changed = RulesFile.parse(examples.getValue("built-in-rules-changed")).rules.rules
         changed.none { it.group == "pneumatics" || it.name == "Flat sensor" } shouldBe true
+        DeviceMap.parse(examples.getValue("devices")).devices.map { it.name } shouldBe listOf("Front left drive", "Hood")
         changed.first { it.name == "Low battery" }.condition shouldBe "(battery < 6.8 and battery > 1) for 0.1 s"
     }
 })

@@ -214,6 +214,9 @@ class NamedSignals(
     override val vocabulary: Vocabulary,
     private val samples: NamedSamples,
 ) : Signals by log {
+    /** How many samples of each topic are left out of the signals that were asked for, since no robot has such values. */
+    val implausible: Map<String, Int> get() = samples.implausible
+
     override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)
 
     /** Returns the bounds of the samples of the signal [name]. */

@@ -2,7 +2,6 @@ package badlog.signals
 
 import badlog.core.analysis.LogView
 import badlog.expression.LogViewSignals
-import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 import badlog.signals.vocabulary.SignalVocabulary
 
@@ -32,7 +31,7 @@ class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     }
 
     /** Returns the samples of [view], which must have this shape, under these names. */
-    fun signalsOf(view: LogView): Signals {
+    fun signalsOf(view: LogView): NamedSignals {
         val known = view.identified(view.title, topics.modes)
         val log = LogViewSignals(known)
         return NamedSignals(log, named, vocabulary, NamedSamples(log, known))

@@ -51,4 +51,30 @@ class TextTableSpec : FunSpec({
         val narrow = TextTable(listOf(Column("NAME", 6), Column("N", 3, isNumber = true)))
         narrow.line(listOf("\u6a5f\u68b0\u6a5f\u68b0", "7")) shouldBe "\u6a5f…\u68b0     7"
     }
+
+    test("values are never shortened, whatever the width: names give way, and then columns go below each other") {
+        val numbers = Arb.int(0, 1_000_000_000)
+        checkAll(Arb.element(60, 80, 100, 200), Arb.list(texts, 2..2), Arb.list(numbers, 1..12)) { width, names, values ->
+            val columns = listOf(Column("Match"), Column("File")) + values.map { Column("a title that is long", isNumber = true) }
+            val cells = names.map { it.joinToString("") } + values.map { "$it" }
+            val lines = TextTable(columns, width, repeated = 2).text(listOf(cells))
+            lines.filter { displayWidth(it) > width }.shouldBeEmpty()
+            val shown = lines.joinToString(" ").split(' ')
+            values.filter { "$it" !in shown }.shouldBeEmpty()
+        }
+    }
+
+    test("columns that do not fit beside each other are below, beside the first ones again") {
+        val columns = listOf(Column("Match"), Column("A", isNumber = true), Column("B", isNumber = true))
+        val rows = listOf(listOf("Q1", "1.23456789", "2.3456789"), listOf("Q2", "1", "2"))
+        TextTable(columns, 17, repeated = 1).text(rows) shouldBe listOf(
+            "Match           A",
+            "Q1     1.23456789",
+            "Q2              1",
+            "",
+            "Match          B",
+            "Q1     2.3456789",
+            "Q2             2",
+        )
+    }
 })

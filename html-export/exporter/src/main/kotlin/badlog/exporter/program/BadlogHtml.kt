@@ -9,8 +9,8 @@ import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
 import badlog.protocol.PageAdditions
-import badlog.rules.FolderRules
 import badlog.rules.RuleSet
+import badlog.rules.folder.FolderRules
 import badlog.terminal.Progress
 import badlog.terminal.ProgressBar
 import badlog.terminal.printable

@@ -7,10 +7,10 @@ import badlog.files.NaturalOrder
 import badlog.files.partsOfLog
 import badlog.files.reading
 import badlog.rules.BUILT_IN
-import badlog.rules.FolderRules
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import badlog.rules.SignalsFile
+import badlog.rules.folder.FolderRules
 import badlog.signals.vocabulary.SignalVocabulary
 import java.io.IOException
 import java.nio.file.Files

@@ -8,8 +8,8 @@ import badlog.catalog.examine.RuleExamination
 import badlog.catalog.store.ResultCache
 import badlog.catalog.store.SummarySerializer
 import badlog.files.LogFile
-import badlog.rules.FolderRules
 import badlog.rules.RuleSet
+import badlog.rules.folder.FolderRules
 import badlog.rules.toJson
 import badlog.signals.vocabulary.toJson
 import java.nio.file.Path

@@ -64,20 +64,16 @@ class Vocabulary(
         meanings.find { it.equals(name, ignoreCase = true) }?.takeIf { meaning -> signals.none { it.name == meaning } }
 
     /** Returns the signal whose name is most similar to [name], or null if none is similar. */
-    internal fun nearest(name: String): Signal? {
-        val wanted = folded(name.take(MAX_COMPARED))
-        var best: Signal? = null
-        var least = maxOf(1, wanted.length / 3) + 1
-        for (signal in signals) {
-            for (key in listOf(signal.name, signal.name.trimEnd('/').substringAfterLast('/'))) {
-                val distance = editDistance(wanted, folded(key.take(MAX_COMPARED)), least)
-                if (distance < least) {
-                    least = distance
-                    best = signal
-                }
-            }
-        }
-        return best
+    internal fun nearest(name: String): Signal? = nearestOf(signals, name)
+
+    /** Returns the topic whose name is most similar to [name], or null if none is similar. */
+    internal fun nearestTopic(name: String): Signal? = nearestOf(signals.filter { it.name !in meanings }, name)
+
+    /** Returns the one of [meanings] in this recording that [name] may stand for: it is similar, or all its words are in [name]; or null. */
+    internal fun nearestMeaning(name: String): Signal? {
+        val known = signals.filter { it.name in meanings }
+        val words = wordsOf(name)
+        return nearestOf(known, name) ?: known.filter { words.containsAll(wordsOf(it.name)) }.maxByOrNull { it.name.length }
     }
 
     /** What each name means; created on first use, since most vocabularies are only compared. */
@@ -121,8 +117,6 @@ class Vocabulary(
     }
 
     private companion object {
-        const val MAX_COMPARED = 80
-
         // The maximum number of ends of a path; names come from files, and all ends of a long one would fill the memory.
         const val MAX_ENDS = 32
     }
@@ -136,6 +130,34 @@ internal fun isWordEnd(text: String, at: Int): Boolean =
     at >= text.length || at == 0 || !isWordCharacter(text[at]) || !isWordCharacter(text[at - 1])
 
 internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
+
+/** Returns the one of [signals] whose name is most similar to [name]: as it is written, or by its words in any order; null if none is. */
+private fun nearestOf(signals: List<Signal>, name: String): Signal? {
+    val shown = name.take(MAX_COMPARED)
+    val wanted = folded(shown)
+    val words = inOrder(shown.substringAfterLast('/')).takeIf { ' ' in it }
+    var best: Signal? = null
+    var least = maxOf(1, wanted.length / 3) + 1
+    for (signal in signals) {
+        val end = signal.name.trimEnd('/').substringAfterLast('/').take(MAX_COMPARED)
+        val distances = listOfNotNull(
+            editDistance(wanted, folded(signal.name.take(MAX_COMPARED)), least),
+            editDistance(wanted, folded(end), least),
+            words?.let { editDistance(it, inOrder(end), least) },
+        )
+        val distance = distances.min()
+        if (distance < least) {
+            least = distance
+            best = signal
+        }
+    }
+    return best
+}
+
+/** Returns the words of [name] in the order of the alphabet: those of `BatteryVoltage` are `battery voltage`. */
+private fun inOrder(name: String) = wordsOf(name).sorted().joinToString(" ")
+
+private const val MAX_COMPARED = 80
 
 private fun wordsOf(name: String): Set<String> {
     val words = HashSet<String>()

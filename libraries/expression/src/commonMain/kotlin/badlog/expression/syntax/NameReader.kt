@@ -33,6 +33,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             return Meaning.Call(word)
         }
         byWords(from, length)?.let { return it }
+        failLonger(from, length)
         if (length > 0) {
             scanner.at = from + length
             return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
@@ -48,6 +49,17 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         val found = vocabulary.withWordsOf(text.substring(from, until)).singleOrNull() ?: return null
         scanner.at = until
         return Meaning.Topic(Node.Topic(from, until, found))
+    }
+
+    /** Fails if a name at [from] seems to be longer than the one of [length] there: `battery` is not all of `battery voltge`. */
+    private fun failLonger(from: Int, length: Int) {
+        val until = nameEnd(from)
+        var next = from + length
+        while (next < until && text[next] == ' ') next++
+        val hasRest = length > 0 && next in from + length + 1 until until
+        val goesOn = hasRest && !isCalled(until) && vocabulary.longestAt(text, next, ignoreCase = true) == 0
+        val name = text.substring(from, until)
+        if (goesOn && near(name).isNotEmpty()) failUnknownTopic(name, from, until)
     }
 
     // In other tools, names begin with a slash, like paths.
@@ -76,13 +88,13 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         val until = nameEnd(from)
         val name = text.substring(from, until)
         val near = vocabulary.nearest(name) ?: vocabulary.find(name.substringAfterLast('/')).firstOrNull()
-        val nearest = if (near == null) "to" else "did you mean “${near.name}”? To"
+        val nearest = if (near == null) "" else " Did you mean “${near.name}”?"
         val divided = name.replaceFirst("/", " / ")
         throw Mistake(
             from,
             until,
             ExpressionErrorKind.UNKNOWN_TOPIC,
-            "There is no ${vocabulary.thing} “$name”; $nearest divide, put spaces around the slash: $divided.",
+            "${notA(name)}.$nearest To divide, put spaces around the slash: $divided.",
         )
     }
 
@@ -165,10 +177,20 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         vocabulary.several.entries.find { it.key.equals(name, ignoreCase = true) }?.let { (signal, topics) ->
             throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, severalText(signal, topics))
         }
-        val nearest = vocabulary.nearest(name)
-        val suggestion = if (nearest == null) "." else "; did you mean “${nearest.name}”?"
-        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "There is no ${vocabulary.thing} “$name”$suggestion")
+        val near = near(name)
+        val suggestion = if (near.isEmpty()) "" else " Did you mean ${near.joinToString(" or ")}?"
+        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${notA(name)}.$suggestion")
     }
+
+    /** Returns what [name] may have been meant to be, for people. */
+    private fun near(name: String) = listOfNotNull(
+        vocabulary.nearestTopic(name)?.let { "“${it.name}”" },
+        vocabulary.nearestMeaning(name)?.let { "`${it.name}`" },
+    )
+
+    /** Returns the beginning of a sentence that says that [name] means nothing here. */
+    fun notA(name: String): String =
+        "“$name” is not a ${vocabulary.thing}${if (vocabulary.meanings.isEmpty()) "" else " or signal"} of this log"
 
     private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
 

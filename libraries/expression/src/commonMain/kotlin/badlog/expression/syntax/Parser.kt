@@ -83,7 +83,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun asText(mistake: Mistake): Mistake = mistake.run {
         val name = text.substring(from, until).trim('"', '`')
-        Mistake(from, until, kind, "There is no ${vocabulary.thing} “$name”; put a text in single quotes, as in '$name'.")
+        Mistake(from, until, kind, "${names.notA(name)}; put a text in single quotes, as in '$name'.")
     }
 
     // An operand in parentheses extends beyond its parts.

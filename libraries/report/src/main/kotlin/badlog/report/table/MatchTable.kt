@@ -17,6 +17,7 @@ import badlog.files.LogFile
 import badlog.report.HookFailure
 import badlog.report.NamedTopics
 import badlog.report.Reply
+import badlog.report.askedQuestion
 import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome
@@ -56,7 +57,7 @@ class MatchTable(
     private val virtualTopics: List<String> = emptyList(),
     private val cache: Path? = null,
     private val xTopic: String? = null,
-    signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    private val signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
     private val only: List<NamePattern> = emptyList(),
 ) {
     private val usedSignals = signals.namedIn((virtualTopics + questions).joinToString("\n"))
@@ -67,7 +68,7 @@ class MatchTable(
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
-        val questions: List<ParsedQuestion> = this@MatchTable.questions.map { Question.parse(it, names.vocabulary) }
+        val questions: List<ParsedQuestion> = this@MatchTable.questions.map { askedQuestion(it, shape, names, signals) }
         val topics: List<TopicQuestion> = shape.vocabulary.signals
             .filter { signal -> signal.kind == SignalKind.NUMBER && only.any { it.matches(signal.name) } }
             .flatMap { signal -> TopicQuestion.of(signal.name, names.vocabulary) }

@@ -8,8 +8,11 @@ import badlog.report.shortNames
 import badlog.report.undefinedTexts
 import badlog.terminal.TextTable
 
-/** Returns [rows] of [table] for a terminal: a line for each included log. */
-fun tableText(table: MatchTable, rows: List<TableRow>): String {
+/**
+ * Returns [rows] of [table] for a terminal of [width] columns: a line for each included log, and more of them below if there are more values
+ * than fit beside each other.
+ */
+fun tableText(table: MatchTable, rows: List<TableRow>, width: Int = Int.MAX_VALUE): String {
     val asked = askedOf(rows)
     val names = shortNames(asked.map { it.file })
     val units = unitsOf(table, asked)
@@ -26,7 +29,7 @@ fun tableText(table: MatchTable, rows: List<TableRow>): String {
             topics.map { column -> column.cellIn(row)?.let { textOf(it, isUnitInTitle = column.unit.isNotEmpty()) } ?: UNKNOWN } +
             hooks.map { it.textIn(row) ?: UNKNOWN }
     }
-    return TextTable(columns).lines(lines).flatten().joinToString("\n")
+    return TextTable(columns, width, repeated = NAMES).text(lines).joinToString("\n")
 }
 
 /** Returns [rows] of [table] as CSV (RFC 4180): exact numbers, and an empty cell for none. */
@@ -86,3 +89,6 @@ private fun textOf(cell: TableCell, isUnitInTitle: Boolean): String = when {
 }
 
 private const val UNKNOWN = "–"
+
+/** The columns that say which log a row is about. */
+private const val NAMES = 2

@@ -47,6 +47,25 @@ fun busDeviceIn(name: String): String? {
     return if (start < 0) null else name.substring(0, endOfDevice(name, start))
 }
 
+/**
+ * A device as topics and findings call it: `Phoenix6/TalonFX-3` and `TalonFX 3` are the type `TalonFX` with the id 3.
+ *
+ * @property type its type.
+ * @property id its id on the CAN bus.
+ */
+class BusAddress private constructor(val type: String, val id: Int) {
+    companion object {
+        /** Returns the address in [device], a device's label or what its topics share; null if it has none. */
+        fun of(device: String): BusAddress? {
+            val label = device.substringAfterLast('/')
+            val digits = label.indexOfFirst { it in '0'..'9' }
+            if (digits <= 0 || NamePattern.folded(label.substring(0, digits)) !in TYPES) return null
+            val id = label.substring(digits).takeWhile { it in '0'..'9' }.toIntOrNull() ?: return null
+            return BusAddress(label.substring(0, digits).trimEnd('-', ' ', '_'), id)
+        }
+    }
+}
+
 /** Returns the devices among [names], in order. */
 internal fun busDevicesOf(names: List<Signal>): List<BusDevice> = names.groupBy { busDeviceIn(it.name) }.mapNotNull { (path, signals) ->
     val label = path?.substringAfterLast('/') ?: return@mapNotNull null

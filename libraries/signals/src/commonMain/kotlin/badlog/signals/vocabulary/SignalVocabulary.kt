@@ -13,11 +13,11 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     fun find(name: String): SignalName? = byName[name]
 
     /**
-     * Returns the signals whose names occur in [text], regardless of case, those of which they are sums, and those for the match and for
-     * when the robot was enabled.
+     * Returns the signals all of whose words occur in [text], regardless of case, those of which they are sums, and those for the match and
+     * for when the robot was enabled.
      */
     fun namedIn(text: String): SignalVocabulary {
-        val named = signals.filter { it.name in OF_EVERY_LOG || text.contains(it.name, ignoreCase = true) }
+        val named = signals.filter { it.name in OF_EVERY_LOG || it.name.split(' ').all { word -> text.contains(word, ignoreCase = true) } }
         return SignalVocabulary(named + named.mapNotNull { it.sumOf?.let(::find) }, units, linked)
     }
 

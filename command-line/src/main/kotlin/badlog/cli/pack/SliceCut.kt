@@ -1,0 +1,89 @@
+package badlog.cli.pack
+
+import badlog.cli.cut.rowPart
+import badlog.cli.cut.samplePart
+import badlog.cli.input.Failure
+import badlog.cli.input.readLog
+import badlog.cli.output.LogFormat
+import badlog.cli.search.signalsBeside
+import badlog.cli.text.XTime
+import badlog.cli.topic.part
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.core.recording.Recording
+import badlog.rules.ofPart
+import badlog.signals.overItsTime
+import badlog.signals.withSignals
+import badlog.terminal.Progress
+
+/**
+ * The slice that [order] asks for, cut from its log.
+ *
+ * @throws Failure if the log has no such moment.
+ */
+internal class SliceCut(private val order: SliceOrder, progress: Progress) {
+    private val view = LogView.of(readLog(order.log, progress).overItsTime()).withSignals(signalsBeside(order.log))
+    private val unit get() = view.xAxis.unit
+
+    /** A second on the x axis. */
+    private val second: Double = if (Units.isNone(unit) && !view.xAxis.isIndex) 1.0 else 1 / (Units.secondsIn(unit) ?: throw noTime())
+    private val moment: Double = order.at.on(view.xAxis)
+
+    /** Where it is in the log. */
+    val span: Span
+
+    init {
+        val range = view.xAxis.range
+        if (range == null || moment !in range) {
+            val (from, to) = listOf(range?.start, range?.endInclusive).map { XTime.text(it ?: Double.NaN, unit) }
+            val there = if (range == null) "" else "; ${view.xAxis.name} goes from $from to $to"
+            throw Failure("There is no ${XTime.text(moment, unit)} in ${order.log}$there.")
+        }
+        span = Span(maxOf(moment - REACH * second, range.start), minOf(moment + REACH * second, range.endInclusive))
+    }
+
+    private val privacy = Privacy(view.recording)
+
+    /** It, without what is private. */
+    val recording: Recording = privacy.without(part()).let { it.copy(values = it.values.ofPart(place)) }
+
+    /** The format in which it can be written. */
+    val format: LogFormat get() = if (recording.format.hasRows) LogFormat.BAG else LogFormat.WPILOG
+
+    /** What is not in it, since it is private, and how often that occurs. */
+    val removed: Map<Privacy.Kind, Int> get() = privacy.removed
+
+    /** Its place in the log, for people. */
+    val place: String get() = "${XTime.text(span.from, unit)} to ${XTime.text(span.to, unit)}"
+
+    /** Returns its name, made from [stem], that of its log. */
+    fun nameFrom(stem: String): String = "${privacy.without(stem)} at ${XTime.text(moment, unit)}"
+
+    /**
+     * Returns the condition of a new rule that holds at its middle.
+     *
+     * @throws Failure if it was not given, and nothing sets the moment apart.
+     */
+    fun condition(): String = order.condition ?: conditionAt(view, moment, span, NEAR * second) ?: throw Failure(
+        "Nothing in ${order.log} is unusual at ${XTime.text(moment, unit)}; say with --when what the rule is about, as in " +
+            "--when \"battery < 7\".",
+    )
+
+    private fun part(): Recording {
+        if (!view.recording.format.hasRows) return samplePart(view, listOf(span)).recording
+        val part = rowPart(view, listOf(span))
+        return part.recording.part(part.rows)
+    }
+
+    private fun noTime() =
+        Failure("${order.log} has no x axis in a unit of time; make one of its topics the x axis with badlog convert --x.")
+
+    private companion object {
+        /** How far a slice reaches to both sides, in s. */
+        const val REACH = 10.0
+
+        /** What still belongs to the moment, in s: nobody names one more precisely. */
+        const val NEAR = 0.5
+    }
+}

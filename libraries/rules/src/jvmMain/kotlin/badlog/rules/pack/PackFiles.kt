@@ -1,0 +1,82 @@
+package badlog.rules.pack
+
+import java.io.IOException
+import java.io.InputStream
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The files of a pack, which may have come from anywhere: nothing outside the pack is read, and nothing is larger than [PackLimits] allow.
+ *
+ * @property names their names below the pack, with slashes, in order; without hidden files.
+ */
+internal interface PackFiles : AutoCloseable {
+    val names: List<String>
+
+    /** Returns the content of the file [name], one of [names], in at most [PackLimits.FILE_BYTES] bytes. */
+    fun bytes(name: String): ByteArray
+
+    override fun close()
+
+    companion object {
+        /**
+         * Returns the files of the folder or zip [pack].
+         *
+         * @throws PackException if there is none, or something in it is not allowed in a pack.
+         */
+        fun of(pack: Path): PackFiles = try {
+            when {
+                Files.isSymbolicLink(pack) -> throw PackException("$pack is a link; name the pack itself.")
+                Files.isDirectory(pack) -> PackFolder(pack)
+                Files.isRegularFile(pack) -> PackZip(pack)
+                else -> throw PackException("There is no pack $pack; check the spelling, or begin it with badlog rules new.")
+            }
+        } catch (e: IOException) {
+            throw PackException("$pack cannot be read (${e.message}); check its permissions.")
+        }
+    }
+}
+
+/** What a pack may hold. */
+internal object PackLimits {
+    /** The size of a file: some seconds of a log have a few megabytes. */
+    const val FILE_BYTES = 32 shl 20
+
+    /** The size of all files together. */
+    const val ALL_BYTES = 256L shl 20
+
+    /** The number of files. */
+    const val FILES = 1000
+
+    /** The depth of its folders, those of its slices. */
+    const val DEPTH = 4
+
+    /** How much smaller a zip may make a file: numbers become ten times smaller, and only zeros a thousand times. */
+    const val RATIO = 200L
+
+    /** Smaller files may become smaller still. */
+    const val RATIO_COUNTS_FROM = 1L shl 20
+}
+
+/** Returns whether a file called [name] is hidden, or one that macOS adds to a zip. */
+internal fun isHidden(name: String): Boolean = name.split('/').any { it.startsWith(".") || it == "__MACOSX" }
+
+/**
+ * Returns the bytes of this stream, that of the file [name] in [pack].
+ *
+ * @throws PackException if there are more than [PackLimits.FILE_BYTES].
+ */
+internal fun InputStream.readWithin(pack: Path, name: String): ByteArray = use { stream ->
+    val bytes = stream.readNBytes(PackLimits.FILE_BYTES + 1)
+    if (bytes.size > PackLimits.FILE_BYTES) throw tooLarge(pack, name)
+    bytes
+}
+
+internal fun tooLarge(pack: Path, name: String) =
+    PackException("“$name” in $pack is larger than ${PackLimits.FILE_BYTES shr 20} MB; cut a shorter slice.")
+
+internal fun tooManyFiles(pack: Path) =
+    PackException("$pack has more than ${PackLimits.FILES} files; keep in it only rules, signals, devices and slices.")
+
+internal fun tooLargeTogether(pack: Path) =
+    PackException("The files of $pack have more than ${PackLimits.ALL_BYTES shr 20} MB together; keep fewer or shorter slices.")
