@@ -22,6 +22,7 @@ import kotlin.Unit;
  */
 public final class ReportBenchmark {
     private static final String QUESTION = "min(System/Battery Voltage) < 7";
+    private static final int WIDTH = 100;
 
     private ReportBenchmark() {
     }
@@ -34,10 +35,10 @@ public final class ReportBenchmark {
         try {
             for (String run : List.of("read", "from the cache")) {
                 measure("find, " + run, () -> FindTextKt.findText(
-                    new Find(QUESTION, List.of(), cache, null, SignalVocabulary.Companion.getNONE()).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE)));
+                    new Find(QUESTION, List.of(), cache, null, SignalVocabulary.Companion.getNONE()).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE), WIDTH));
                 measure("report, " + run, () -> ReportTextKt.reportText(
                         new Report(RulesFile.Companion.getBUILT_IN().getRules(), List.of(), List.of(), cache, null, null)
-                        .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE)));
+                        .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE), WIDTH));
             }
         } finally {
             try (var kept = Files.list(cache)) {

@@ -30,6 +30,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
         }
         if (isJson) console.say(summaryJson(pack, verdicts, lacking)) else console.say(summary(pack, verdicts, lacking, console.width))
         return when {
+            verdicts.any { it.isMistake } -> ExitCode.USAGE
             verdicts.none { it.passes } -> ExitCode.NOTHING
             verdicts.any { !it.passes } -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE
@@ -54,7 +55,9 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
         val counts = listOf(counted(pack.rules.rules.size.toLong(), "rule"), counted(verdicts.size.toLong(), "slice"))
         val devices = pack.rules.devices.devices.size.toLong()
         val all = (counts + listOfNotNull(counted(devices, "device").takeIf { devices > 0 })).joinToString()
-        val head = "$all: ${if (passed == verdicts.size) "all slices pass" else "$passed pass, ${verdicts.size - passed} fail"}."
+        val failed = verdicts.size - passed
+        val result = "$passed pass${if (passed == 1) "es" else ""}, $failed fail${if (failed == 1) "s" else ""}"
+        val head = "$all: ${if (failed == 0) "all slices pass" else result}."
         val lines = (if (verdicts.isEmpty()) "$all: no slice shows what the rules find." else head).let(::listOf) +
             lacking.map { "“${it.rule}” has no slice in which it must ${it.must}; add one with badlog rules new." } +
             pack.ignored.map { "“$it” is not part of a pack, and is ignored." }

@@ -19,8 +19,15 @@ import java.nio.file.Files
  * @property rule the name of the rule; null if there is none for the slice.
  * @property text what it found, or why it found nothing, as a sentence or more.
  * @property passes whether that is what the slice demands.
+ * @property isMistake whether the rule itself is wrong.
  */
-internal class SliceVerdict(val slice: RulePack.Slice, val rule: String?, val text: String, val passes: Boolean)
+internal class SliceVerdict(
+    val slice: RulePack.Slice,
+    val rule: String?,
+    val text: String,
+    val passes: Boolean,
+    val isMistake: Boolean = false,
+)
 
 /** Runs the rules of [pack], together with the built-in ones, over its slices. */
 internal class SliceCheck(private val pack: RulePack) {
@@ -50,7 +57,7 @@ internal class SliceCheck(private val pack: RulePack) {
         val skipped = found.skipped.find { it.rule == rule }
         val texts = found.findings.filter { it.rule == rule }.map { it.text }
         return when {
-            skipped != null -> SliceVerdict(slice, rule, "The rule could not run: ${skipped.message}", passes = false)
+            skipped != null -> SliceVerdict(slice, rule, "The rule could not run: ${skipped.message}", passes = false, skipped.isMistake)
             texts.isEmpty() -> SliceVerdict(slice, rule, "It found nothing.", passes = !slice.isFiring)
             else -> SliceVerdict(slice, rule, texts.first() + moreThan(texts.size - 1), passes = slice.isFiring)
         }

@@ -80,7 +80,7 @@ class RulesCommandSpec : FunSpec({
                 shouldContain("failed silent/Fast/b.bag: It was fast at 29.8 s.")
                 shouldContain("failed silent/Warm/c.bag: The rule could not run: ")
                 shouldContain("failed silent/Cold/d.bag: There is no rule “Cold”; name the folder as the rule is called.")
-                shouldContain("2 rules, 5 slices: 1 pass, 4 fail.")
+                shouldContain("2 rules, 5 slices: 1 passes, 4 fail.")
                 shouldContain("“Warm” has no slice in which it must find something; add one with badlog rules new.")
                 shouldContain("“run.sh” is not part of a pack, and is ignored.")
                 shouldNotContain("“Fast” has no slice")
@@ -102,6 +102,12 @@ class RulesCommandSpec : FunSpec({
                 err shouldContain "“hook” is not a key of a pack's rules"
             }
             badlog("rules", "check", folder / "none").code shouldBe ExitCode.USAGE
+            (folder / "r").with("badlog-rules.toml", RULE.replace("Speed > 5", "Speed >"))
+            (folder / "r").with("fires/Fast/a.bag", SLOW)
+            badlog("rules", "check", folder / "r").run {
+                code shouldBe ExitCode.USAGE
+                out shouldContain "failed  fires/Fast/a.bag: The rule could not run: Line 4: Something is missing"
+            }
         }
     }
 

@@ -352,4 +352,19 @@ class BadlogHtmlSpec : FunSpec({
     test("a file whose name begins with @ or - is a file") {
         inFolder { folder -> run("--", folder.with("@a.bag")).code shouldBe ExitCode.WHOLE }
     }
+
+    test("a page has the rules of the packs beside its log, and one that cannot be used is reported") {
+        inFolder { folder ->
+            val log = folder.with("a.bag")
+            (folder / "ours.badlog-rules").createDirectory()
+            folder.with("ours.badlog-rules/badlog-rules.toml", "[[rule]]\nname='Ours'\nseverity='note'\nwhen='Speed > 5'\ntext='Ours was found.'\n")
+            run(log).code shouldBe ExitCode.WHOLE
+            additionsIn(folder / "a.bag.html") shouldContain "Ours was found."
+            folder.with("theirs.badlog-rules.zip", "not a zip")
+            val ended = run(log)
+            ended.code shouldBe ExitCode.SALVAGED
+            ended.err shouldContain "theirs.badlog-rules.zip is not a zip that can be read"
+            additionsIn(folder / "a.bag.html") shouldContain "Ours was found."
+        }
+    }
 })
