@@ -8,6 +8,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** All tests of what runs on a robot, on the machines of robots and of their programmers: `./gradlew :jvm-robot:platforms -Pall`. */
 class AllTestsOnPlatformsSpec : FunSpec({
@@ -19,21 +21,43 @@ class AllTestsOnPlatformsSpec : FunSpec({
 
         for (module in listOf("core", "jvm-robot")) {
             test("${platform.name}: the tests of $module").config(enabledOrReasonIf = { enabled }) {
-                val all = System.getProperty("badlog.platforms.specs.$module").split(';')
-                val specs = if (platform.listsDisks) all else all.filterNot { it.substringAfterLast('.') in LISTING }
+                val specs = System.getProperty("badlog.platforms.specs.$module")
                 val classpath = System.getProperty("badlog.platforms.classpath.$module").split(File.pathSeparator)
-                val memory = if (platform.listsDisks) emptyList() else listOf("-Djava.io.tmpdir=/dev/shm")
-                val launcher = memory + listOf("io.kotest.engine.launcher.MainKt", "--specs", specs.joinToString(";"), "--listener", "teamcity")
-                val run = platform.run({ wine.value }, classpath, launcher, File(System.getProperty("badlog.platforms.folder.$module")), LIMIT_MINUTES)
+                val launcher = listOf("io.kotest.engine.launcher.MainKt", "--specs", specs, "--listener", "teamcity")
+                val folder = File(System.getProperty("badlog.platforms.folder.$module"))
+                val run = if (platform.listsDisks) {
+                    platform.run({ wine.value }, classpath, launcher, folder, LIMIT_MINUTES)
+                } else {
+                    inMemory(folder) { copy -> platform.run({ wine.value }, classpath, listOf("-Djava.io.tmpdir=$MEMORY") + launcher, copy, LIMIT_MINUTES) }
+                }
                 val lines = run.text.lines()
                 lines.filter { it.startsWith("##teamcity[testFailed") }.shouldBeEmpty()
                 withClue(lines.takeLast(20).joinToString("\n")) { run.code shouldBe 0 }
-                lines.count { it.startsWith("##teamcity[testFinished") && "result_status='Success'" in it } shouldBeGreaterThan specs.size
+                lines.count { it.startsWith("##teamcity[testFinished") && "result_status='Success'" in it } shouldBeGreaterThan specs.split(';').size
             }
         }
     }
 })
 
-/** What lists a folder of the project. */
-private val LISTING = setOf("CheckedInCorpusSpec")
+/**
+ * Calls [run] with a folder in memory in which tests can run as in [folder], which is core's or an empty one: the corpus, which they list,
+ * is copied, and the rest of the project is linked.
+ */
+private fun <T> inMemory(folder: File, run: (File) -> T): T {
+    val root = generateSequence(folder.absoluteFile) { it.parentFile }.first { File(it, "settings.gradle.kts").exists() }
+    val copy = Files.createTempDirectory(MEMORY, "badlog").toFile()
+    fun link(from: File) = Files.createSymbolicLink(File(copy, from.relativeTo(root).path).toPath(), from.toPath())
+    val core = File(copy, "core").apply { mkdir() }
+    root.listFiles().orEmpty().filter { it.name != "core" }.forEach(::link)
+    File(root, "core").listFiles().orEmpty().filter { it.name != "conformance" }.forEach(::link)
+    File(root, "core/conformance").copyRecursively(File(core, "conformance"))
+    try {
+        return run(if (folder.name == "core") core else File(copy, "scratch").apply { mkdir() })
+    } finally {
+        // Follows no link.
+        Files.walk(copy.toPath()).use { it.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
+    }
+}
+
+private val MEMORY = Path.of("/dev/shm")
 private const val LIMIT_MINUTES = 60L

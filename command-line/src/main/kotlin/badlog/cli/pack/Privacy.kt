@@ -75,17 +75,12 @@ internal class Privacy(recording: Recording) {
 
     private fun without(topic: Topic): Topic {
         val kind = if (isTeam(topic.name)) Kind.TEAM else Kind.PERSON.takeIf { isPerson(topic.name) }
-        val cleaned = topic.texts.dictionary.map { text ->
+        val texts = topic.texts.dictionary.map { text ->
             if (kind != null && text.isNotBlank()) removed(kind) else without(text)
         }
         val metadata = without(topic.metadata)
-        return if (cleaned ==
-            topic.texts.dictionary
-        ) {
-            topic.copy(metadata = metadata)
-        } else {
-            topic.copy(metadata = metadata, texts = topic.texts.with(cleaned))
-        }
+        val cleaned = topic.copy(metadata = metadata)
+        return if (texts == topic.texts.dictionary) cleaned else cleaned.copy(texts = topic.texts.with(texts))
     }
 
     /** Returns these texts, which are now called [texts]; of each there is one. */
