@@ -84,6 +84,19 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("graphs of the board have as much of their paths in their titles as tells them apart") {
+        val sides = listOf(TIME) + listOf("Drive/Left", "Drive/Right", "Arm").map { BagTopic("$it/Speed", "rpm") } + BagTopic("Arm/Angle", "deg")
+        onPage(TestPages.of(bagOf(sides, 101) { row, column -> row * (column + 1) / 100.0 })) {
+            for (name in listOf("Drive/Left/Speed", "Arm/Angle")) pin(name)
+            titles() shouldBe listOf("Speed", "Angle")
+            for (name in listOf("Drive/Right/Speed", "Arm/Speed")) pin(name)
+            titles() shouldBe listOf("Left/Speed", "Angle", "Right/Speed", "Arm/Speed")
+            elements("#board .pin")[3].click()
+            elements("#board .pin")[2].click()
+            titles() shouldBe listOf("Speed", "Angle")
+        }
+    }
+
     browserTest("a search shows of the board what it finds, and how many graphs that are") {
         onPage(page) {
             script("location.hash = '#board=Volt,Amp;Speed'")

@@ -49,7 +49,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         val y = event.clientY.toDouble()
         if (ghost == null) {
             if (maxOf(abs(x - startX), abs(y - startY)) < DragKind.MIN_DISTANCE) return
-            ghost = element("div", "drag-ghost card", card.graph.title).also { document.body?.appendChild(it) }
+            ghost = element("div", "drag-ghost card", card.title).also { document.body?.appendChild(it) }
             document.body?.classList?.add("is-dragging")
             escape.take()
         }

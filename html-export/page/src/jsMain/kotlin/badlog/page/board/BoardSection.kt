@@ -15,6 +15,7 @@ import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
+import badlog.viewer.text.shortNames
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
@@ -103,8 +104,10 @@ internal class BoardSection(
         for (item in shown - items.toSet()) for (card in item.cards) graphs.add(card)
         items.clear()
         items += shown
+        val titles = shortNames(wanted.map { it.title })
         shown.forEachIndexed { i, item ->
             item.show(wanted[i])
+            for (card in item.cards) card.title = titles[i]
             // An element that is moved loses the focus.
             val here = body.children.item(i)
             if (here != item.element) body.insertBefore(item.element, here)

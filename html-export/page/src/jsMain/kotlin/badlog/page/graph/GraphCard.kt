@@ -11,6 +11,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
+import badlog.page.dom.showText
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
 import badlog.page.view.PageBoard
@@ -49,6 +50,13 @@ internal class GraphCard(
     var look: BoardGraph = look
         private set
 
+    /** Its heading; on a board, as much of its path as tells it from the other graphs. */
+    var title: String = graph.title
+        set(value) {
+            field = value
+            heading.showText(value)
+        }
+
     /** Its lines, and those of compared logs. */
     val series: List<GraphSeries> get() = drawn.graph.series
 
@@ -62,6 +70,7 @@ internal class GraphCard(
     } else {
         null
     }
+    private lateinit var heading: HTMLElement
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
     private var plot: PlotCanvas? = null
@@ -90,7 +99,7 @@ internal class GraphCard(
         setAttribute("data-name", graph.name)
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
         add("header", "graph-head") {
-            add("h3", "graph-title", graph.title).title = hintOf(graph)
+            heading = add("h3", "graph-title", title).apply { this.title = hintOf(graph) }
             graph.titleUnit.let { if (it.isNotEmpty()) add("bdi", "unit graph-unit", it) }
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(xy?.legend ?: legend.element)
@@ -226,7 +235,7 @@ internal class GraphCard(
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
-        sheet.graphHead(graph.title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
+        sheet.graphHead(title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
         if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn.graph, newContent(), scene)
     }
 
@@ -322,10 +331,10 @@ internal class GraphCard(
     }
 
     private fun offerFiles() {
-        val table = MenuEntry("${graph.title} as a table (CSV)") {
-            saveTable(scene, graph.title, CsvDraft.of(scene.view, scene.range.now.takeIf { scene.range.isZoomed }, graph.series))
+        val table = MenuEntry("$title as a table (CSV)") {
+            saveTable(scene, title, CsvDraft.of(scene.view, scene.range.now.takeIf { scene.range.isZoomed }, graph.series))
         }
-        val entries = imageEntries(scene, graph.title) { listOf(::drawOn) } + table
+        val entries = imageEntries(scene, title) { listOf(::drawOn) } + table
         openMenu(saveButton, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
 
@@ -336,9 +345,3 @@ internal class GraphCard(
 
 /** The unit beside its title; empty if its lines have several units, which the legend then shows for each line. */
 internal val Graph.titleUnit: String get() = if (series.all { it.unit == unit }) unitText(unit) else ""
-
-/** Returns the full name, and what else the file says about the topic. */
-private fun hintOf(graph: Graph): String {
-    val topic = graph.series[0].topic
-    return listOf(graph.name, topic.type, topic.metadata).filter { it.isNotEmpty() }.joinToString("\n")
-}

@@ -86,3 +86,9 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
 
 /** Returns the names of the lines of [graph] in a legend. */
 internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })
+
+/** Returns the full name, and what else the file says about the topic. */
+internal fun hintOf(graph: Graph): String {
+    val topic = graph.series[0].topic
+    return listOf(graph.name, topic.type, topic.metadata).filter { it.isNotEmpty() }.joinToString("\n")
+}
