@@ -99,7 +99,8 @@ internal class GraphCard(
         setAttribute("data-name", graph.name)
         setAttribute("data-kind", if (graph.showsStates) "states" else "lines")
         add("header", "graph-head") {
-            heading = add("h3", "graph-title", title).apply { this.title = hintOf(graph) }
+            heading = add("h3", "graph-title", graph.title)
+            heading.title = hintOf(graph)
             graph.titleUnit.let { if (it.isNotEmpty()) add("bdi", "unit graph-unit", it) }
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(xy?.legend ?: legend.element)

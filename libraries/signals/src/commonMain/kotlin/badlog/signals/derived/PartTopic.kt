@@ -62,7 +62,10 @@ private fun partTopicOf(signal: Signal, vocabulary: SignalVocabulary): PartTopic
 private fun quantityOf(words: List<String>, unit: String, kind: SignalKind): Quantity {
     if (kind == SignalKind.CONDITION) return if (words.any { it in SWITCHES }) Quantity.SWITCH else Quantity.NONE
     val own = words.lastOrNull { it in QUANTITY_WORDS }
+    // A bag writes truth values as 1 and 0.
+    val isSwitch = "switch" in words && unit.isEmpty() && words.none { it in OTHER && it != "limit" }
     return when {
+        isSwitch -> Quantity.SWITCH
         words.any { it in OTHER } -> Quantity.NONE
         unit in AMPERES || own in CURRENTS -> if ("supply" in words || "input" in words) Quantity.SUPPLY_CURRENT else Quantity.CURRENT
         unit == "V" || own in VOLTAGES -> Quantity.VOLTAGE
