@@ -56,7 +56,9 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
         val moving = speeds[one].indices.filter { minOf(sizes[one][it] / tops[one], sizes[other][it] / tops[other]) > MOVING }
         val against = moving.count { speeds[one][it] * speeds[other][it] < 0 }
         val back = moving.count { speeds[one][it] < 0 }
-        return minOf(against, moving.size - against, back, moving.size - back) > TURNS * moving.size
+        // A driver who hardly turns on the spot drives back and forth.
+        val turns = if (minOf(back, moving.size - back) > OFTEN * moving.size) RARE_TURNS else TURNS
+        return minOf(against, moving.size - against, back, moving.size - back) > turns * moving.size
     }
 
     private companion object {
@@ -65,6 +67,8 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
         const val ALIKE = 0.6
         const val MOVING = 0.04
         const val TURNS = 0.004
+        const val RARE_TURNS = 0.001
+        const val OFTEN = 0.2
     }
 }
 

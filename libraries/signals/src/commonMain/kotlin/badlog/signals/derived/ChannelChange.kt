@@ -22,7 +22,9 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
     return currents.indices.map { index ->
         val own = ratios[index] ?: return@map null
         val others = ratios.filterKeys { it != index }.values.sorted()
-        if (others.last() > ALIKE_CHANNELS * others.first()) null else own / others[others.size / 2]
+        val spread = others.last() / others.first()
+        // The less alike the others are, the more it takes to be unlike them.
+        if (spread > MOST_SPREAD) null else own / if (spread > ALIKE_CHANNELS) others.first() else others[others.size / 2]
     }
 }
 
@@ -36,7 +38,7 @@ private fun equalsAmong(currents: List<DoubleArray>, means: List<Double>, at: Li
     }
     return alike.values.firstOrNull { group ->
         val sizes = group.map { means[it] }
-        group.size == EQUALS && group.all { alike[it] == group } && sizes.max() <= ALIKE_CHANNELS * sizes.min()
+        group.size == EQUALS && group.all { alike[it] == group } && sizes.max() <= MOST_SPREAD * sizes.min()
     }
 }
 
@@ -68,3 +70,4 @@ private const val LATE = 0.6
 private const val LEAST_MEAN = 1.0
 private const val LEAST_CORRELATION = 0.5
 private const val ALIKE_CHANNELS = 1.3
+private const val MOST_SPREAD = 1.5

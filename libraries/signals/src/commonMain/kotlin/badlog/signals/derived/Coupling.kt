@@ -21,16 +21,18 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 
 /**
  * Returns whether [moved] stands exactly still at [times] although [turned] has moved by more than a twentieth of its range since it last
- * changed while the robot is enabled: 1 or 0.
+ * changed while the robot is enabled: 1 or 0. Two devices report at different times, so what [turned] does just after that does not count.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)
     var low = Double.NaN
     var high = Double.NaN
+    var since = 0
     return Series(
         times,
         DoubleArray(times.size) { i ->
-            if (i == 0 || moved[i] != moved[i - 1] || low.isNaN()) {
+            if (i > 0 && moved[i] != moved[i - 1]) since = i
+            if (times[i] - times[since] < LATE_SECONDS || low.isNaN()) {
                 low = turned[i]
                 high = turned[i]
             }
@@ -102,3 +104,4 @@ private const val FROZEN_SHARE = 0.05
 private const val STEP_SHARE = 0.05
 private const val FIRST_STEPS = 60
 private const val LEAST_STEPS = 15
+private const val LATE_SECONDS = 0.05

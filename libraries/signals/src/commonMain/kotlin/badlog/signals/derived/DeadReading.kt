@@ -8,10 +8,10 @@ import kotlin.math.abs
  * without a cable reads like that.
  */
 fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArray): Series {
-    val range = quantile(measured, 0.95) - quantile(measured, 0.05)
+    val range = rangeOf(measured)
     fun step(at: Int) = abs(measured[at] - measured[at - 1])
     val speeds = DoubleArray(times.size) { i -> if (i == 0 || times[i] == times[i - 1]) 0.0 else step(i) / (times[i] - times[i - 1]) }
-    val usual = quantile(DoubleArray(times.size) { if (speeds[it] > 0) speeds[it] else Double.NaN }, 0.9)
+    val usual = quantile(DoubleArray(times.size) { if (speeds[it] > 0) speeds[it] else Double.NaN }, 0.98)
     var isDead = false
     return Series(
         times,

@@ -115,27 +115,33 @@ class Following(
     }
 
     /**
-     * Returns the median size of the swings between two samples in percent of the target, if they go to both sides of the target in turn;
-     * otherwise NaN. A wheel that loses speed with each shot is below its target only.
+     * Returns the median size of the swings between two samples in percent of the target, if they go to both sides of the target in turn,
+     * and about as far; otherwise NaN. A wheel that loses speed with each shot is far below its target, and hardly above.
      */
     private fun turnsIn(from: Int, to: Int): Double {
         val wanted = target[to]
         val least = LEAST_SWING / 2 * abs(wanted)
         val sizes = ArrayList<Double>()
+        val sums = doubleArrayOf(0.0, 0.0)
         var side = 0.0
         var extreme = 0.0
         for (i in from..to) {
             val off = measured[i] - wanted
             if (abs(off) < least) continue
             if (sign(off) != side) {
-                if (side != 0.0) sizes += abs(extreme)
+                if (side != 0.0) {
+                    sizes += abs(extreme)
+                    sums[if (side > 0) 1 else 0] += abs(extreme)
+                }
                 side = sign(off)
                 extreme = off
             } else if (abs(off) > abs(extreme)) {
                 extreme = off
             }
         }
-        return if (sizes.size < LEAST_TURNS) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / abs(wanted)
+        // Sides take turns, so their sums compare their sizes.
+        val isEven = sums.min() > LEAST_EVEN * sums.max()
+        return if (sizes.size < LEAST_TURNS || !isEven) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / abs(wanted)
     }
 
     private fun endOfStretch(from: Int): Int {
@@ -174,5 +180,6 @@ class Following(
         const val SWING_SECONDS = 2.0
         const val LEAST_SWING = 0.012
         const val LEAST_TURNS = 3
+        const val LEAST_EVEN = 0.4
     }
 }

@@ -1,10 +1,12 @@
 package badlog.signals.derived
 
 import badlog.core.analysis.Series
-import kotlin.math.sqrt
+import kotlin.math.abs
+import kotlin.math.hypot
 
 /**
- * Returns how far from the robot's place just before the camera's places are, in m, at the time of each of them.
+ * Returns how far from the robot's place just before the camera's places are, in m, at the time of each of them; less if the place before
+ * or after is off alike: then it is the robot's own estimate that was wrong, as it is after its wheels slipped.
  *
  * @param seen x and y of what the camera saw; a new picture has a new time in either.
  * @param driven x and y of where the robot believed to be.
@@ -17,7 +19,20 @@ fun sightError(seen: Pair<Series, Series>, driven: Pair<Series, Series>): Series
     val before = DoubleArray(times.size) { times[it] - BEFORE_SECONDS }
     val ownX = driven.first.heldAt(before)
     val ownY = driven.second.heldAt(before)
-    return Series(times, DoubleArray(times.size) { i -> sqrt((x[i] - ownX[i]).let { it * it } + (y[i] - ownY[i]).let { it * it }) })
+    val offX = DoubleArray(times.size) { x[it] - ownX[it] }
+    val offY = DoubleArray(times.size) { y[it] - ownY[it] }
+    fun unlike(at: Int, step: Int): Double {
+        var other = at
+        // The same picture may be logged again, and nothing between pictures.
+        while (other in times.indices && (x[other].isNaN() || (x[other] == x[at] && y[other] == y[at]))) other += step
+        val isNear = other in times.indices && abs(times[other] - times[at]) < NEAR_SECONDS
+        return if (isNear) hypot(offX[at] - offX[other], offY[at] - offY[other]) else Double.POSITIVE_INFINITY
+    }
+    return Series(
+        times,
+        DoubleArray(times.size) { i -> if (x[i].isNaN()) Double.NaN else minOf(hypot(offX[i], offY[i]), unlike(i, -1), unlike(i, 1)) },
+    )
 }
 
 private const val BEFORE_SECONDS = 0.005
+private const val NEAR_SECONDS = 0.5

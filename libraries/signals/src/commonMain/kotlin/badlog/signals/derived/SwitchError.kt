@@ -5,8 +5,8 @@ import kotlin.math.abs
 
 /**
  * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
- * the switch stays [pressed], or how far it jumps at the moment at which the switch closes, which code does that takes this for the
- * end of the way. 0 while nothing contradicts. [times] are those of both arrays.
+ * the switch stays [pressed], or how much farther it jumps than it moved before at the moment at which the switch closes, which code does
+ * that takes this for the end of the way. 0 while nothing contradicts. [times] are those of both arrays.
  */
 fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)
@@ -20,8 +20,10 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray,
             low = here
             high = here
             var jump = 0.0
-            for (k in maxOf(1, i - 1)..minOf(i + 2, times.lastIndex)) {
-                if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1]))
+            val first = maxOf(1, i - 1)
+            val moved = if (first > 1) position[first - 1] - position[first - 2] else 0.0
+            for (k in first..minOf(i + 2, times.lastIndex)) {
+                if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1] - moved))
             }
             if (jump > JUMP_SHARE * range) errors[i] = 100 * jump / range
         }

@@ -26,6 +26,11 @@ class BusRolesSpec : FunSpec({
         found.mechanisms shouldContainExactly listOf(4)
     }
 
+    test("sides that hardly turn against each other are those of a drive if they go to and fro") {
+        fun rare(sign: Int) = times.of { 50 * swing(it) + sign * if (it in 20.0..20.1) 60.0 else 0.0 }
+        roles(listOf(rare(1), rare(1), rare(-1), rare(-1), roller)).drive shouldContainExactly listOf(0, 2)
+    }
+
     test("rollers that run alike are no drive, and without a drive nothing is known of mechanisms") {
         val other = times.of { if (it % 9 < 4) 82 + swing(it) else 0.0 }
         val found = roles(listOf(roller, roller, other, other))
