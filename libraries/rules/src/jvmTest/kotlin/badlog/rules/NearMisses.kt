@@ -23,7 +23,12 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
     "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0.6" } },
-    "Too much at once" to { within(20.0..22.0, CHANNEL) { "80" } },
+    // Its other faults are none of breakers, and one breaker was open all along.
+    "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 16.0 else 16.0 + (1 shl 25) } },
+    // No motor takes more than its breaker stands.
+    "Too much at once" to {
+        for (i in 0..5) number("/PowerDistribution/ChannelCurrent[$i]") { if (it in 20.0..22.0) 41.0 else 3.0 }
+    },
     "Main breaker" to { within(20.0..21.9, CHANNEL) { "250" } },
     "High total current" to { within(20.0..24.8, CHANNEL) { "190" } },
     "Heavy load" to { within(20.0..20.4, CHANNEL) { "210" } },
@@ -72,6 +77,8 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.95 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.2" }
     },
+    // What it lifts pulls it down, too.
+    "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3900 + TestMatch.wave(it) } },
     "Motor jammed" to {
@@ -100,7 +107,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         number("Vision/Robot/translation/y") { 3 + TestMatch.wave(it / 7) }
     },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { (0.95 * TestMatch.position(it)).toString() } },
-    "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (5.2 + TestMatch.wave(it / 10)).toString() } },
+    "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (5.45 + TestMatch.wave(it / 10)).toString() } },
     "Left the plan" to { from(10.0, "Odometry/TrajectorySetpoint/translation/x") { (5.3 + TestMatch.wave(it / 10)).toString() } },
     "Gyro drifts" to {
         flag("/DriverStation/Enabled") { it in 15.0..38.0 }

@@ -19,6 +19,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
     "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0" } },
+    "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 16.0 } },
     "Too much at once" to { from(20.0, CHANNEL) { if (it < 22) "250" else "3" } },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },
     "High total current" to { from(20.0, CHANNEL) { if (it < 25.5) "190" else "3" } },
@@ -66,6 +67,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.2" }
     },
+    "Moves harder" to { lift(load = 3.0) { if (it < 15) 4.0 else 12.0 } },
     "Speed oscillates" to { shooter { 4000 + 200 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3500 + TestMatch.wave(it) } },
     "Motor jammed" to {
@@ -181,6 +183,12 @@ internal fun TestMatch.arm(angle: (Double) -> Double) {
 internal fun TestMatch.shooter(rpm: (Double) -> Double) {
     number("Shooter/Setpoint RPM") { 4000.0 }
     number("Shooter/Velocity RPM", at = rpm)
+}
+
+/** A lift that goes up and down, whose motor also carries a [load] from 15 s on, and overcomes a [friction], in A. */
+internal fun TestMatch.lift(load: Double, friction: (Double) -> Double) {
+    for (name in listOf("Lift/Setpoint", "Lift/Height")) number(name) { 0.5 + 0.4 * TestMatch.wave(it) }
+    number("Lift/Current Amps") { (if (it < 15) 3.0 else load) - 5 * TestMatch.wave(it) + friction(it) * sign(TestMatch.wave(it + 0.75)) }
 }
 
 /** Four modules with targets that they follow, but for what [angle] and [speed] make of them. */

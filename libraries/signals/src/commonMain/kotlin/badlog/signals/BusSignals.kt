@@ -11,15 +11,21 @@ import badlog.signals.derived.correlation
 import badlog.signals.derived.coupledMotor
 import badlog.signals.derived.couplingError
 import badlog.signals.derived.currentShares
+import badlog.signals.derived.frictionRise
 import badlog.signals.derived.frozenWhileTurning
+import badlog.signals.derived.fullCurrentOf
+import badlog.signals.derived.hasDirection
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.heldSpeeds
+import badlog.signals.derived.largestOf
 import badlog.signals.derived.longPressed
 import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
+import badlog.signals.derived.slipOfSides
 import badlog.signals.derived.stall
+import badlog.signals.derived.suppliedCurrent
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
@@ -51,12 +57,35 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         }
     }
 
-    /** Returns the current that [motor] takes from the battery: that of its windings, as far as its output is on. */
+    /** The current from the battery of the motor that takes most, at each time; null if no motor says what it takes. */
+    val largestCurrent: DerivedSignal? = motors.filter { BusSignal.SUPPLY_CURRENT in it || BusSignal.OUTPUT in it }.let { known ->
+        val topics = known.map { checkNotNull(it.topic(BusSignal.SUPPLY_CURRENT) ?: it.topic(BusSignal.CURRENT)) }
+        if (known.isEmpty()) return@let null
+        DerivedSignal("largest current", "A", "", topics) { samples ->
+            val motion = samples.motion()
+            Series(motion.times, largestOf(known.map { suppliedTo(it, motion) }))
+        }
+    }
+
+    /** Returns the current that [motor] takes from the battery: that of its windings, as far as its output is on; negative while it brakes. */
     private fun suppliedTo(motor: BusDevice, motion: BusMotion): DoubleArray {
         if (BusSignal.SUPPLY_CURRENT in motor) return motion.valuesOf(motor, BusSignal.SUPPLY_CURRENT)
-        val current = motion.valuesOf(motor, BusSignal.CURRENT)
-        val output = motion.valuesOf(motor, BusSignal.OUTPUT)
-        return DoubleArray(current.size) { abs(current[it] * output[it]) }
+        return suppliedCurrent(
+            motion.valuesOf(motor, BusSignal.CURRENT),
+            motion.valuesOf(motor, BusSignal.OUTPUT),
+            motion.valuesOf(motor, BusSignal.VELOCITY),
+        )
+    }
+
+    /** Returns how the wheels of a tank drive slip by the [acceleration] that [topics] have; null for too few motors. */
+    fun wheelSlip(topics: List<String>, acceleration: (NamedSamples) -> Series): DerivedSignal? {
+        if (motors.size < LEAST_MOTORS || modules.isNotEmpty()) return null
+        return DerivedSignal("wheel slip", "m/s²", "", motors.mapNotNull { it.topic(BusSignal.VELOCITY) } + topics) { samples ->
+            val motion = samples.motion()
+            val speeds = motion.drive.map { motion.valuesOf(it, BusSignal.VELOCITY) }
+            if (speeds.size != 2) return@DerivedSignal NOTHING
+            slipOfSides(motion.times, speeds, acceleration(samples).heldAt(motion.times), isInMeters = false)
+        }
     }
 
     /** Returns the drive motors in the order of the modules; null if it is not known which is of which. */
@@ -87,10 +116,24 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         jam(motor),
         swing(motor).takeIf { BusSignal.OUTPUT in motor && BusSignal.REFERENCE !in motor },
         switch(motor),
+        frictionOfMechanism(motor),
     ) + following(motor)
 
     private fun derived(name: String, unit: String, device: BusDevice, vararg shown: BusSignal, calculated: (BusMotion) -> Series) =
         DerivedSignal(name, unit, device.label, shown.mapNotNull(device::topic)) { calculated(it.motion()) }
+
+    private fun frictionOfMechanism(motor: BusDevice): DerivedSignal? {
+        val position = motor.topic(BusSignal.POSITION) ?: return null
+        val topics = listOfNotNull(motor.topic(BusSignal.CURRENT), motor.topic(BusSignal.OUTPUT), position, motor.topic(BusSignal.VELOCITY))
+        return DerivedSignal("friction rise", "", motor.label, topics) { samples ->
+            val motion = samples.motion()
+            // Of motors on one shaft, one stands for all.
+            if (!motion.isOfMechanism(motor)) return@DerivedSignal NOTHING
+            val current = motion.valuesOf(motor, BusSignal.CURRENT)
+            val effort = if (hasDirection(current)) current else motor.topic(BusSignal.OUTPUT)?.let(motion::valuesOf)
+            once(motion.times, effort?.let { frictionRise(motion.times, motion.valuesOf(position), it, motion.isEnabled) })
+        }
+    }
 
     private fun speedShare(motor: BusDevice) = DerivedSignal(
         "module speed share",
@@ -113,8 +156,18 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
 
     private fun friction(motor: BusDevice) =
         derived("side friction", "", motor, BusSignal.CURRENT, BusSignal.VELOCITY, BusSignal.SUPPLY_CURRENT) { motion ->
-            val sides = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }?.map { side ->
-                Side(motion.valuesOf(side, BusSignal.OUTPUT), motion.valuesOf(side, BusSignal.VELOCITY))
+            val drive = motion.drive.takeIf { it.size == 2 && motor in it }?.sortedBy { it !== motor }
+            val currents = drive?.map { motion.valuesOf(it, BusSignal.CURRENT) }?.takeIf { it.all(::hasDirection) }
+            val full = currents?.let(::fullCurrentOf)
+            val sides = drive?.mapIndexed { at, side ->
+                val output = if (currents != null &&
+                    full != null
+                ) {
+                    scaled(currents[at], 1 / full)
+                } else {
+                    motion.valuesOf(side, BusSignal.OUTPUT)
+                }
+                Side(output, motion.valuesOf(side, BusSignal.VELOCITY))
             }
             once(motion.times, sides?.let { (one, other) -> sideFriction(motion.times, one, other) })
         }

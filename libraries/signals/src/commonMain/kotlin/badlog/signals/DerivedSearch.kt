@@ -7,8 +7,10 @@ import badlog.signals.derived.airLoss
 import badlog.signals.derived.channelChanges
 import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
+import badlog.signals.derived.largestOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
+import badlog.signals.derived.slipOfSides
 import badlog.signals.derived.timesOf
 import badlog.signals.derived.unexplainedDrop
 import badlog.signals.derived.wheelSlip
@@ -27,6 +29,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
     "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
+    "largest current" to true, "friction rise" to false,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
@@ -40,8 +43,12 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private val bus = BusSignals(robot.devices, modules)
 
     val signals: List<DerivedSignal> =
-        listOfNotNull(totalCurrent(), voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
-            MechanismSignals(robot).signals + ModuleSignals(robot, bus).signals + channels() + headings() + sideSignals(robot) + bus.signals
+        listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
+            MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + ModuleSignals(robot, bus).signals +
+            channels() +
+            headings() +
+            sideSignals(robot) +
+            bus.signals
 
     private fun named(signal: String): NamedSignal? {
         val topics = found.of(signal).ifEmpty { found.summandsOf(signal) }
@@ -52,6 +59,16 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun totalCurrent(): DerivedSignal? {
         val battery = named("battery") ?: return null
         return if (named(TOTAL_CURRENT) == null) bus.totalCurrent { it.of(battery) } else null
+    }
+
+    /** The current of the channel or the motor that takes most, at each time. */
+    private fun largestCurrent(): DerivedSignal? {
+        val topics = found.of("channel current").map { it.topic }.ifEmpty { return bus.largestCurrent }
+        return DerivedSignal("largest current", "A", "", topics) { samples ->
+            val series = topics.map(samples::raw)
+            val times = timesOf(series)
+            Series(times, largestOf(series.map { it.heldAt(times) }))
+        }
     }
 
     private fun voltageLost(): DerivedSignal? {
@@ -98,12 +115,9 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
 
     private fun wheelSlip(): DerivedSignal? {
         val measured = named("acceleration") ?: return null
-        val isTank = modules.isEmpty()
-        val sides = robot.sides.filter { it.quantity == Quantity.VELOCITY }
-        if (isTank && sides.size != 2) return null
-        if (isTank && sides.any { it.unit != "m/s" && it.unit.isNotEmpty() }) return null
+        if (modules.isEmpty()) return slipOfSides(measured)
         val heading = found.of("gyro angle").firstOrNull()?.let { NamedSignal.of("gyro angle", listOf(it)) }
-        val topics = if (isTank) sides.map { it.signal.name } else modules.map { it.speed }
+        val topics = modules.map { it.speed }
         return DerivedSignal("wheel slip", "m/s²", "", topics + measured.topics) { samples ->
             val speeds = topics.map(samples::raw)
             val times = timesOf(speeds)
@@ -111,14 +125,27 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             val left = DoubleArray(times.size)
             for ((k, speed) in speeds.withIndex()) {
                 val own = speed.heldAt(times)
-                val angle = if (isTank) null else scaled(samples.raw(modules[k].angle).heldAt(times), modules[k].radians)
+                val angle = scaled(samples.raw(modules[k].angle).heldAt(times), modules[k].radians)
                 for (i in times.indices) {
-                    forward[i] += own[i] * (angle?.let { cos(it[i]) } ?: 1.0) / speeds.size
-                    left[i] += own[i] * (angle?.let { sin(it[i]) } ?: 0.0) / speeds.size
+                    forward[i] += own[i] * cos(angle[i]) / speeds.size
+                    left[i] += own[i] * sin(angle[i]) / speeds.size
                 }
             }
             val turned = heading?.let { scaled(samples.of(it).heldAt(times), PI / 180) } ?: DoubleArray(times.size)
             wheelSlip(times, forward, left, turned, samples.of(measured).heldAt(times))
+        }
+    }
+
+    /** The slip of a tank drive, whose speeds may be those of wheels or motors in any unit. */
+    private fun slipOfSides(measured: NamedSignal): DerivedSignal? {
+        val sides = robot.sides.filter { it.quantity == Quantity.VELOCITY }
+        if (sides.size != 2) return bus.wheelSlip(measured.topics) { it.of(measured) }
+        val isInMeters = sides.all { it.unit == "m/s" || it.unit.isEmpty() }
+        val topics = sides.map { it.signal.name }
+        return DerivedSignal("wheel slip", "m/s²", "", topics + measured.topics) { samples ->
+            val speeds = topics.map(samples::raw)
+            val times = timesOf(speeds)
+            slipOfSides(times, speeds.map { it.heldAt(times) }, samples.of(measured).heldAt(times), isInMeters)
         }
     }
 

@@ -6,15 +6,18 @@ import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
 import badlog.signals.derived.couplingError
 import badlog.signals.derived.deadReading
+import badlog.signals.derived.frictionRise
 import badlog.signals.derived.frozenWhileTurning
+import badlog.signals.derived.hasDirection
 import badlog.signals.derived.heldAt
+import badlog.signals.derived.limitedStall
 import badlog.signals.derived.stall
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
 
 /** What can be calculated of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
-internal class MechanismSignals(private val robot: RobotParts) {
+internal class MechanismSignals(private val robot: RobotParts, private val battery: ((NamedSamples) -> Series)?) {
     private val byPart get() = robot.byPart
 
     val signals: List<DerivedSignal> get() = following() + byPart.values.flatMap(::ofPart)
@@ -37,7 +40,29 @@ internal class MechanismSignals(private val robot: RobotParts) {
             deadReading(own.x, own.y, samples.enabledAt(own.x))
         }
         return placeSignals(target.label, topics, ::following) +
-            listOfNotNull(dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null }, effortOf(target, topics, ::following))
+            listOfNotNull(
+                dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null },
+                effortOf(target, topics, ::following),
+                friction(target.part, measured),
+            )
+    }
+
+    /** By how much the friction of a part rose: by its motor's current if that has a direction, otherwise by the voltage that it gets. */
+    private fun friction(part: List<String>, measured: PartTopic): DerivedSignal? {
+        val current = beside(part, Quantity.CURRENT).firstOrNull()
+        val output = beside(part, Quantity.VOLTAGE, Quantity.OUTPUT).sortedBy { it.quantity }.firstOrNull()
+        val shown = listOf(measured) + listOfNotNull(current, output).ifEmpty { return null }
+        return DerivedSignal("friction rise", "", measured.label, shown.map { it.signal.name }) { samples ->
+            val amperes = current?.let { samples.raw(it.signal.name) }?.takeIf { hasDirection(it.y) }
+            val effort = amperes ?: output?.let { samples.raw(it.signal.name) } ?: return@DerivedSignal once(DoubleArray(0), null)
+            val place = samples.raw(measured.signal.name)
+            val times = timesOf(listOf(place, effort))
+            val own = effort.heldAt(times)
+            if (amperes == null && output?.quantity == Quantity.OUTPUT) {
+                battery?.invoke(samples)?.heldAt(times)?.let { volts -> for (i in own.indices) own[i] *= volts[i] }
+            }
+            once(times, frictionRise(times, place.heldAt(times), own, samples.enabledAt(times)))
+        }
     }
 
     /** The output of a part while it stays away from its target. */
@@ -73,7 +98,11 @@ internal class MechanismSignals(private val robot: RobotParts) {
             val both = listOf(samples.raw(speed.signal.name), samples.raw(drive.signal.name))
             val times = timesOf(both)
             val drives = both[1].heldAt(times)
-            stall(times, both[0].heldAt(times), drives, leastDrive(drive, drives))
+            val speeds = both[0].heldAt(times)
+            val stalled = stall(times, speeds, drives, leastDrive(drive, drives))
+            if (drive.quantity == Quantity.CURRENT) return@DerivedSignal stalled
+            val limited = limitedStall(times, speeds, drives, if (drive.quantity == Quantity.VOLTAGE) 12.0 else fullOf(both[1]))
+            Series(times, DoubleArray(times.size) { maxOf(stalled.y[it], limited.y[it]) })
         }
     }
 

@@ -6,6 +6,7 @@ import badlog.signals.derived.Quantity
 import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.currentShares
 import badlog.signals.derived.heldAt
+import badlog.signals.derived.isSeldom
 import badlog.signals.derived.moduleAngleError
 import badlog.signals.derived.moduleAngleLags
 import badlog.signals.derived.moduleSpeedShares
@@ -30,7 +31,11 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         val speeds: List<DoubleArray>,
         val isEnabled: BooleanArray,
     ) {
-        val lags by lazy { moduleAngleLags(times, angles, targets, speeds, isEnabled) }
+        /** How far behind each module is, as far as that can be told: where angles come seldom, they are behind anyway. */
+        val lags: List<Double?>? by lazy {
+            val least = if (isSeldom(times, angles)) SELDOM_BEHIND else 0.0
+            moduleAngleLags(times, angles, targets, speeds, isEnabled)?.map { lag -> lag?.takeIf { it > least } }
+        }
     }
 
     /** The topics of the drive motor of a module besides those of [SwerveModule]. */
@@ -95,6 +100,9 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     private companion object {
         /** How many times as far behind as the others a module is that does not follow. */
         const val BEHIND = 1.15
+
+        /** The same where angles come seldom. */
+        const val SELDOM_BEHIND = 1.5
         val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
     }
 }

@@ -5,8 +5,8 @@ import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
 import badlog.signals.derived.Side
 import badlog.signals.derived.frozenWhileTurning
+import badlog.signals.derived.fullCurrentOf
 import badlog.signals.derived.heldAt
-import badlog.signals.derived.quantile
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
 import badlog.signals.derived.timesOf
@@ -55,11 +55,8 @@ private fun frictions(drive: List<PartTopic>): List<DerivedSignal> {
             val all = topics.map(samples::raw)
             val times = timesOf(all)
             val full = when (outputs[at].quantity) {
-                // At its limit, a current takes about a quarter of the output.
-                Quantity.CURRENT -> 4 * maxOf(amperesOf(all[0]), amperesOf(all[2]))
-
+                Quantity.CURRENT -> fullCurrentOf(listOf(all[0].y, all[2].y))
                 Quantity.VOLTAGE -> 12.0
-
                 else -> fullOf(all[0])
             }
             fun side(output: Int) = Side(scaled(all[output].heldAt(times), 1 / full), all[output + 1].heldAt(times))
@@ -67,6 +64,3 @@ private fun frictions(drive: List<PartTopic>): List<DerivedSignal> {
         }
     }
 }
-
-/** The current that a motor gets at most, but for moments. */
-private fun amperesOf(current: Series) = quantile(DoubleArray(current.size) { abs(current.y[it]) }, 0.99).coerceAtLeast(1.0)

@@ -20,6 +20,10 @@ fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: Bo
     }
 }
 
+/** Returns the largest of [currents] at each time, as far as they are known. */
+internal fun largestOf(currents: List<DoubleArray>): DoubleArray =
+    DoubleArray(currents[0].size) { i -> currents.maxOf { if (it[i].isFinite()) it[i] else 0.0 } }
+
 private const val ALIKE = 1.2
 private const val LEAST_SAMPLES = 500
 private const val LEAST_AMPERES = 2.0

@@ -20,6 +20,12 @@ fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
 /** Output (-1 to 1) and speed of a side of a tank drive. */
 class Side(val output: DoubleArray, val speed: DoubleArray)
 
+/** Returns the current that is to full output what [currents] are to the outputs of their motors: at its limit, one takes about a quarter. */
+internal fun fullCurrentOf(currents: List<DoubleArray>): Double = 4 * currents.maxOf { own ->
+    // But for moments.
+    quantile(DoubleArray(own.size) { abs(own[it]) }, 0.99).coerceAtLeast(1.0)
+}
+
 /** Returns the output that friction takes: the constant part of output over speed and acceleration, in the direction of the speed. */
 private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray): Double? {
     val top = quantile(DoubleArray(times.size) { abs(side.speed[it]) }, 0.98)

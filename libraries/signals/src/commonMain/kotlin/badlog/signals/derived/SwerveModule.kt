@@ -108,6 +108,12 @@ fun moduleAngleError(
     )
 }
 
+/** Returns whether the [angles] of modules change more seldom than in each second loop while they turn. */
+internal fun isSeldom(times: DoubleArray, angles: List<DoubleArray>): Boolean {
+    val turning = (1 until times.size).filter { i -> angles.any { it[i] != it[i - 1] } }
+    return quantile(DoubleArray(maxOf(0, turning.size - 1)) { times[turning[it + 1]] - times[turning[it]] }, 0.5) > SELDOM_CHANGES
+}
+
 /** Returns the size of an angle of [radians] modulo a half turn, in degrees, 0 to 90. */
 internal fun halfTurnError(radians: Double): Double = abs(radians - PI * round(radians / PI)) * 180 / PI
 
@@ -120,6 +126,7 @@ private val CORNERS = setOf("front", "back", "rear", "left", "right")
 
 /** In s. */
 private const val SELDOM = 0.05
+private const val SELDOM_CHANGES = 0.04
 
 /** In m/s. */
 private const val MOVING = 0.3

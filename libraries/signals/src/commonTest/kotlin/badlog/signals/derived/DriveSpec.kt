@@ -44,6 +44,11 @@ class DriveSpec : FunSpec({
         moduleAngleLags(times, targets, targets, List(4) { times.of { 0.0 } }, times.always()) shouldBe null
     }
 
+    test("angles come seldom if they change in each fifth loop only") {
+        isSeldom(times, listOf(times.of { swing(it) })) shouldBe false
+        isSeldom(times, listOf(times.of { swing((it * 10).toInt() / 10.0) })) shouldBe true
+    }
+
     test("a wheel that turns slower than the others in straight driving has less than its share") {
         val angles = List(4) { times.of { 0.3 } }
         val shares = moduleSpeedShares(List(4) { at -> times.of { if (at == 1) 1.9 else 2.0 } }, angles)
@@ -95,6 +100,22 @@ class DriveSpec : FunSpec({
         fun slip(felt: Double) = wheelSlip(times, speed, still, still, times.of { if (it % 4 < 1) felt else -1.0 }).most()
         slip(3.0) shouldBeLessThan 1.0
         slip(0.5) shouldBe (2.5 plusOrMinus 0.3)
+    }
+
+    test("speeds that come seldom tell nothing of slip") {
+        val speed = times.of { (it % 4).let { at -> if (at < 1) 3 * (at * 10).toInt() / 10.0 else maxOf(0.0, 4 - at) } }
+        val still = times.of { 0.0 }
+        wheelSlip(times.filterIndexed { i, _ -> i % 5 == 0 }.toDoubleArray(), DoubleArray(600) { speed[it * 5] }, still, still, still).size shouldBe 0
+    }
+
+    test("the slip of two sides is in m/s², whatever the unit of their speeds, and also if one is mounted the other way round") {
+        val speed = times.of { 2 * swing(it) + if (it % 8 < 0.3) 5 * (it % 8) else 0.0 }
+        val felt = times.of { 2 * 2 * PI / 4 * swing(it + 1) }
+        val meters = slipOfSides(times, listOf(speed, speed), felt, isInMeters = true).most()
+        meters shouldBe (5.0 plusOrMinus 0.5)
+        val turns = listOf(20.0, -20.0).map { DoubleArray(times.size) { i -> it * speed[i] } }
+        slipOfSides(times, turns, felt, isInMeters = false).most() shouldBe (meters plusOrMinus 0.5)
+        slipOfSides(times, List(2) { times.of { 0.0 } }, felt, isInMeters = false).size shouldBe 0
     }
 
     test("a voltage that its current explains is not lost; a dip without current is") {

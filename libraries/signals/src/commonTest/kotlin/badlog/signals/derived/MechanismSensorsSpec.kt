@@ -42,6 +42,12 @@ class MechanismSensorsSpec : FunSpec({
         }
     }
 
+    test("a motor whose position comes a little later than that of its sensor has no frozen sensor") {
+        // Both stop at 30 s, but the motor's position is 0.04 s old.
+        val late = times.of { 25 * swing(minOf(it - 0.04, 30.0), 0.7) }
+        frozenWhileTurning(times, late, times.of { swing(minOf(it, 30.0), 0.7) }, times.always()).most() shouldBe 0.0
+    }
+
     test("a reading that jumps to a value and keeps it is dead; one that moves there is not") {
         deadReading(times, times.of { if (it < 30.5) swing(it) else -3.0 }, times.always()).most() shouldBe 1.0
         deadReading(times, times.of { if (it < 31) swing(it) else -1.0 }, times.always()).most() shouldBe 0.0
@@ -65,6 +71,33 @@ class MechanismSensorsSpec : FunSpec({
             most(20.0, 22.0) shouldBe 1.0
         }
         stall(times, times.of { 0.0 }, driven, 12.0).most() shouldBe 0.0
+    }
+
+    test("a motor is blocked whose output breaks down as it stops; one that holds with a constant output is not, nor is one that hardly pushes") {
+        val speed = times.of { if (it in 20.0..22.0) 0.0 else 100.0 }
+        fun stalled(output: (Double) -> Double) = limitedStall(times, speed, times.of { if (it in 20.0..22.0) output(it) else 0.75 }, 1.0)
+        stalled { 0.1 + 0.002 * swing(it, 0.5) }.run {
+            most(to = 19.9) shouldBe 0.0
+            most(20.0, 22.0) shouldBe 1.0
+        }
+        stalled { 0.1 }.most() shouldBe 0.0
+        stalled { 0.02 + 0.002 * swing(it, 0.5) }.most() shouldBe 0.0
+    }
+
+    test("a position that is set where the switch closes jumps by what it does beyond how it moved") {
+        // It goes down by 0.1 in each sample, and is set to 0 from 0.25 at the switch.
+        val height = times.of { time ->
+            (time % 4 * 50).let {
+                if (it < 7.5) {
+                    0.95 - 0.1 * it
+                } else if (it < 150) {
+                    0.0
+                } else {
+                    0.95
+                }
+            }
+        }
+        switchError(times, height, times.of { if (it % 4 * 50 in 7.5..149.5) 1.0 else 0.0 }).most() shouldBe (15.0 / 0.95 plusOrMinus 1.0)
     }
 
     test("a heading that jumps is off by the jump; a full turn is none, nor is a fast turn") {
