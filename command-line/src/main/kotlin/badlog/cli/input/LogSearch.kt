@@ -1,8 +1,8 @@
 package badlog.cli.input
 
+import badlog.core.text.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
-import badlog.files.NaturalOrder
 import badlog.files.UnreadableFileException
 import badlog.files.reading
 import badlog.files.wholeLogs

@@ -1,8 +1,8 @@
 package badlog.window.export
 
-import badlog.catalog.Content
 import badlog.files.FolderScan
 import badlog.files.reading
+import badlog.viewer.catalog.Content
 import badlog.viewer.choices.board.Board
 import badlog.window.choice.FieldChoice
 import badlog.window.compare.ComparedRecordings

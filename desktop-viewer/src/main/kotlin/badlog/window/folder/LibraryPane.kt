@@ -35,6 +35,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.viewer.shown.folder.Listing
 import badlog.window.robot.RobotBar
 import badlog.window.robot.RobotLink
 import badlog.window.settings.SettingsStore
@@ -140,7 +141,7 @@ internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: M
 
 /** The number of listed logs. */
 @Composable
-internal fun LogCount(listing: Listing, modifier: Modifier = Modifier) {
+internal fun LogCount(listing: Listing<LogEntry>, modifier: Modifier = Modifier) {
     val all = when (listing.size) {
         0 -> "No logs"
         1 -> "1 log"

@@ -1,11 +1,9 @@
 package badlog.window.folder
 
-import badlog.catalog.Content
 import badlog.catalog.folder.LogEntry
-import badlog.core.recording.Severity
 import badlog.files.LogName
-import badlog.files.NaturalOrder
-import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.folder.Listing
+import badlog.viewer.shown.folder.LogColumn
 import java.nio.file.Path
 
 /**
@@ -22,7 +20,7 @@ import java.nio.file.Path
  */
 internal data class LibraryState(
     val folder: Path? = null,
-    val listing: Listing = Listing(),
+    val listing: Listing<LogEntry> = Listing(),
     val reading: ReadingProgress? = null,
     val passedOver: Int = 0,
     val hasLooked: Boolean = false,
@@ -53,7 +51,7 @@ internal data class LibraryState(
     /** Returns the state for another [folder], about which nothing is known yet, listed like this one. */
     fun opening(folder: Path): LibraryState = LibraryState(
         folder,
-        listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = folder),
+        listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"),
         searchesAsked = searchesAsked,
     )
 
@@ -86,62 +84,3 @@ internal data class LibraryState(
 
 /** [read] of [total] logs are read. */
 internal data class ReadingProgress(val read: Int, val total: Int)
-
-/**
- * Logs, and which of them are listed in which order.
- *
- * @property entries all logs.
- * @property column the column by which they are sorted.
- * @property isDescending whether the largest comes first; missing values always come last.
- * @property filter words that must all be found in a listed log, regardless of case.
- * @property hidesEmpty whether idle logs are hidden.
- * @property onlyErrors whether only logs are listed in which a rule found an error.
- * @property folder their folder, whose own name is not searched.
- */
-internal data class Listing(
-    val entries: List<LogEntry> = emptyList(),
-    val column: LogColumn = LogColumn.DATE,
-    val isDescending: Boolean = true,
-    val filter: String = "",
-    val hidesEmpty: Boolean = false,
-    val onlyErrors: Boolean = false,
-    val folder: Path? = null,
-) {
-    /** The listed logs, in order. */
-    val visible: List<LogEntry> by lazy {
-        val query = Query(filter)
-        entries
-            .filter { it.summary.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
-            .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
-            .sortedWith(order())
-    }
-
-    /** The number of logs, listed or not. */
-    val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
-
-    /** Sorted by [column]; the other way round when that is so already. */
-    fun sorted(column: LogColumn): Listing = if (column == this.column) {
-        copy(isDescending = !isDescending)
-    } else {
-        copy(column = column, isDescending = column.beginsDescending)
-    }
-
-    private fun isFound(entry: LogEntry, query: Query) = query.isEmpty || query.matches(searchText(entry, folder))
-
-    private fun order(): Comparator<LogEntry> {
-        val present = if (isDescending) column.order.reversed() else column.order
-        return compareBy<LogEntry> { !column.has(it) }
-            .then { a, b -> if (column.has(a)) present.compare(a, b) else 0 }
-            .thenByDescending { it.summary.date.second }
-            .thenByDescending { it.source.modified }
-            .thenBy(NaturalOrder) { it.fileName }
-            .thenBy { it.file }
-    }
-}
-
-private fun searchText(entry: LogEntry, folder: Path?): String = buildString {
-    for (fact in with(entry.summary.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
-    for (rule in entry.found?.rules.orEmpty()) append(rule.name).append('\n')
-    append(dateText(entry.summary.date)).append('\n').append(entry.summary.date.time).append('\n')
-    append(if (folder != null && entry.file.startsWith(folder)) folder.relativize(entry.file) else entry.file)
-}

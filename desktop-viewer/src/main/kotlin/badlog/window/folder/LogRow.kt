@@ -39,6 +39,12 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.viewer.shown.folder.BROWNOUT_NEAR
+import badlog.viewer.shown.folder.batteryText
+import badlog.viewer.shown.folder.durationText
+import badlog.viewer.shown.folder.problemSentence
+import badlog.viewer.shown.folder.problemText
+import badlog.viewer.text.dateText
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
@@ -78,7 +84,7 @@ internal fun LogRow(
                 AllianceMark(entry)
                 ProblemBadge(entry)
             }
-            Tip("${entry.file}\n${dateText(entry.summary.date)} ${entry.summary.date.source.saying}") {
+            Tip("${entry.file}\n${dateText(entry.summary.date.second)} ${entry.summary.date.source.saying}") {
                 Text(
                     rowFacts(entry, palette),
                     color = palette.muted,
@@ -109,7 +115,7 @@ private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = build
 }
 
 private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
-    append(dateText(entry.summary.date))
+    append(dateText(entry.summary.date.second))
     val saying = entry.summary.content.saying
     if (saying.isNotEmpty()) {
         append(" · $saying")

@@ -38,6 +38,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.catalog.folder.LogEntry
+import badlog.viewer.shown.folder.LogColumn
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.KeepInSight

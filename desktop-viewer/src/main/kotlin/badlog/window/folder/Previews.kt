@@ -7,10 +7,10 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.PointMode
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import badlog.catalog.PreviewLine
-import badlog.catalog.TopicSummary
 import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.Span
+import badlog.viewer.catalog.PreviewLine
+import badlog.viewer.catalog.TopicSummary
 
 /**
  * The topic that each of [entries] previews: the one called [name], or else its battery voltage. All are drawn to the same

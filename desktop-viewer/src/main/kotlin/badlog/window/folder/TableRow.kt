@@ -39,6 +39,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
+import badlog.viewer.shown.folder.LogColumn
+import badlog.viewer.shown.folder.foundLines
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette

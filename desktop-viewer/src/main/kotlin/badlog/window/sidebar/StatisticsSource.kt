@@ -4,17 +4,16 @@ import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.matchTitle
 import badlog.core.analysis.statisticsOf
 import badlog.core.recording.PathName
+import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
-import badlog.window.folder.time
+import badlog.viewer.text.isoText
 import badlog.window.log.OpenRecording
 import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
 import java.io.IOException
 import java.nio.file.Files
-import java.time.LocalDateTime
-import java.time.ZoneId
-import java.time.format.DateTimeFormatter
+import java.util.concurrent.TimeUnit
 
 /**
  * What the table of statistics is made from.
@@ -73,22 +72,20 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
 
 /** Returns when the file of [recording] was written last; empty when it is not there any more. */
 private fun dateOf(recording: OpenRecording): String = try {
-    sortableText(LocalDateTime.ofInstant(Files.getLastModifiedTime(recording.file).toInstant(), ZoneId.systemDefault()))
+    sortableText(localSecondOf(Files.getLastModifiedTime(recording.file).to(TimeUnit.SECONDS)))
 } catch (_: IOException) {
     ""
 }
 
-/** Returns [time] as text that sorts by time: `2024-03-16 10:41`. */
-internal fun sortableText(time: LocalDateTime): String = DATE.format(time)
-
-private val DATE = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
+/** Returns [second] of a clock on the wall, in s since 1970 on that clock, as text that sorts by time: `2024-03-16 10:41`. */
+private fun sortableText(second: Long): String = isoText(second).replace('T', ' ')
 
 /** Returns each of [logs], the newest first, with the statistics of all its topics that are known without reading it again. */
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
             label = with(log.summary.match) { matchTitle(event, type, number) } ?: log.fileName,
-            date = sortableText(log.summary.date.time),
+            date = sortableText(log.summary.date.second),
             path = log.file,
             statistics = log.summary.topics.associate { it.name to it.statistics },
             units = log.summary.topics.associate { it.name to it.unit },

@@ -1,6 +1,5 @@
 package badlog.window.folder
 
-import badlog.catalog.Content
 import badlog.catalog.folder.FolderStore
 import badlog.catalog.folder.IndexQueue
 import badlog.catalog.folder.bag
@@ -12,6 +11,7 @@ import badlog.core.recording.Severity
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.LogFile
 import badlog.files.UserFolders
+import badlog.viewer.catalog.Content
 import badlog.window.app.Viewer
 import badlog.window.layout.FolderLayouts
 import badlog.window.layout.Layout

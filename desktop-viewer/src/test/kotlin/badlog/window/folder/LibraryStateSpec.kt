@@ -1,22 +1,14 @@
 package badlog.window.folder
 
-import badlog.catalog.Content
 import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.entry
 import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.shown.folder.LogColumn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
-import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
-import io.kotest.property.Arb
-import io.kotest.property.arbitrary.arbitrary
-import io.kotest.property.arbitrary.enum
-import io.kotest.property.arbitrary.int
-import io.kotest.property.arbitrary.list
-import io.kotest.property.arbitrary.orNull
-import io.kotest.property.arbitrary.string
-import io.kotest.property.checkAll
 
 class LibraryStateSpec : FunSpec({
     fun names(state: LibraryState) = state.visible.map { it.fileName }
@@ -27,12 +19,6 @@ class LibraryStateSpec : FunSpec({
     val reboot = entry("reboot.bag", second = 400, content = Content.NO_SAMPLES)
     val foreign = entry("groceries.csv", content = Content.NO_LOG)
     val state = LibraryState().knowing(listOf(bench, match9, reboot, match10, foreign))
-
-    val anyEntry = arbitrary {
-        val number = Arb.int(1..99).orNull().bind()?.toString()
-        val name = Arb.string(1..8).bind().filter { it.isLetterOrDigit() }
-        entry("${name}x.bag", MatchOfLog(number = number), Arb.int(0..5).bind().toLong(), batteryMinimum = number?.toDouble())
-    }
 
     test("the newest stands at the top, and what is not a log does not stand there") {
         names(state) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
@@ -49,35 +35,6 @@ class LibraryStateSpec : FunSpec({
         LibraryState().knowing(listOf(table, match9, bench)).newest shouldBe match9
         LibraryState().knowing(listOf(table, reboot)).newest shouldBe reboot
         LibraryState().knowing(listOf(table, bench)).newest shouldBe table
-    }
-
-    test("match 9 comes before match 10, and what is not a match comes last either way round") {
-        val byNumber = state.sorted(LogColumn.NUMBER)
-        names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")
-        names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
-    }
-
-    test("sorting loses and adds nothing, and puts what is missing last") {
-        checkAll(Arb.list(anyEntry, 0..30), Arb.enum<LogColumn>(), Arb.int(1..2)) { entries, column, clicks ->
-            val distinct = entries.distinctBy { it.file }
-            val sorted = (1..clicks).fold(LibraryState().knowing(distinct)) { state, _ -> state.sorted(column) }.visible
-            sorted shouldContainExactlyInAnyOrder distinct
-            sorted.dropWhile { column.has(it) }.none { column.has(it) } shouldBe true
-            for (entry in sorted) (column.text(entry) != null) shouldBe column.has(entry)
-        }
-    }
-
-    test("all words must be found, anywhere, in whatever case") {
-        names(state.filtered("qual RED")) shouldContainExactly listOf("a.bag")
-        names(state.filtered("mill 10")) shouldContainExactly listOf("b.bag")
-        names(state.filtered("day2")) shouldContainExactly listOf("bench.csv")
-        names(state.filtered("  ")).size shouldBe 4
-        names(state.filtered("1970-01-01")).size shouldBe 4
-        names(state.filtered("logs nothing")).size shouldBe 0
-    }
-
-    test("what is empty can be left out") {
-        names(state.hidingEmpty(true)) shouldContainExactly listOf("a.bag", "b.bag", "bench.csv")
     }
 
     test("steps go along the list as it is shown, and stop at its ends") {

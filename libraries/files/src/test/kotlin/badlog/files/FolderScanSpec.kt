@@ -1,5 +1,6 @@
 package badlog.files
 
+import badlog.core.text.NaturalOrder
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled

@@ -1,7 +1,7 @@
 package badlog.season
 
+import badlog.core.text.NaturalOrder
 import badlog.files.FolderScan
-import badlog.files.NaturalOrder
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.lake.Lake

@@ -1,9 +1,9 @@
 package badlog.assistant.log
 
 import badlog.assistant.call.ToolException
+import badlog.core.text.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
-import badlog.files.NaturalOrder
 import badlog.files.partsOfLog
 import badlog.files.reading
 import badlog.rules.BUILT_IN

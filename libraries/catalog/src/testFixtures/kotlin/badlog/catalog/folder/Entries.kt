@@ -1,16 +1,16 @@
 package badlog.catalog.folder
 
-import badlog.catalog.Content
-import badlog.catalog.DateSource
-import badlog.catalog.LogDate
-import badlog.catalog.LogSummary
-import badlog.catalog.PreviewLine
-import badlog.catalog.TopicSummary
 import badlog.core.analysis.Series
 import badlog.core.analysis.statistics
 import badlog.core.recording.TopicKind
 import badlog.files.LogFile
 import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.PreviewLine
+import badlog.viewer.catalog.TopicSummary
 import java.nio.file.Path
 import kotlin.math.sin
 

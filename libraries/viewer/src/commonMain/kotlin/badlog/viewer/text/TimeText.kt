@@ -50,7 +50,8 @@ fun minutesText(seconds: Double, decimals: Int = 1): String {
     return "$sign$large:${twoDigits(whole % SECONDS)}${text.substring(point)}"
 }
 
-private fun twoDigits(number: Int) = if (number < 10) "0$number" else "$number"
+/** Returns [number] with a zero in front if it has one digit. */
+internal fun twoDigits(number: Int) = if (number < 10) "0$number" else "$number"
 
 private const val SECONDS = 60
 private const val MINUTES = 60

@@ -1,7 +1,7 @@
 package badlog.spark.storage
 
+import badlog.core.text.NaturalOrder
 import badlog.files.LogName
-import badlog.files.NaturalOrder
 import badlog.files.firstPartOf
 import badlog.files.wholeLogs
 import badlog.season.lake.LogSource

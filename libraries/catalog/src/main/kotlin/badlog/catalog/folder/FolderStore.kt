@@ -1,0 +1,101 @@
+package badlog.catalog.folder
+
+import badlog.catalog.examine.ExaminedLog
+import badlog.catalog.examine.RuleExamination
+import badlog.catalog.store.ResultCache
+import badlog.catalog.store.SummarySerializer
+import badlog.files.LogFile
+import badlog.rules.RuleSet
+import badlog.rules.folder.FolderRules
+import badlog.rules.toJson
+import badlog.signals.vocabulary.toJson
+import badlog.viewer.catalog.FoundRule
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeMark
+import kotlin.time.TimeSource
+
+/**
+ * What is stored of the logs of [folder]: their summaries, and what the rules of the nearest file of rules say of them. Thread-safe.
+ *
+ * @param cache where that is stored; null for nowhere.
+ * @param version the version of the program: another one may find something else.
+ */
+class FolderStore(private val folder: Path, private val cache: Path?, private val version: String) {
+    private class Known(val folderRules: RuleSet, val rules: RulesOfFolder, val since: TimeMark)
+
+    private val byFolder = ConcurrentHashMap<Path, Known>()
+    private val summaries = ConcurrentHashMap<String, ResultCache<LogSummary>>()
+
+    /** Returns what distinguishes the rules for [file] from others. */
+    fun keyOf(file: Path): Int = rulesFor(file).key
+
+    /** Returns what is known of [file] in its current state; null if nothing is. */
+    operator fun get(file: LogFile): LogEntry? {
+        val rules = rulesFor(file.path)
+        val summary = summariesOf(rules)?.get(file) ?: return null
+        return LogEntry(file, summary, rules.found(file))
+    }
+
+    /** Stores the [summary] of [file]. */
+    operator fun set(file: LogFile, summary: LogSummary) {
+        summariesOf(rulesFor(file.path))?.set(file, summary)
+    }
+
+    /** Writes what has changed. */
+    fun save() {
+        for (cache in summaries.values) cache.save()
+        for (known in byFolder.values) known.rules.results?.save()
+    }
+
+    /** Returns the rules for [file]; a changed file of rules may go unnoticed for [REST]. */
+    internal fun rulesFor(file: Path): RulesOfFolder {
+        val place = file.parent ?: file
+        val before = byFolder[place]
+        if (before != null && before.since.elapsedNow() < REST) return before.rules
+        val rules = FolderRules.of(file, folder).rules
+        val same = byFolder.values.firstOrNull { it.folderRules == rules }?.rules
+        val now = Known(rules, same ?: RulesOfFolder(rules, cache, version), TimeSource.Monotonic.markNow())
+        byFolder[place] = now
+        return now.rules
+    }
+
+    private fun summariesOf(rules: RulesOfFolder): ResultCache<LogSummary>? {
+        val place = cache ?: return null
+        return summaries.computeIfAbsent(rules.names) { names ->
+            ResultCache(place, "$version\nsummary\n$folder\n$names", SummarySerializer)
+        }
+    }
+
+    private companion object {
+        val REST = 3.seconds
+    }
+}
+
+/** The [rules] of logs, and what is stored of what they say. */
+internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) {
+    /** What distinguishes them from others. */
+    val key: Int = rules.toJson().hashCode()
+
+    /** The names of their signals, which summaries depend on. */
+    val names: String = rules.signals.toJson()
+
+    val examination = RuleExamination(rules)
+    val results: ResultCache<ExaminedLog>? = cache?.let { examination.storedIn(it, version) }
+
+    /** Returns what they found in [file]; null if that is not known. */
+    fun found(file: LogFile): LogFound? = results?.get(file)?.let(::foundIn)
+
+    /** Returns what they found in [log]. */
+    fun foundIn(log: ExaminedLog): LogFound = LogFound(
+        key,
+        if (log.unreadable != null) {
+            null
+        } else {
+            log.findings.map { FoundRule(it.rule, it.severity) }.sortedByDescending { it.severity }.distinctBy { it.name }
+        },
+    )
+}

@@ -1,0 +1,39 @@
+package badlog.viewer.catalog
+
+import badlog.core.analysis.meant
+import badlog.core.recording.Value
+import badlog.signals.match.dateInName
+import badlog.signals.match.dateInText
+import badlog.signals.match.localSecondOf
+
+/**
+ * When a recording began.
+ *
+ * @property second the time on a clock on the wall where it was made, in s since 1970 on that clock.
+ * @property source its source.
+ */
+data class LogDate(val second: Long, val source: DateSource) {
+    companion object {
+        /** Returns when the recording with [values] began, whose file is called [name] and was last written at [modified], in ms since 1970. */
+        fun of(values: List<Value>, name: String, modified: Long): LogDate {
+            val logged = values.meant("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
+            if (logged != null) return LogDate(logged, DateSource.VALUES)
+            val named = dateInName(name)
+            if (named != null) return LogDate(named.second, DateSource.FILE_NAME)
+            return LogDate(localSecondOf(modified.floorDiv(MILLIS)), DateSource.FILE_TIME)
+        }
+
+        private const val MILLIS = 1000L
+    }
+}
+
+/**
+ * The source of a log's date.
+ *
+ * @property saying its text for people.
+ */
+enum class DateSource(val saying: String) {
+    VALUES("from the log’s metadata"),
+    FILE_NAME("from the file’s name"),
+    FILE_TIME("from the time when the file was written"),
+}

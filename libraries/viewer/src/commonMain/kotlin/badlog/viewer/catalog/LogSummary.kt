@@ -1,0 +1,173 @@
+package badlog.viewer.catalog
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.SeriesStatistics
+import badlog.core.analysis.Span
+import badlog.core.analysis.Units
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.PathName
+import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Severity
+import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.matchInName
+import badlog.signals.match.matchOf
+import badlog.signals.signalTopicsOf
+import badlog.signals.vocabulary.SignalTopic
+import badlog.signals.vocabulary.SignalVocabulary
+
+/**
+ * What is known of a log without reading it again.
+ *
+ * @property match its match.
+ * @property date when it began.
+ * @property duration its length on x; null if x is only the number of the row.
+ * @property xUnit the unit of [duration].
+ * @property samples the number of samples of all its topics together.
+ * @property problems the number of its problems.
+ * @property content whether there is anything to see.
+ * @property trouble why it cannot be read, as a sentence; null if it can.
+ * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null if no topic shows it.
+ * @property batteryTopic the name of that topic.
+ * @property topics its topics with numbers, in the order of the file.
+ */
+data class LogSummary(
+    val match: MatchOfLog = MatchOfLog(),
+    val date: LogDate,
+    val duration: Double? = null,
+    val xUnit: String = "",
+    val samples: Long = 0,
+    val problems: ProblemCounts = ProblemCounts(),
+    val content: Content = Content.UNREADABLE,
+    val trouble: String? = null,
+    val batteryMinimum: Double? = null,
+    val batteryTopic: String? = null,
+    val topics: List<TopicSummary> = emptyList(),
+) {
+    /** Returns the summary of the topic called [name], or null when the log has none. */
+    fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
+
+    companion object {
+        /** Returns what the [name] of a file shows, which was last written at [modified], in ms since 1970, and has not been read. */
+        fun named(name: String, modified: Long): LogSummary =
+            LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), content = Content.SOMETHING)
+
+        /** Returns what the name of a file shows, which was last written at [modified], in ms since 1970, and cannot be read because of [trouble]. */
+        fun unreadable(name: String, modified: Long, trouble: String, content: Content = Content.UNREADABLE): LogSummary =
+            LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), trouble = trouble, content = content)
+
+        /**
+         * Returns the summary of [view], whose topics are named by [vocabulary].
+         *
+         * @param name the name of its file, which was last written at [modified], in ms since 1970.
+         * @param isOnlyOfLogs whether only logs have such names.
+         */
+        fun of(view: LogView, vocabulary: SignalVocabulary, name: String, modified: Long, isOnlyOfLogs: Boolean): LogSummary {
+            val recording = view.recording
+            if (isTable(recording)) return unreadable(name, modified, "$name is a table that badlog made, not a log.", Content.NO_LOG)
+            val topics = recording.topics.filter { it.samples.isNotEmpty() && !isPlumbing(it) }.map { summaryOf(it, view) }
+            val axis = view.xAxis
+            val time = if (axis.isIndex) timeTopic(recording) else axis.topic
+            val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
+            val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
+            val battery = signalTopicsOf(view, vocabulary).of("battery").firstOrNull()
+            val trouble = if (recording.isReadable) null else recording.problems.last().message
+            return LogSummary(
+                match = vocabulary.matchOf(recording).orNamed(name),
+                date = LogDate.of(recording.values, name, modified),
+                duration = duration,
+                xUnit = xUnit,
+                samples = recording.sampleCount,
+                problems = ProblemCounts(view.count(Severity.ERROR), view.count(Severity.WARNING), view.count(Severity.NOTE)),
+                content = when {
+                    trouble == null -> contentOf(view, topics, time, duration?.let { secondsOf(it, xUnit) })
+                    isOnlyOfLogs -> Content.UNREADABLE
+                    else -> Content.NO_LOG
+                },
+                trouble = trouble,
+                batteryMinimum = battery?.let { lowestVoltage(recording.topics, it) },
+                batteryTopic = battery?.topic,
+                topics = topics,
+            )
+        }
+    }
+}
+
+/** The number of kinds of problems of each severity in a recording. */
+data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, val notes: Int = 0) {
+    /** Returns the number for [severity]. */
+    fun of(severity: Severity): Int = when (severity) {
+        Severity.ERROR -> errors
+        Severity.WARNING -> warnings
+        Severity.NOTE -> notes
+    }
+}
+
+/**
+ * What is stored about a topic with numbers, without its samples.
+ *
+ * @property name the full name.
+ * @property unit the unit, `ul` for none.
+ * @property statistics over all of the recording.
+ * @property preview its course.
+ */
+data class TopicSummary(
+    val name: String,
+    val unit: String,
+    val kind: TopicKind,
+    val statistics: SeriesStatistics,
+    val preview: PreviewLine,
+)
+
+private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
+    val line = view.seriesOf(topic)
+    val statistics = view.statisticsOf(line)
+    val held = if (line.holds) view.xAxis.range else null
+    return TopicSummary(
+        topic.name,
+        topic.unit,
+        topic.kind,
+        statistics,
+        PreviewLine.of(line.data, statistics.min, statistics.max, held),
+    )
+}
+
+/** Returns whether [recording] is a table of logs, as the window and the program may save them among the logs: each row is about a file. */
+private fun isTable(recording: Recording): Boolean = recording.format == RecordingFormat.CSV &&
+    recording.topics.take(3).map { it.name }.let { it == listOf("Log", "Date", "File") || it.take(2) == listOf("Match", "File") }
+
+/** Returns whether [topic] is a logger's own data, such as the time of day. */
+private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
+
+/** Returns the time column: a plain CSV file has no x axis, but usually a time column. */
+private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
+    it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
+}
+
+/** Before a sensor has been read for the first time, it returns 0, which no battery of a running robot has. */
+private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
+    var lowest = Double.POSITIVE_INFINITY
+    for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
+    return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
+}
+
+/** Returns [duration] in [unit] as seconds; null if the unit is not one of time. */
+fun secondsOf(duration: Double, unit: String): Double? {
+    // A log without units is a plain CSV file, whose time is nearly always in seconds.
+    val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
+    return seconds?.let { duration * it }
+}
+
+/** Returns the range of the finite [positions]; null if there are none. */
+private fun finiteSpan(positions: DoubleArray): Span? {
+    var from = Double.POSITIVE_INFINITY
+    var to = Double.NEGATIVE_INFINITY
+    for (x in positions) {
+        if (!x.isFinite()) continue
+        if (x < from) from = x
+        if (x > to) to = x
+    }
+    return if (from <= to) Span(from, to) else null
+}

@@ -1,0 +1,68 @@
+package badlog.viewer.shown.folder
+
+import badlog.core.recording.Severity
+import badlog.core.text.NaturalOrder
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.ListedLog
+import badlog.viewer.shown.search.Query
+import badlog.viewer.text.dateText
+import badlog.viewer.text.isoText
+
+/**
+ * Logs, and which of them are listed in which order.
+ *
+ * @property entries all logs.
+ * @property column the column by which they are sorted.
+ * @property isDescending whether the largest comes first; missing values always come last.
+ * @property filter words that must all be found in a listed log, regardless of case.
+ * @property hidesEmpty whether idle logs are hidden.
+ * @property onlyErrors whether only logs are listed in which a rule found an error.
+ * @property folder their folder, whose own name is not searched.
+ */
+data class Listing<E : ListedLog>(
+    val entries: List<E> = emptyList(),
+    val column: LogColumn = LogColumn.DATE,
+    val isDescending: Boolean = true,
+    val filter: String = "",
+    val hidesEmpty: Boolean = false,
+    val onlyErrors: Boolean = false,
+    val folder: String? = null,
+) {
+    /** The listed logs, in order. */
+    val visible: List<E> by lazy {
+        val query = Query(filter)
+        entries
+            .filter { it.summary.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
+            .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
+            .sortedWith(order())
+    }
+
+    /** The number of logs, listed or not. */
+    val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
+
+    /** Sorted by [column]; the other way round when that is so already. */
+    fun sorted(column: LogColumn): Listing<E> = if (column == this.column) {
+        copy(isDescending = !isDescending)
+    } else {
+        copy(column = column, isDescending = column.beginsDescending)
+    }
+
+    private fun isFound(entry: E, query: Query) = query.isEmpty || query.matches(searchText(entry, folder))
+
+    private fun order(): Comparator<E> {
+        val present = if (isDescending) column.order.reversed() else column.order
+        return compareBy<E> { !column.has(it) }
+            .then { a, b -> if (column.has(a)) present.compare(a, b) else 0 }
+            .thenByDescending { it.summary.date.second }
+            .thenByDescending { it.modified }
+            .thenBy(NaturalOrder) { it.fileName }
+            .thenBy { it.path }
+    }
+}
+
+private fun searchText(log: ListedLog, folder: String?): String = buildString {
+    for (fact in with(log.summary.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
+    for (rule in log.found?.rules.orEmpty()) append(rule.name).append('\n')
+    append(dateText(log.summary.date.second)).append('\n').append(isoText(log.summary.date.second)).append('\n')
+    append(if (folder == null) log.path else log.path.removePrefix(folder))
+}

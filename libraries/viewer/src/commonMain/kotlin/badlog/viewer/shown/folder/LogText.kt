@@ -1,0 +1,58 @@
+package badlog.viewer.shown.folder
+
+import badlog.viewer.catalog.ListedLog
+import badlog.viewer.catalog.secondsOf
+import badlog.viewer.text.NO_NUMBER
+import badlog.viewer.text.countText
+import badlog.viewer.text.fixedText
+import badlog.viewer.text.minutesText
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
+import kotlin.math.floor
+
+/** Below this many volts a roboRIO begins to cut outputs. */
+const val BROWNOUT_NEAR: Double = 7.0
+
+/** Returns `2:47`; null when it is not known. */
+fun durationText(log: ListedLog): String? {
+    val duration = log.summary.duration ?: return null
+    val seconds = secondsOf(duration, log.summary.xUnit) ?: return withUnit(roundedText(duration), log.summary.xUnit)
+    if (!(seconds < 1e9)) return null
+    if (seconds < 10) return "${fixedText(seconds, 1)} s"
+    return minutesText(seconds, decimals = 0)
+}
+
+/** Returns `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was. */
+fun batteryText(log: ListedLog): String? = log.summary.batteryMinimum?.let { "${fixedText(floor(it * 100 + 1e-6) / 100, 2)} V" }
+
+/** Returns the number of problems that matter; null if there are none. */
+fun problemText(log: ListedLog): String? = when {
+    !log.isReadable -> "unreadable"
+    else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.toString()
+}
+
+/** Returns the problems in words, for a tip. */
+fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.summary.problems) {
+    listOfNotNull(
+        counted(errors, "error"),
+        counted(warnings, "warning"),
+        counted(notes, "note"),
+    ).joinToString(", ")
+}
+
+private fun counted(count: Int, what: String) = if (count == 0) null else countText(count, what)
+
+/**
+ * Returns `Browned out +3`: the worst finding, and the number of others; null for nothing, `…` until rules have run, `–` if they cannot
+ * run.
+ */
+fun foundText(log: ListedLog): String? {
+    if (log.isGray) return null
+    val found = log.found ?: return "…"
+    val rules = found.rules ?: return NO_NUMBER
+    val first = rules.firstOrNull() ?: return null
+    return if (rules.size > 1) "${first.name} +${rules.size - 1}" else first.name
+}
+
+/** Returns everything that the rules found, one per line; empty for nothing. */
+fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }

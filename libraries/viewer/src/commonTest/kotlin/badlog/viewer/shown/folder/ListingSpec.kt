@@ -1,0 +1,111 @@
+package badlog.viewer.shown.folder
+
+import badlog.core.recording.Severity
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FoundRule
+import badlog.viewer.catalog.ListedLog
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.enum
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.checkAll
+
+private data class AnyLog(
+    override val path: String,
+    override val summary: LogSummary,
+    override val found: LogFound?,
+    override val size: Long = 1000,
+    override val modified: Long = 0,
+) : ListedLog {
+    override val fileName get() = path.substringAfterLast('/')
+}
+
+class ListingSpec : FunSpec({
+    fun log(
+        path: String,
+        match: MatchOfLog = MatchOfLog(),
+        second: Long = 0,
+        content: Content = Content.SOMETHING,
+        battery: Double? = null,
+        found: List<FoundRule> = emptyList(),
+    ) = AnyLog(
+        path,
+        LogSummary(match, LogDate(second, DateSource.VALUES), content = content, batteryMinimum = battery),
+        LogFound(0, found).takeIf { content == Content.SOMETHING },
+    )
+
+    val match9 = log("logs/a.bag", MatchOfLog("Mill Creek Regional", "Qualification", "9", "Red"), 300, found = listOf(FoundRule("Browned out", Severity.ERROR)))
+    val match10 = log("logs/b.bag", MatchOfLog("Mill Creek Regional", "Qualification", "10", "Blue"), 200)
+    val bench = log("logs/day2/bench.csv", second = 100)
+    val reboot = log("logs/reboot.bag", second = 400, content = Content.NO_SAMPLES)
+    val foreign = log("logs/groceries.csv", content = Content.NO_LOG)
+    val listing = Listing(listOf(bench, match9, reboot, match10, foreign), folder = "logs")
+
+    fun names(listing: Listing<AnyLog>) = listing.visible.map { it.fileName }
+
+    test("the newest is at the top, and what is no log is not listed") {
+        names(listing) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
+        listing.size shouldBe 4
+    }
+
+    test("match 9 comes before match 10, and what is not a match comes last either way round") {
+        val byNumber = listing.sorted(LogColumn.NUMBER)
+        names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")
+        names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
+    }
+
+    test("all words must be found, anywhere but in the folder's own name, in whatever case; a finding's name, too") {
+        names(listing.copy(filter = "qual RED")) shouldContainExactly listOf("a.bag")
+        names(listing.copy(filter = "mill 10")) shouldContainExactly listOf("b.bag")
+        names(listing.copy(filter = "day2")) shouldContainExactly listOf("bench.csv")
+        names(listing.copy(filter = "browned")) shouldContainExactly listOf("a.bag")
+        names(listing.copy(filter = "1970-01-01")).size shouldBe 4
+        names(listing.copy(filter = "  ")).size shouldBe 4
+        names(listing.copy(filter = "logs")).size shouldBe 0
+    }
+
+    test("what is idle can be hidden, and what has no error") {
+        names(listing.copy(hidesEmpty = true)) shouldContainExactly listOf("a.bag", "b.bag", "bench.csv")
+        names(listing.copy(onlyErrors = true)) shouldContainExactly listOf("a.bag")
+    }
+
+    test("sorting loses and adds nothing, puts what is missing last, and a column has a text where it has something") {
+        val anyLog = arbitrary {
+            val number = Arb.int(1..99).orNull().bind()?.toString()
+            val second = Arb.int(0..5).bind().toLong()
+            log("x${Arb.int(0..999).bind()}.bag", MatchOfLog(number = number), second, battery = number?.toDouble())
+        }
+        checkAll(Arb.list(anyLog, 0..30), Arb.enum<LogColumn>(), Arb.int(1..2)) { logs, column, clicks ->
+            val distinct = logs.distinctBy { it.path }
+            val sorted = (1..clicks).fold(Listing(distinct)) { listing, _ -> listing.sorted(column) }.visible
+            sorted shouldContainExactlyInAnyOrder distinct
+            sorted.dropWhile { column.has(it) }.none { column.has(it) } shouldBe true
+            for (log in sorted) (column.text(log) != null) shouldBe column.has(log)
+        }
+    }
+
+    test("the battery's lowest voltage is rounded down, so that it does not look better than it was") {
+        LogColumn.BATTERY.text(log("a.bag", battery = 6.799)) shouldBe "6.79 V"
+        LogColumn.BATTERY.text(log("a.bag", battery = 6.8)) shouldBe "6.80 V"
+    }
+
+    test("findings are the worst by name and the number of others; none while the rules run, and a dash if they cannot") {
+        val two = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Loop slow", Severity.WARNING))
+        foundText(log("a.bag", found = two)) shouldBe "Browned out +1"
+        foundText(log("a.bag")) shouldBe null
+        foundText(log("a.bag").copy(found = null)) shouldBe "…"
+        foundText(log("a.bag").copy(found = LogFound(0, null))) shouldBe "–"
+        foundLines(log("a.bag", found = two)) shouldBe "error: Browned out\nwarning: Loop slow"
+    }
+})
