@@ -3,6 +3,7 @@ package badlog.cli.open
 import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.computer.Computer
+import badlog.exporter.EmptyPage
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
@@ -17,12 +18,17 @@ internal class OpenCommand(private val computer: Computer) :
             "in the cache until the next one of the same name. Of the standard input (-), the page opens in any case. ${Computer.WINDOW} " +
             "names the window's program if it is not where the installer puts it.",
         logHelp = "A log, or a folder of logs.",
+        needsLog = false,
     ) {
     private val isPage by option("--page").flag().help("Open the page, even if the window is installed.")
 
-    override val examples: List<String> = listOf("open match.bag", "open logs", "open match.bag --page")
+    private val isBrowser by option("--browser").flag()
+        .help("Open ${EmptyPage.NAME}, a page that opens any logs and folders.")
+
+    override val examples: List<String> = listOf("open match.bag", "open logs", "open match.bag --page", "open --browser")
 
     override fun makeTask(): Task {
+        if (isBrowser && paths.size < 2) return OpenBrowserTask(paths.singleOrNull(), computer, isJson)
         val path = paths.singleOrNull() ?: throw UsageError("name one log or one folder to open")
         return OpenTask(path, isPage, computer, isJson)
     }

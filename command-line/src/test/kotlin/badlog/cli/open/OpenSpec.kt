@@ -83,6 +83,19 @@ class OpenSpec : FunSpec({
         }
     }
 
+    test("--browser opens the page that opens other logs, and says which folder to choose there") {
+        inFolder { folder ->
+            val desk = Desk(folder, hasWindow = true)
+            val page = folder / "cache/pages/badlog.html"
+            desk.open("--browser").out shouldBe "Opened $page in the browser.\n"
+            desk.open("--browser", folder).out shouldBe "Opened $page in the browser. Choose or drop $folder there.\n"
+            desk.started.map { it[1] }.distinct() shouldBe listOf(page.toUri().toString())
+            page.readText() shouldContain "<title>badlog</title>"
+            desk.open().code shouldBe ExitCode.USAGE
+            Desk(folder, hasWindow = true, broken = setOf("xdg-open")).open("--browser").err shouldContain "No browser can be started; open $page yourself."
+        }
+    }
+
     test("what cannot be opened is reported, and a damaged log opens") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = false, broken = setOf("xdg-open"))

@@ -19,6 +19,7 @@ import java.io.InputStream
 import java.io.SequenceInputStream
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 
 /**
  * Turns recordings into HTML pages that need nothing else: each contains the file's exact bytes, and the program that
@@ -34,6 +35,9 @@ class HtmlExporter(
     private val compared: List<Path> = emptyList(),
     private val parts: PageParts = PageParts.bundled(),
 ) {
+    /** The compared logs that were found to be logs. */
+    private val readable = ConcurrentHashMap.newKeySet<Path>()
+
     /**
      * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
      * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
@@ -143,8 +147,13 @@ class HtmlExporter(
         .let(FileHead::of).title
 
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
-        val refusal = readRecording(input, LOG_FORMATS, keepSamples = false).problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (refusal != null) throw ExportException.NotARecording(input, "$input: ${refusal.message}")
+        // A folder's pages compare with the same logs.
+        if (input !in readable) {
+            val read = readRecording(input, LOG_FORMATS, keepSamples = false)
+            val refusal = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+            if (refusal != null) throw ExportException.NotARecording(input, "$input: ${refusal.message}")
+            readable.add(input)
+        }
         val parts = if (log.path == input) partsOfLog(input) else listOf(log.path)
         parts.forEachIndexed { i, part ->
             val name = if (i == 0) log.name else part.fileName.toString()

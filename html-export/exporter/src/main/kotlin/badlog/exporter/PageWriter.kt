@@ -66,6 +66,14 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun compared(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("class=\"compared\" data-name=\"${escapeHtml(name)}\"", embed)
 
+    /** Writes the log from the file [name], which a page without a recording can show as an example; [embed] as in [recording]. */
+    fun sample(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
+        base64("id=\"sample\" data-name=\"${escapeHtml(name)}\"", embed)
+
+    /** Writes the end of a page without a recording. */
+    fun end() =
+        text("<script type=\"application/json\" id=\"about\">{\"version\":${quotedJson(BADLOG_VERSION)}}</script>\n</body>\n</html>\n")
+
     /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
     fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
         val file = embedded.file

@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.page.opened.SummaryWorker
 import badlog.page.reading.ReadingWorker
 import badlog.page.rules.RulesWorker
 
@@ -8,6 +9,7 @@ internal fun main() {
     when {
         !ReadingWorker.isHere -> Startup().run()
         RulesWorker.isHere -> RulesWorker.run()
+        SummaryWorker.isHere -> SummaryWorker.run()
         else -> ReadingWorker.run()
     }
 }

@@ -1,51 +1,49 @@
 package badlog.page
 
-import badlog.core.analysis.LogView
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
-import badlog.page.app.LoadingScreen
-import badlog.page.app.LogPage
-import badlog.page.app.failureScreen
-import badlog.page.app.setPageState
+import badlog.page.app.LogShowing
+import badlog.page.app.ShownLog
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.embedded.About
-import badlog.page.embedded.GivenLayout
+import badlog.page.embedded.EmbeddedFile
+import badlog.page.embedded.EmbeddedLog
 import badlog.page.embedded.PageSource
+import badlog.page.embedded.comparedFiles
 import badlog.page.embedded.findAdditions
-import badlog.page.formula.Formulas
-import badlog.page.header.AxisChoice
-import badlog.page.header.Downloads
-import badlog.page.header.ThemeSwitch
+import badlog.page.opened.LogOpening
+import badlog.page.opened.OpenedLog
+import badlog.page.opened.StartScreen
+import badlog.page.opened.acceptFiles
 import badlog.page.reading.PartsReading
 import badlog.page.reading.ReadLog
 import badlog.page.reading.Reading
+import badlog.page.screen.LoadingScreen
+import badlog.page.screen.PageRoot
+import badlog.page.screen.setPageState
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
-import badlog.signals.withSignals
-import badlog.viewer.choices.formula.joined
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
+import org.w3c.files.File
+import kotlin.js.Promise
 
-/** Starts the page: reads the recording and shows it, or says why it cannot be shown. Never leaves an empty page. */
+/** Starts the page: reads the recording in it and shows it, or says why it cannot be shown; without one, it lets a person open others. */
 internal class Startup {
-    private val root = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
-    private val theme = ThemeSwitch { page?.repaint() }
-    private val source = PageSource(root)
-    private var page: LogPage? = null
+    private val main = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
+    private val root = PageRoot(main)
+    private val source = PageSource(main)
+    private var hasOpened = false
+    private val logs: LogShowing = LogShowing(root, source) { opening }
+    private val opening: LogOpening =
+        LogOpening(root, { findAdditions()?.rules ?: RuleSet.NONE }, { logs.theme.element }, ::goToStart, ::showOpened)
 
     /** Starts the page. */
     fun run() {
         setPageState("loading")
-        guarded(::begin)
-    }
-
-    private fun guarded(work: () -> Unit) = try {
-        work()
-    } catch (problem: Throwable) {
-        failUnexpectedly(problem)
+        root.guarded(::begin)
     }
 
     /** Reads a large recording while it arrives, any other once the page has been loaded. */
@@ -57,98 +55,81 @@ internal class Startup {
         val reading = element?.let { PartsReading.start(it, checkNotNull(loading)::show) }
         when {
             reading != null -> {
-                show(checkNotNull(loading).element)
+                root.showAlone(checkNotNull(loading).element)
                 val additions = findAdditions()
                 // Anything wrong with the parts will show when the whole stream is read.
                 reading.then({ read ->
                     show(ReadLog(read, isDamaged = false), additions, checkNotNull(About.find()), element)
-                }, { whenLoaded(::readWhole) }).catch(::failUnexpectedly)
+                }, { whenLoaded(::readWhole) }).catch(root::failUnexpectedly)
             }
 
             isLoaded -> readWhole()
 
             element != null -> whenLoaded(::readWhole)
 
-            else -> window.setTimeout({ guarded(::begin) }, PAUSE)
+            else -> window.setTimeout({ root.guarded(::begin) }, PAUSE)
         }
     }
 
     /** Does [work] once the page has been loaded. */
     private fun whenLoaded(work: () -> Unit) {
         if (document.asDynamic().readyState != "loading") return work()
-        document.addEventListener("DOMContentLoaded", { guarded(work) })
+        document.addEventListener("DOMContentLoaded", { root.guarded(work) })
     }
 
     private fun readWhole() {
-        val about = About.find()
-        val recording = document.getElementById("recording")
-        if (about == null || recording == null) {
-            fail("This page is not complete", "Its end is missing: copy it again, or export it again.")
-            return
-        }
+        val about = About.find() ?: return root.fail("This page is not complete", "Its end is missing: copy it again, or export it again.")
+        val recording = document.getElementById("recording") ?: return goToStart()
         val loading = LoadingScreen(about.name)
-        show(loading.element)
+        root.showAlone(loading.element)
         val reading = Reading(about, recording, loading::show).start()
         // Meanwhile, a worker is reading.
         val additions = findAdditions()
         reading.then { show(it, additions, about, recording) }
-            .catch(::failUnexpectedly)
+            .catch(root::failUnexpectedly)
     }
 
     private fun show(read: ReadLog, additions: PageAdditions?, about: About, element: Element) {
-        if (!read.isDamaged) return show(read.recording, additions, about, Downloads(about, element, read.recording))
+        val log = ShownLog(read.recording, about, EmbeddedLog(about, element), read.isDamaged, ::comparedFiles)
+        if (!read.isDamaged) return logs.show(log, additions)
         val look = element("div") {
             addButton("", "Show what it still has, without rules") {
                 val withoutRules = (additions ?: PageAdditions()).withoutRules(DAMAGED)
-                guarded { show(read.recording, withoutRules, about, Downloads(about, element, read.recording, isDamaged = true)) }
+                root.guarded { logs.show(log, withoutRules) }
             }.id = "show-damaged"
         }
-        fail("This page is not complete", "Its log was damaged in copying; export it again.", look)
+        root.fail("This page is not complete", "Its log was damaged in copying; export it again.", look)
     }
 
-    private fun show(read: Recording, additions: PageAdditions?, about: About, downloads: Downloads) {
-        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) {
-            fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
-            return
-        }
-        val signals = (additions?.rules ?: RuleSet.NONE).signals
-        val layout = GivenLayout.of(additions?.layout)
-        val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
-        // The findings of a hook have the x axis of the exporter.
-        val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
-        val axis = AxisChoice(read, about.fileKey, mayAsk = !hasFound)
-        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, source)
-        page = shown
-        show(shown.element)
-        shown.start()
-        window.performance.asDynamic().mark("badlog-first-graphs")
-        // After the browser's next frame.
-        window.requestAnimationFrame {
-            window.setTimeout({
-                guarded {
-                    shown.complete(formulas.given)
-                    setPageState("ready")
-                }
-            }, 0)
-        }
+    /** Shows what the page itself is about: its log, or how to open one. */
+    private fun goToStart() {
+        if (document.getElementById("recording") != null) return window.location.reload()
+        val sample = document.getElementById("sample")
+        val start = StartScreen(logs.theme.element, opening::open, sample?.let { { openSample(it) } })
+        root.showAlone(start.element)
+        acceptFiles(opening::open)
+        document.title = "badlog"
+        setPageState("empty")
     }
 
-    private fun show(element: HTMLElement) {
-        root.textContent = ""
-        root.appendChild(element)
+    private fun openSample(sample: Element) {
+        val name = sample.getAttribute("data-name").orEmpty()
+        EmbeddedFile(sample).inflated().then({ opening.open(listOf(File(arrayOf<dynamic>(it), name))) }, root::failUnexpectedly)
     }
 
-    private fun fail(title: String, explanation: String, tools: HTMLElement? = null) {
-        setPageState("failed")
-        show(failureScreen(title, explanation, tools))
+    private fun showOpened(log: OpenedLog, read: Recording, compared: List<File>, showsWorst: Boolean) {
+        // A link is about the log that is opened first, as whoever sent it said.
+        if (hasOpened || document.getElementById("recording") != null) forgetAddress()
+        hasOpened = true
+        val version = About.find()?.version.orEmpty()
+        val shown = ShownLog(read, About.of(log.files, version), log.bytes(version), compared = { Promise.resolve(compared) })
+        logs.show(shown, findAdditions()?.ofAnyLog(), showsWorst)
     }
 
-    private fun failUnexpectedly(problem: Throwable) {
-        console.error(problem)
-        val reason = problem.message ?: problem.toString()
-        fail("Something went wrong", "$reason. Report it with the file, if you may share it.")
+    private fun forgetAddress() = try {
+        window.history.replaceState(null, "", window.location.href.substringBefore('#'))
+    } catch (_: Throwable) {
+        // Pages in some frames have no address of their own.
     }
 
     private companion object {

@@ -23,11 +23,11 @@ internal class AxisSpec : PageSpec({
         return numbers(name).filter { it.right > edge }.sortedBy { it.left }
     }
 
-    /** Does [action], after which the page loads itself again, and waits for that. */
-    fun OpenPage.loadAgain(action: () -> Unit) {
-        script("window.isOld = true")
+    /** Does [action], after which the page shows its log again, and waits for that. */
+    fun OpenPage.showAgain(action: () -> Unit) {
+        script("document.querySelector('.log-page').isOld = true")
         action()
-        await("the page to load again") { script("return window.isOld ?? null") == null }
+        await("the log to be shown again") { script("return document.querySelector('.log-page')?.isOld ?? null") == null }
         awaitState("ready")
     }
 
@@ -62,12 +62,12 @@ internal class AxisSpec : PageSpec({
         val csv = "A,timestamp\n" + (0..500).joinToString("") { "${it % 7},${100 + it / 10.0}\n" }
         onPage(TestPages.of(csv, "table.csv")) {
             visibleRange shouldBe 0.0..500.0
-            loadAgain { click("#axis-time") }
+            showAgain { click("#axis-time") }
             visibleRange shouldBe 100.0..150.0
             reload()
             visibleRange shouldBe 100.0..150.0
             elements("#axis-time").size shouldBe 0
-            loadAgain { click("#axis-rows") }
+            showAgain { click("#axis-rows") }
             visibleRange shouldBe 0.0..500.0
             reload()
             elements("#axis-choice").size shouldBe 0

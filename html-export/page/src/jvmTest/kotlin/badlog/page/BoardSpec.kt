@@ -112,37 +112,6 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("what another tab put on the board of the same log stays there, also when this one undoes its own") {
-        onPage(TestPages.of(stepBag(graphs = 3))) {
-            script(
-                "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
-                    "localStorage.setItem(key, arguments[0])",
-                """{"graphs":[{"title":"Step 3","lines":["Step 3"]}]}""",
-            )
-            graph("Step 2").scrollTo().hover(0.5)
-            press("p")
-            texts(".board .graph-title") shouldBe listOf("Step 2", "Step 3")
-            click("#undo")
-            texts(".board .graph-title") shouldBe listOf("Step 3")
-            reload()
-            texts(".board .graph-title") shouldBe listOf("Step 3")
-        }
-    }
-
-    browserTest("the start board brings back what the page begins with, and is undone like any change") {
-        onPage(TestPages.of(stepBag(graphs = 3))) {
-            val before = texts(".board .graph-title")
-            graph("Step 2").scrollTo().hover(0.5)
-            press("p")
-            val own = texts(".board .graph-title")
-            (own != before) shouldBe true
-            click("#start-board")
-            texts(".board .graph-title") shouldBe before
-            click("#undo")
-            texts(".board .graph-title") shouldBe own
-        }
-    }
-
     browserTest("graphs are pinned by a button and a key, stay when the page is opened again, and every step is undone") {
         onPage(page) {
             element("#board").text shouldContain "Pin graphs"
@@ -333,27 +302,6 @@ internal class BoardSpec : PageSpec({
                 keepScreenshot("board-topics-${screen.width}")
                 number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
             }
-        }
-    }
-
-    browserTest("a large log begins with a board of what such logs are asked for, a small one with an empty one") {
-        val many = listOf(TIME, BagTopic("Battery Voltage", "V")) + List(70) { BagTopic("Topic $it", "V") }
-        val large = bagOf(many, 101) { row, column -> if (column == 0) row / 10.0 else row % 7 + 8 }
-        onPage(TestPages.of(large, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {
-            titles().first() shouldBe "Battery Voltage"
-            titles().size shouldBe 24
-        }
-        // And one in between with what explains most of a match, and what its findings point at.
-        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-            settle()
-            keepScreenshot("board-first")
-            titles().take(3) shouldBe listOf("Battery and current", "System: Enabled, Autonomous…", "Loop Time")
-            elements("#board .legend-entry").mapNotNull { it.getDomAttribute("data-series") } shouldContain "Left Output"
-            click("#clear-board")
-            reload()
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-            titles() shouldBe emptyList()
         }
     }
 })

@@ -11,7 +11,6 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
-import java.util.Base64
 
 private const val VOLTS = "Battery Voltage"
 
@@ -32,20 +31,6 @@ internal class CompareSpec : PageSpec({
     val own = log(0.0, 2.0, 12.0)
     val page by lazy { TestPages.of(own, "own.bag", PageAdditions(rules = RuleSet.NONE.with(RuleSet.BUILT_IN.signals))) }
 
-    /** Drops files with these names and bytes. */
-    fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
-        script(
-            """
-            const data = new DataTransfer()
-            for (const [name, base64] of arguments[0]) {
-                data.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], name))
-            }
-            document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
-            """.trimIndent(),
-            files.map { (name, bytes) -> listOf(name, Base64.getEncoder().encodeToString(bytes)) },
-        )
-    }
-
     fun OpenPage.awaitLogs(count: Int) = await("$count logs") { number("return document.querySelectorAll('#compare:not([hidden]) .compared-log').length") == count.toDouble() }
 
     fun OpenPage.legend() = texts(".graph[data-name='$VOLTS'] .legend-name").zip(texts(".graph[data-name='$VOLTS'] .legend .value")) { name, value -> "$name $value" }
@@ -55,7 +40,7 @@ internal class CompareSpec : PageSpec({
     browserTest("a dropped log is drawn over the page's own in each graph, with its values at the cursor and in the statistics") {
         onPage(page) {
             element("#compare").isDisplayed shouldBe false
-            drop("other.bag" to log(100.0, 3.0, 11.0))
+            compare("other.bag" to log(100.0, 3.0, 11.0))
             awaitLogs(2)
             texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "other.bag")
             graph(VOLTS).click(0.5)
@@ -70,7 +55,7 @@ internal class CompareSpec : PageSpec({
 
     browserTest("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
         onPage(page) {
-            drop("other.bag" to log(100.0, 3.0, 11.0))
+            compare("other.bag" to log(100.0, 3.0, 11.0))
             awaitLogs(2)
             offset() shouldBe (-100.0 plusOrMinus 1e-6)
             script("const s = document.querySelector('#alignment'); s.value = 'ENABLED'; s.dispatchEvent(new Event('change'))")
@@ -87,7 +72,7 @@ internal class CompareSpec : PageSpec({
 
     browserTest("several logs are read one after the other, also gzipped ones, and each can go again") {
         onPage(page) {
-            drop("a.bag" to log(0.0, 2.0, 11.0), "b.bag.gz" to gzip(log(5.0, 2.0, 10.0)))
+            compare("a.bag" to log(0.0, 2.0, 11.0), "b.bag.gz" to gzip(log(5.0, 2.0, 10.0)))
             awaitLogs(3)
             graph(VOLTS).click(0.5)
             legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (a.bag) 11", "$VOLTS (b.bag.gz) 10")
@@ -99,6 +84,18 @@ internal class CompareSpec : PageSpec({
         }
     }
 
+    browserTest("a search goes on when a log comes to be compared") {
+        onPage(page) {
+            press("/", VOLTS)
+            settle()
+            graphNames shouldContainExactly listOf(VOLTS)
+            compare("other.bag" to log(100.0, 3.0, 11.0))
+            awaitLogs(2)
+            settle()
+            graphNames shouldContainExactly listOf(VOLTS)
+        }
+    }
+
     browserTest("a formula of the page is calculated for all logs, whichever came first") {
         onPage(page) {
             fun addFormula(text: String) {
@@ -107,7 +104,7 @@ internal class CompareSpec : PageSpec({
                 settle()
             }
             addFormula("First [V] = $VOLTS * 2")
-            drop("other.bag" to log(100.0, 3.0, 11.0))
+            compare("other.bag" to log(100.0, 3.0, 11.0))
             awaitLogs(2)
             addFormula("Second [V] = $VOLTS * 3")
             for (name in listOf("First", "Second")) {
@@ -118,10 +115,10 @@ internal class CompareSpec : PageSpec({
 
     browserTest("what is not a log is said to be none, and the page stays as it was") {
         onPage(page) {
-            drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
+            compare("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
             await("the sentence") { "pit.jpg" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
             element("#compare").isDisplayed shouldBe false
-            drop("empty.bag" to ByteArray(0))
+            compare("empty.bag" to ByteArray(0))
             await("the sentence") { "empty.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
             element("#compare").isDisplayed shouldBe false
         }

@@ -46,6 +46,9 @@ class PageAdditions(
         return PageAdditions(virtualTopics, names, problem, findings, hooks, differences, layout, notes, notesProblem, field, video)
     }
 
+    /** Returns what of this is not about one log: a page shows it of another log, too. */
+    fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
+
     /** Reads what [toJson] wrote. */
     companion object
 }

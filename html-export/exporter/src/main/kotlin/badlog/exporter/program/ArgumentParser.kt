@@ -1,10 +1,12 @@
 package badlog.exporter.program
 
 import badlog.exporter.BADLOG_VERSION
+import badlog.exporter.EmptyPage
 import badlog.files.ResultPlace
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.MissingArgument
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -45,7 +47,7 @@ internal class ArgumentParser {
     }
 
     private class Command : CoreCliktCommand(NAME) {
-        private val paths by argument("INPUT").path().multiple(required = true)
+        private val paths by argument("INPUT").path().multiple()
             .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
             .help("Write to this file; a name without an ending is a folder.")
@@ -59,6 +61,8 @@ internal class ArgumentParser {
             .help("WPILib's field file; default: field.json beside the log.")
         private val video by option("--video", metavar = "FILE").path()
             .help("Show this video, which is in the folder of the only page.")
+        private val withEmpty by option("--empty").flag()
+            .help("Also make ${EmptyPage.NAME}, a page without a log that opens others.")
         private val opensPage by option("-o", "--open").flag()
             .help("Open the page in the default browser; of several, the page of the newest log.")
 
@@ -85,9 +89,11 @@ internal class ArgumentParser {
         override fun helpEpilog(context: Context): String =
             "Exit code: 0 success, 3 some data was lost or left out, 1 no page was made, 2 wrong usage."
 
-        override fun run() = Unit
+        override fun run() {
+            if (paths.isEmpty() && !withEmpty) throw MissingArgument(registeredArguments()[0])
+        }
 
-        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, opensPage)
+        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, withEmpty, opensPage)
     }
 
     private companion object {

@@ -1,5 +1,6 @@
 package badlog.exporter.program
 
+import badlog.exporter.EmptyPage
 import badlog.files.ResultPlace
 import java.nio.file.Path
 
@@ -14,6 +15,7 @@ import java.nio.file.Path
  * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
  * logs.
  * @property video a video of the match for the only page; null for none.
+ * @property withEmpty whether to make a page without a log as well.
  * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
@@ -24,5 +26,9 @@ internal class Arguments(
     val hasRules: Boolean,
     val field: Path?,
     val video: Path?,
+    val withEmpty: Boolean,
     val opensPage: Boolean,
-)
+) {
+    /** The page without a log. */
+    val emptyPage: Path get() = (out?.takeIf { it.isFolder }?.path ?: Path.of("")).resolve(EmptyPage.NAME).toAbsolutePath().normalize()
+}

@@ -1,6 +1,7 @@
 package badlog.exporter.program
 
 import badlog.core.recording.Severity
+import badlog.exporter.EmptyPage
 import badlog.exporter.ExportException
 import badlog.exporter.ExportReport
 import badlog.exporter.HtmlExporter
@@ -70,6 +71,8 @@ internal class BadlogHtml(
             err.println("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
+        if (arguments.withEmpty && !makeEmpty(arguments.emptyPage)) return ExitCode.NOTHING
+        if (arguments.paths.isEmpty()) return ExitCode.WHOLE
         val export = exporterOf(arguments.attachments, arguments.compared)
         jobs.forEachIndexed { index, job ->
             val label = (if (jobs.size > 1) "${index + 1}/${jobs.size} " else "") + job.input.fileName
@@ -85,6 +88,15 @@ internal class BadlogHtml(
 
             else -> ExitCode.WHOLE
         }
+    }
+
+    private fun makeEmpty(page: Path): Boolean = try {
+        EmptyPage().write(page)
+        out.println(page)
+        true
+    } catch (e: ExportException) {
+        err.println(e.message)
+        false
     }
 
     private fun additions(job: ExportJob, arguments: Arguments): PageAdditions {

@@ -12,14 +12,12 @@ import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
-import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.awt.image.BufferedImage
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
-import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import javax.imageio.ImageIO
 import kotlin.io.path.createDirectory
@@ -31,35 +29,6 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 class BadlogHtmlSpec : FunSpec({
-    class Ended(val code: ExitCode, out: String, val err: String, val opened: List<Path>) {
-        val lines = out.lines().filter { it.isNotEmpty() }
-    }
-
-    // Makes pages, but of a file named so it fails as no exporter should.
-    fun failingOn(name: String) = { attachments: List<Path>, compared: List<Path> ->
-        val exporter = HtmlExporter(attachments, compared)
-        val export: Export = { input, page, additions, progress ->
-            check(input.name != name) { "Out of cheese\n+++" }
-            exporter.export(input, page, additions, progress)
-        }
-        export
-    }
-
-    fun run(vararg arguments: Any, canOpen: Boolean = true, failsOn: String = ""): Ended {
-        val out = ByteArrayOutputStream()
-        val err = ByteArrayOutputStream()
-        val opened = ArrayList<Path>()
-        val program = BadlogHtml(PrintStream(out), PrintStream(err), false, failingOn(failsOn)) { page ->
-            opened.add(page)
-            canOpen
-        }
-        val code = program.run(arguments.map { it.toString() })
-        err.toString() shouldNotContain "\tat "
-        return Ended(code, out.toString(), err.toString(), opened)
-    }
-
-    fun Path.with(name: String, content: String = BAG): Path = (this / name).apply { writeText(content) }
-
     test("one input: its page stands beside it and is named on the standard output") {
         inFolder { folder ->
             val ended = run(folder.with("match.bag"))
@@ -168,95 +137,6 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("an output is one by its ending, whether it exists or not") {
-        inFolder { folder ->
-            folder.with("a.bag")
-            for (name in listOf("p.html", "p.htm", "P.HTM")) {
-                folder.with("old$name", "old")
-                for (page in listOf(folder / name, folder / name, folder / "old$name")) {
-                    run(folder / "a.bag", page).lines shouldContainExactly listOf("$page")
-                    ReadPage(page).inflated().decodeToString() shouldBe BAG
-                }
-            }
-        }
-    }
-
-    test("an output without such an ending is replaced by the second run") {
-        inFolder { folder ->
-            folder.with("a.bag")
-            repeat(2) { run(folder / "a.bag", folder / "page").lines shouldContainExactly listOf("${folder / "page"}") }
-            folder.names() shouldContainExactly listOf("a.bag", "page")
-        }
-    }
-
-    test("any other second path is an input: what exists stays as it is") {
-        inFolder { folder ->
-            folder.with("a.bag")
-            for (name in listOf("b.bag", "b", "b.csv")) {
-                run(folder / "a.bag", folder.with(name)).lines.size shouldBe 2
-                (folder / name).readText() shouldBe BAG
-            }
-        }
-    }
-
-    test("a log whose name is mistyped is missed, not made") {
-        inFolder { folder ->
-            folder.with("a.bag")
-            for (name in listOf("nix.bag", "nix.badbag", "nix.CSV", "nix.bag.gz", "nix.wpilog")) {
-                repeat(2) {
-                    val ended = run(folder / "a.bag", folder / name)
-                    ended.code shouldBe ExitCode.SALVAGED
-                    ended.err shouldContain "There is no file ${folder / name}"
-                }
-            }
-            folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
-        }
-    }
-
-    test("a folder: every log right in it, whatever its name, and nothing else") {
-        inFolder { folder ->
-            for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html", "README.md", "build.gradle")) folder.with(name)
-            (folder / "z.gz").writeBytes(gzip(BAG.encodeToByteArray()))
-            (folder / "video.mp4").writeBytes(byteArrayOf(0, 0, 0, 32, 1, 2))
-            (folder / "sub").createDirectory().with("deep.bag")
-            val ended = run(folder, "--out", folder / "out")
-            ended.code shouldBe ExitCode.WHOLE
-            (folder / "out").names() shouldContainExactly
-                listOf("A.html", "b.bag.html", "c.csv.html", "log.bag1519.html", "z.gz.html")
-            ended.err shouldBe "1 file is not a log and was skipped.\n"
-        }
-    }
-
-    test("--out is the page of a single log if it has an ending, otherwise a folder, as for several logs") {
-        inFolder { folder ->
-            val log = folder.with("big.bag")
-            run(log, "--out", folder / "big.html").lines shouldContainExactly listOf("${folder / "big.html"}")
-            run(log, "--out", folder / "bigout").lines shouldContainExactly listOf("${folder / "bigout/big.bag.html"}")
-            run(log, folder.with("small.bag"), "--out", folder / "all.html").lines.size shouldBe 2
-            (folder / "all.html").names() shouldContainExactly listOf("big.bag.html", "small.bag.html")
-        }
-    }
-
-    test("pages of equal names in one folder do not collide") {
-        inFolder { folder ->
-            val second = (folder / "second").createDirectory().with("a.bag")
-            val third = (folder / "third").createDirectory().with("A.bag")
-            val first = folder.with("a.bag")
-            run(first, folder.with("a.bag.gz"), second, third, first, "--out=${folder / "out"}").lines.size shouldBe 4
-            (folder / "out").names() shouldContainExactlyInAnyOrder
-                listOf("a.bag.html", "a.bag.gz.html", "a.bag (2).html", "A.bag (3).html")
-        }
-    }
-
-    test("no page takes the place of an input") {
-        inFolder { folder ->
-            run(folder.with("a"), folder.with("a.html"), folder.with("b")).code shouldBe ExitCode.WHOLE
-            (folder / "a.html").readText() shouldBe BAG
-            folder.names() shouldContain "a (2).html"
-            run(folder / "b", folder / "b").lines shouldContainExactly listOf("${folder / "b.html"}")
-        }
-    }
-
     test("what is salvaged has a page, and exit code 3") {
         inFolder { folder ->
             val ended = run(folder.with("cut.bag", CUT_BAG), folder.with("whole.bag"))
@@ -309,14 +189,6 @@ class BadlogHtmlSpec : FunSpec({
             ended.code shouldBe ExitCode.NOTHING
             ended.err shouldContain "There is no file ${folder / "nix.txt"}"
             ended.err.lines().size shouldBe 2
-        }
-    }
-
-    test("an output folder of several pages that is a file") {
-        inFolder { folder ->
-            val ended = run(folder.with("a.bag"), folder.with("b.bag"), "--out", folder.with("file"))
-            ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "${folder / "file"} is a file, not a folder"
         }
     }
 

@@ -1,6 +1,7 @@
 package badlog.page.app
 
 import badlog.page.board.BoardKeys
+import badlog.page.dom.PageEvents
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.formula.FormulaDialog
@@ -31,7 +32,7 @@ internal class Keyboard(
     private val live: LiveRegion,
 ) {
     init {
-        document.addEventListener("keydown", { press(it.unsafeCast<KeyboardEvent>()) })
+        PageEvents.on(document, "keydown") { press(it.unsafeCast<KeyboardEvent>()) }
     }
 
     private fun press(event: KeyboardEvent) {

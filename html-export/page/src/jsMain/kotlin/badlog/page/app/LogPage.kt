@@ -17,8 +17,7 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
-import badlog.page.embedded.PageSource
-import badlog.page.embedded.comparedFiles
+import badlog.page.export.sendMoment
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.folder.EventsLink
@@ -43,9 +42,13 @@ import badlog.page.header.pageHeader
 import badlog.page.note.NoteDialog
 import badlog.page.note.NoteList
 import badlog.page.note.PageNotes
+import badlog.page.opened.LogOpening
+import badlog.page.opened.OpenedLog
+import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.rules.RuleSearch
+import badlog.page.screen.setRulesState
 import badlog.page.video.VideoPanel
 import badlog.page.view.Hits
 import badlog.page.view.PageBoard
@@ -62,15 +65,16 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.note.Note
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
-import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
+import org.w3c.files.Blob
 import org.w3c.files.File
 import kotlin.js.Promise
 
@@ -83,7 +87,8 @@ internal class LogPage(
     downloads: Downloads,
     theme: ThemeSwitch,
     axisChoice: HTMLElement?,
-    private val source: PageSource,
+    private val opening: LogOpening,
+    private val copyWith: (List<Note>, String, compared: List<File>) -> Promise<Blob>,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -120,25 +125,27 @@ internal class LogPage(
     private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
     private val link =
-        PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, ::openedNow, ::openParts)
+        PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, { opened.now }, { opened.open(it) })
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
     private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
     private val noteList = NoteList(scene, notes, noteDialog::edit)
-    private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin)
+    private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
-    private val boardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
+    private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
+    private val opened = ReaderParts(search, values, boardSection)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
 
-    private val tools = listOf(
+    private val tools = listOfNotNull(
+        opening.tools(),
         export.element,
         downloads.element,
         video.button,
@@ -186,6 +193,7 @@ internal class LogPage(
         comparison.onChange {
             scene.compared = comparison.drawn
             graphs.renew()
+            search.again()
             values.refresh()
         }
         acceptFiles(::openDropped)
@@ -211,10 +219,13 @@ internal class LogPage(
     /**
      * Lays out the whole page, and runs its rules on [logged], the recording with the exporter's formulas. Call it when the first graphs
      * are visible.
+     *
+     * @param compared the files of the logs that the page compares with its own from the beginning.
+     * @param showsWorst whether to go to the worst finding.
      */
-    fun complete(logged: LogView) {
+    fun complete(logged: LogView, compared: Promise<List<File>>, showsWorst: Boolean) {
         folders.layOut(Int.MAX_VALUE)
-        comparedFiles().then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
+        compared.then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
         findings.wait()
         RuleSearch(logged, additions.rules, about.name).start(
@@ -224,9 +235,10 @@ internal class LogPage(
                 findings.show(found.ran, found.skipped, incidents)
                 if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
                 // `has:finding` now finds more.
-                search.again()
+                search.followFindings()
                 // The place in the address is known only now.
                 link.followAgain()
+                if (showsWorst) findings.step(1)
                 // Draws into the existing graphs, since somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) redraw()
                 setRulesState("done")
@@ -289,23 +301,21 @@ internal class LogPage(
         boardSection.bringIntoSight()
     }
 
-    private fun openDropped(files: List<File>) = compareBar.open(files.filterNot { layouts.open(it) || video.open(it) })
+    private fun openDropped(files: List<File>) {
+        val logs = files.filterNot { layouts.open(it) || video.open(it) }
+        val name = OpenedLog.logsIn(logs).firstOrNull()?.fileName ?: return
+        scene.notice.ask(name, "Compare with this log" to { compareBar.open(logs) }, "Open instead" to { opening.open(logs) })
+    }
 
     private fun saveCopy() {
-        Promise.resolve(Unit).then { source.copyWith(notes.now.notes, layoutNow().toJson()) }
+        Promise.resolve(Unit).then { copyWith(notes.now.notes, layoutNow().toJson(), comparison.files) }
             .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
             .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }
 
-    private fun openedNow(): OpenedParts {
-        val statistics = boardSection.cards.withIndex().filter { it.value.hasStatistics }.map { it.index + 1 }
-        return OpenedParts(search.text, values.isOpen, statistics)
-    }
-
-    private fun openParts(opened: OpenedParts) {
-        if (opened.search.isNotEmpty()) search.show(opened.search)
-        if (opened.hasValues && !values.isOpen) values.toggle()
-        for (place in opened.statistics) boardSection.cards.getOrNull(place - 1)?.takeIf { !it.hasStatistics }?.toggleStatistics()
+    private fun send(said: String) {
+        val text = listOfNotNull("${view.title ?: about.name}: $said", link.shared).joinToString("\n")
+        sendMoment(scene, text, evidence.cards.map { it::drawOn })
     }
 
     private fun goWith(address: PageAddress) {

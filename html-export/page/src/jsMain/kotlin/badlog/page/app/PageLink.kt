@@ -1,6 +1,7 @@
 package badlog.page.app
 
 import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.formula.Formulas
@@ -45,7 +46,7 @@ internal class PageLink(
     /** Starts following the address; [begin] is called with the board in it. */
     fun start(begin: (Board?) -> Unit) {
         follow(begin)
-        window.addEventListener("hashchange", { follow { asked -> asked?.let(scene.board::visit) } })
+        PageEvents.on(window, "hashchange") { follow { asked -> asked?.let(scene.board::visit) } }
         scene.board.onKeep = ::leave
     }
 
@@ -85,7 +86,10 @@ internal class PageLink(
         address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
     }
 
-    private fun copy() {
+    /** The link to what is shown; null if others could not open it, because the page is on a disk. */
+    val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + addressNow() }
+
+    private fun addressNow(): String {
         val address = PageAddress(
             moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
             finding = scene.visitedAt(scene.cursor.x),
@@ -96,7 +100,11 @@ internal class PageLink(
             second = scene.cursor.now.second,
             opened = opened(),
         )
-        val end = address.toText()
+        return address.toText()
+    }
+
+    private fun copy() {
+        val end = addressNow()
         val link = window.location.href.substringBefore('#') + end
         val copied = try {
             window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()

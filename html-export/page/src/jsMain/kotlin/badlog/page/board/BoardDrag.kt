@@ -1,6 +1,7 @@
 package badlog.page.board
 
 import badlog.page.dom.EscapeKey
+import badlog.page.dom.PageEvents
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
@@ -29,10 +30,10 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
     private val escape = EscapeKey(::stop)
 
     init {
-        document.addEventListener("pointerdown", { press(it.unsafeCast<PointerEvent>()) })
-        document.addEventListener("pointermove", { move(it.unsafeCast<PointerEvent>()) })
-        document.addEventListener("pointerup", { release() })
-        document.addEventListener("pointercancel", { stop() })
+        PageEvents.on(document, "pointerdown") { press(it.unsafeCast<PointerEvent>()) }
+        PageEvents.on(document, "pointermove") { move(it.unsafeCast<PointerEvent>()) }
+        PageEvents.on(document, "pointerup") { release() }
+        PageEvents.on(document, "pointercancel") { stop() }
     }
 
     private fun press(event: PointerEvent) {

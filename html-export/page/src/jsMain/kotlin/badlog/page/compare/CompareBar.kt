@@ -8,6 +8,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.opened.OpenedLog
 import badlog.page.reading.FileReading
 import badlog.page.view.Notice
 import badlog.viewer.choices.comparison.Alignment
@@ -80,27 +81,26 @@ internal class CompareBar(private val comparison: PageComparison, private val no
 
     /** Reads the logs in [files], one after the other, and compares them. */
     fun open(files: List<File>) {
-        // The first file of a Driver Station log is read before its second.
-        val (seconds, firsts) = files.partition { it.name.endsWith(SECOND) }
-        val first = (firsts + seconds).firstOrNull() ?: return
-        val log = listOf(first) + seconds.filter { it !== first && it.name.removeSuffix(SECOND) == first.name.removeSuffix(FIRST) }
-        val name = first.name
+        val logs = OpenedLog.logsIn(files)
+        val log = logs.firstOrNull() ?: return
+        val name = log.fileName
         lateinit var reading: FileReading
-        reading = FileReading(log) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", reading::cancel) }
+        reading = FileReading(log.files) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", reading::cancel) }
         notice.show("Reading $name…", reading::cancel)
         reading.start().then({ read ->
             notice.hide()
-            accept(name, read)
-            open(files - log.toSet())
+            accept(log, read)
+            open(files - log.files.toSet())
         }, { failure -> notice.say("$name cannot be read: ${failure.message}. Open it again.") })
     }
 
-    private fun accept(name: String, read: Recording) {
+    private fun accept(log: OpenedLog, read: Recording) {
+        val name = log.fileName
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         when {
             unreadable != null -> notice.say("$name: ${unreadable.message}")
             read.topics.all { it.samples.isEmpty() } -> notice.say("$name has no samples, so there is nothing to compare.")
-            else -> comparison.add(name, read)
+            else -> comparison.add(name, read, log.files)
         }
     }
 
@@ -137,11 +137,5 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         val shown = sign + exactText(step).removePrefix("0")
         addButton("compared-step", shown, "Move ${log.name} by $sign${exactText(step)}", onClick)
             .setAttribute("aria-label", "Move ${log.name} by $sign${exactText(step)}")
-    }
-
-    private companion object {
-        /** The endings of a Driver Station log's two files. */
-        const val FIRST = ".dslog"
-        const val SECOND = ".dsevents"
     }
 }

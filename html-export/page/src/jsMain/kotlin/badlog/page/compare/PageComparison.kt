@@ -13,6 +13,7 @@ import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.shown.comparison.LogName
 import badlog.viewer.shown.comparison.namesBeside
+import org.w3c.files.File
 
 /**
  * The logs that are compared with the page's own, in the order in which they came, and where they are on x.
@@ -20,9 +21,9 @@ import badlog.viewer.shown.comparison.namesBeside
  * @param file the name of the page's own file.
  */
 internal class PageComparison(private val formulas: Formulas, file: String) {
-    private class Log(val id: Int, val file: String, val view: LogView, val name: LogName, val moments: LogMoments)
+    private class Log(val id: Int, val files: List<File>, val file: String, val view: LogView, val name: LogName, val moments: LogMoments)
 
-    private val open = logOf(OPEN, file, formulas.logged)
+    private val open = logOf(OPEN, emptyList(), file, formulas.logged)
     private val logs = ArrayList<Log>()
     private var offsets = LogOffsets<Int>()
     private var lastId = OPEN
@@ -47,10 +48,13 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
         listeners += listener
     }
 
-    /** Adds the log [recording] from the file [file]; one of the same file makes way for it. */
-    fun add(file: String, recording: Recording) {
+    /** The files of the logs. */
+    val files: List<File> get() = logs.flatMap { it.files }
+
+    /** Adds the log [recording] called [file], read from [files]; one of the same name makes way for it. */
+    fun add(file: String, recording: Recording, files: List<File>) {
         logs.removeAll { it.file == file }
-        logs += logOf(++lastId, file, formulas.viewOf(recording))
+        logs += logOf(++lastId, files, file, formulas.viewOf(recording))
         show()
     }
 
@@ -98,11 +102,11 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
 
     private fun moments() = (listOf(open) + logs).associate { it.id to it.moments }
 
-    private fun logOf(id: Int, file: String, view: LogView): Log {
+    private fun logOf(id: Int, files: List<File>, file: String, view: LogView): Log {
         val values = view.recording.values
         val match = matchTitle(null, values.meant("match type"), values.meant("match number", "match"))
         val name = LogName(values.meant("event name", "event"), match, view.title ?: file, file)
-        return Log(id, file, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
+        return Log(id, files, file, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
     }
 
     private companion object {

@@ -1,6 +1,7 @@
 package badlog.page.embedded
 
 import kotlinx.browser.document
+import org.w3c.files.File
 
 /**
  * What the page knows about its embedded file.
@@ -27,6 +28,18 @@ internal class About(
     val fileKey: String get() = "$name:$inflatedBytes"
 
     companion object {
+        /** Returns what is known of [files], which a person opened on a page that [version] of badlog made. */
+        fun of(files: List<File>, version: String): About = About(
+            name = files[0].name,
+            isCompressed = false,
+            inflatedBytes = files.sumOf { it.size.toDouble() },
+            isCut = false,
+            lineSums = emptyArray(),
+            version = version,
+            second = files.getOrNull(1)?.name,
+            firstBytes = files[0].size.toInt(),
+        )
+
         /** Reads it from the page. Returns null if the page is incomplete. */
         fun find(): About? {
             val text = document.getElementById("about")?.textContent ?: return null

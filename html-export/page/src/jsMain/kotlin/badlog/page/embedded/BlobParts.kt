@@ -13,6 +13,9 @@ internal class BlobParts {
     /** Adds [text]. */
     fun add(text: String) = add(text, text.length)
 
+    /** Adds [part]. */
+    fun add(part: Blob) = add(part, part.size.toInt())
+
     /** Adds [bytes]. */
     fun addBytes(bytes: ByteArray) {
         val view = bytes.unsafeCast<Int8Array>()

@@ -28,6 +28,10 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     )
     private val fixedDistances = HuffmanCode(ByteArray(30) { 5 })
 
+    /** Whether it ended too early, or was damaged. */
+    var isCut = false
+        private set
+
     /** Inflates everything that can be read. */
     fun run() {
         try {
@@ -37,6 +41,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
             }
         } catch (_: DamageException) {
             // Everything before the cut, or before the invalid data, is good.
+            isCut = true
         }
         give()
     }

@@ -7,6 +7,9 @@ internal class LineSums {
     private val crc = Crc32()
     private val sums = ArrayList<Int>()
 
+    /** The sum of each line that has ended. */
+    val all: List<Int> get() = sums
+
     /** Adds [bytes], the next piece of a line; [isLast] ends the line. */
     fun add(bytes: ByteArray, isLast: Boolean) {
         crc.update(bytes)

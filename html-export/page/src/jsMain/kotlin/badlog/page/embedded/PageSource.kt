@@ -3,12 +3,10 @@ package badlog.page.embedded
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.toJson
 import kotlinx.browser.document
-import kotlinx.browser.window
-import org.khronos.webgl.Uint8Array
 import org.w3c.dom.Element
 import org.w3c.dom.asList
-import org.w3c.fetch.Response
 import org.w3c.files.Blob
+import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
@@ -21,18 +19,32 @@ internal class PageSource(root: Element) {
     private val waiting = root.outerHTML
 
     /**
-     * Returns a copy of this page with [notes] and with [layout], the text of a layout file. Fails if the page's own additions are
-     * damaged.
+     * Returns a copy of this page with [notes] and with [layout], the text of a layout file. Fails if the page's own additions are damaged.
+     *
+     * @param opened the log to hold instead of the page's own, see [LogBytes.toMarkup]; null for the page's own.
+     * @param compared the files of the logs that are compared with it.
      */
-    fun copyWith(notes: List<Note>, layout: String): Promise<Blob> {
+    fun copyWith(notes: List<Note>, layout: String, opened: Promise<Blob>?, compared: List<File>): Promise<Blob> {
         val additions = JSON.parse<dynamic>(document.getElementById("additions")?.textContent ?: NO_ADDITIONS)
         additions.notes = JSON.parse<dynamic>(notes.toJson())
         additions.notesProblem = undefined
         additions.layout = layout
-        return packed(JSON.stringify(additions)).then(::copyWith)
+        if (opened != null) {
+            for (list in listOf("virtual", "findings", "hooks")) additions[list] = emptyArray<Any>()
+            for (one in listOf("differences", "video")) additions[one] = undefined
+        }
+        val text = packed(Blob(arrayOf(JSON.stringify(additions)))).then { bytesOf(it, 0.0, it.size.toDouble()) }.then { base64(it) }
+        // What the page already holds of the compared logs is copied as it is.
+        val held = document.querySelectorAll("script.compared").asList().mapNotNull { it.unsafeCast<Element>().getAttribute(NAME) }
+        val others = compared.filterNot { opened == null && it.name in held }.map(::markupOfCompared)
+        val parts = Promise.all(arrayOf<Promise<Any?>>(text, opened ?: Promise.resolve(null), Promise.all(others.toTypedArray())))
+        return parts.then { (packed, log, more) ->
+            val names = compared.map { it.name }
+            copyWith(packed as String, log as Blob?, more.unsafeCast<Array<Blob>>()) { it.getAttribute(NAME) in names }
+        }
     }
 
-    private fun copyWith(additions: String): Blob {
+    private fun copyWith(additions: String, opened: Blob?, compared: Array<Blob>, isCompared: (Element) -> Boolean): Blob {
         val copy = BlobParts()
         copy.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n")
         // The program and its style follow the style that the page has from the beginning.
@@ -47,11 +59,21 @@ internal class PageSource(root: Element) {
 
                 element.tagName != "SCRIPT" || element.id == "additions" -> Unit
 
+                opened != null && element.id !in PROGRAM -> Unit
+
+                element.className == "compared" && !isCompared(element) -> Unit
+
                 else -> {
                     if (element.id == "packed") copy.addAdditions(additions)
+                    // The facts about the log are the end of a page.
+                    if (element.id == "about") compared.forEach(copy::add)
                     copy.addScript(element)
                 }
             }
+        }
+        if (opened != null) {
+            compared.forEach(copy::add)
+            copy.add(opened)
         }
         copy.add("</body>\n</html>\n")
         return copy.toBlob()
@@ -71,23 +93,12 @@ internal class PageSource(root: Element) {
         add("$END\n")
     }
 
-    /** Returns the gzip stream of [text] in base64, see `UNPACKING` of the exporter. */
-    private fun packed(text: String): Promise<String> {
-        val stream = Blob(arrayOf(text)).asDynamic().stream().pipeThrough(js("new CompressionStream('gzip')"))
-        return Response(stream).arrayBuffer().then { buffer ->
-            val bytes = Uint8Array(buffer)
-            (0 until bytes.length step PIECE).joinToString("") { from ->
-                val piece = bytes.subarray(from, minOf(from + PIECE, bytes.length))
-                window.btoa(js("String").fromCharCode.apply(null, piece).unsafeCast<String>())
-            }
-        }
-    }
-
     private companion object {
-        const val END = "</script>"
+        /** The scripts of a page that are not about its log. */
+        val PROGRAM = setOf("packed", "unpacking")
 
-        /** A multiple of three, so that the pieces are one base64 text. */
-        const val PIECE = 24_576
+        /** Where a script has the name of its file. */
+        const val NAME = "data-name"
         const val NO_ADDITIONS = """{"virtual":[],"findings":[],"hooks":[]}"""
     }
 }

@@ -33,6 +33,10 @@ internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) 
     )
 }
 
+/** Draws the [parts] as a picture of the visible range, and passes it to [onReady] as PNG. */
+internal fun pictureOf(scene: Scene, parts: List<(Sheet) -> Unit>, onReady: (Blob) -> Unit) =
+    pngOf(WIDTH, { figure(scene.view.title ?: scene.fileName, scene.figureNotes, parts) }, onReady)
+
 /** Returns what [draw] draws as SVG. */
 internal fun svgOf(width: Int, draw: Sheet.() -> Unit): String {
     val ruler = CanvasPen(newCanvas())

@@ -31,15 +31,18 @@ import org.w3c.dom.HTMLElement
  * a person goes to one.
  *
  * @param onStep called when a person wants to see another place of the same finding, with the number of places to advance.
+ * @param onSend called when a person wants to send what is shown, with its sentences.
  */
 internal class EvidenceSection(
     private val scene: Scene,
     private val graphs: VisibleGraphs,
     private val signals: SignalVocabulary,
     private val onStep: (Int) -> Unit,
+    private val onSend: (String) -> Unit,
 ) {
     private var board = Board()
     private val drawn = ArrayList<GraphCard>()
+    private var said = ""
     private lateinit var severity: HTMLElement
     private lateinit var heading: HTMLElement
     private lateinit var steps: HTMLElement
@@ -63,6 +66,7 @@ internal class EvidenceSection(
                 addIconButton("evidence-next", Icon.BACK, "Next") { onStep(1) }
             }
             add("div", "graph-tools") {
+                addIconButton("", Icon.SEND, "Send this moment: a picture with these sentences") { onSend(said) }.id = "send-moment"
                 keep = addIconButton("", Icon.PIN, "Keep these graphs on the board") { keep() }.apply { id = "keep-evidence" }
                 addIconButton("", Icon.CLOSE, "Close the evidence (Escape)") { close() }.id = "close-evidence"
             }
@@ -93,7 +97,9 @@ internal class EvidenceSection(
         steps.isHidden = whole != null || places.size < 2
         number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
         text.textContent = ""
-        for (sentence in whole?.sentences?.map { it.text } ?: listOf(finding.textAt(place.span))) text.add("p", "evidence-text", sentence)
+        val sentences = whole?.sentences?.map { it.text } ?: listOf(finding.textAt(place.span))
+        for (sentence in sentences) text.add("p", "evidence-text", sentence)
+        said = sentences.joinToString(" ")
         val advice = incident.nextOf(finding)
         next.isHidden = advice.isEmpty()
         next.showText("Next: $advice")

@@ -8,16 +8,16 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.signals.over
 import badlog.signals.timeColumn
-import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
  * The choice of the x axis for a log that names none: its rows, or its time column. The browser remembers it for the file.
  *
  * @param fileKey identifies the file.
+ * @param onChange called when another axis was selected: everything depends on it.
  * @param mayAsk whether the page can be drawn over a different axis than its exporter used.
  */
-internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean) {
+internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, private val onChange: () -> Unit) {
     private val key = "x:$fileKey"
     private val column = if (mayAsk) read.timeColumn() else null
     private val chosen = LocalStorage[key]
@@ -38,11 +38,10 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean) {
         }
     }
 
-    // The whole page depends on its axis, so it is loaded again.
     private fun choose(what: String) {
         val isShown = recording.timeColumn() != null
         LocalStorage[key] = what
-        if (isShown && what == ROWS) element?.remove() else window.location.reload()
+        if (isShown && what == ROWS) element?.remove() else onChange()
     }
 
     private companion object {

@@ -10,11 +10,11 @@ import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
+import badlog.page.embedded.LogBytes
 import badlog.page.export.fileOf
 import badlog.page.view.Notice
 import badlog.viewer.shown.table.CsvDraft
 import kotlinx.browser.document
-import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
 import org.w3c.files.Blob
@@ -23,11 +23,11 @@ import kotlin.js.Promise
 /**
  * The buttons that save files: the original, byte for byte, its samples as CSV, and whatever else is in the page.
  *
- * @param read the recording read from the file.
+ * @param bytes the bytes of the file.
+ * @param read the recording read from it.
  * @param isDamaged whether the page was changed since it was exported.
  */
-internal class Downloads(private val about: About, recording: Element, private val read: Recording, isDamaged: Boolean = false) {
-    private val file = EmbeddedFile(recording)
+internal class Downloads(private val about: About, private val bytes: LogBytes, private val read: Recording, isDamaged: Boolean = false) {
     private val exactness = if (isDamaged) "as this damaged page has it" else "byte for byte"
 
     /** Shows the progress of longer work. */
@@ -36,11 +36,11 @@ internal class Downloads(private val about: About, recording: Element, private v
     val element: HTMLElement = element("div", "downloads") {
         val text = if (about.second == null) "Download" else ending(about.name)
         addDownload("download", Icon.DOWNLOAD, text, "Save ${about.name}, $exactness", about.name) {
-            original().then { if (about.second == null) it else it.slice(0, about.firstBytes ?: 0) }
+            bytes.original().then { if (about.second == null) it else it.slice(0, about.firstBytes ?: 0) }
         }
         about.second?.let { second ->
             addDownload("download-second", Icon.DOWNLOAD, ending(second), "Save $second, $exactness", second) {
-                original().then { it.slice(about.firstBytes ?: 0) }
+                bytes.original().then { it.slice(about.firstBytes ?: 0) }
             }
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
@@ -58,17 +58,11 @@ internal class Downloads(private val about: About, recording: Element, private v
     /** Returns the ending, in which the two files of one log differ: `.dslog` and `.dsevents`. */
     private fun ending(name: String): String = ".${name.removeSuffix(".gz").substringAfterLast('.')}"
 
-    private fun original(): Promise<Blob> =
-        if (about.isCompressed) Promise.resolve(file.compressed()) else file.inflated(about.inflatedBytes)
-
     /** For an undamaged file with rows, its own text; for others what was read, so that damaged parts are left out or repaired. */
-    private fun csv(): Promise<Blob?> = if (read.isSalvaged || !read.format.hasRows) {
-        fileOf(CsvDraft.ofAll(LogView.of(read)), notice)
-    } else {
-        ownCsv()
+    private fun csv(): Promise<Blob?> {
+        val own = if (read.isSalvaged || !read.format.hasRows) null else bytes.text(CsvPart(read.headerLine != null)::filter)
+        return own ?: fileOf(CsvDraft.ofAll(LogView.of(read)), notice)
     }
-
-    private fun ownCsv(): Promise<Blob> = file.inflated(about.inflatedBytes, !about.isCompressed, CsvPart(read.headerLine != null)::filter)
 
     private fun HTMLElement.addDownload(
         id: String,

@@ -1,5 +1,6 @@
 package badlog.page.header
 
+import badlog.page.dom.PageEvents
 import badlog.page.dom.element
 import badlog.page.export.figureNotes
 import badlog.page.export.svgOf
@@ -33,8 +34,8 @@ internal class Printing(
     val element: HTMLElement = element("p", "paper unit")
 
     init {
-        window.addEventListener("beforeprint", { begin() })
-        window.addEventListener("afterprint", { end() })
+        PageEvents.on(window, "beforeprint") { begin() }
+        PageEvents.on(window, "afterprint") { end() }
     }
 
     /** Opens the browser's print dialog, for all graphs if [isWhole]. */

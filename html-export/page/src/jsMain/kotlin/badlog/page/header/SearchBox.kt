@@ -64,8 +64,13 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     }
 
     /** Repeats the search if it depends on findings. */
-    fun again() {
+    fun followFindings() {
         if (Query(input.value).asksFor(Trait.FINDING)) run()
+    }
+
+    /** Repeats the search: the graphs were replaced. */
+    fun again() {
+        if (text.isNotEmpty()) run()
     }
 
     private fun run() {

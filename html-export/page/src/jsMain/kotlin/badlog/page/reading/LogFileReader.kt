@@ -1,11 +1,14 @@
 package badlog.page.reading
 
 import badlog.core.bag.RecordingParser
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.formats.LOG_FORMATS
+import badlog.page.embedded.GZIP
 import badlog.page.embedded.Inflater
-import org.khronos.webgl.ArrayBuffer
-import org.khronos.webgl.Int8Array
+import badlog.page.embedded.PIECE
+import badlog.page.embedded.bytesOf
 import org.w3c.files.File
 import kotlin.js.Promise
 
@@ -19,19 +22,26 @@ internal class LogFileReader(private val files: List<File>, private val onProgre
     private val size = files.sumOf { it.size.toDouble() }
     private val parser = RecordingParser(LOG_FORMATS, size.toLong())
     private var done = 0.0
+    private var cut: Problem? = null
 
     /** Reads all, and promises the recording; rejected if a file cannot be read, for example since it was removed. */
     fun read(): Promise<Recording> {
         val all = files.fold(Promise.resolve(Unit)) { before, file -> before.then { begin(file) }.unsafeCast<Promise<Unit>>() }
-        return all.then { parser.finish() }
+        return all.then { parser.finish().let { read -> cut?.let { read + it } ?: read } }
     }
 
-    private fun begin(file: File): Promise<Unit> = bytesOf(file, 0.0, 2.0).then { head ->
+    private fun begin(file: File): Promise<Unit> = bytesOf(file, 0.0, GZIP.size.toDouble()).then { head ->
         if (head.contentEquals(GZIP)) inflate(file) else goOn(file, 0.0)
     }.unsafeCast<Promise<Unit>>()
 
     private fun inflate(file: File) = bytesOf(file, 0.0, file.size.toDouble()).then { bytes ->
-        Inflater(bytes) { parser.accept(it, 0, it.size) }.run()
+        var inflated = 0.0
+        val inflater = Inflater(bytes) {
+            inflated += it.size
+            parser.accept(it, 0, it.size)
+        }
+        inflater.run()
+        if (inflater.isCut) cut = gzipCut(inflated)
         advance(bytes.size)
     }
 
@@ -45,16 +55,8 @@ internal class LogFileReader(private val files: List<File>, private val onProgre
         done += bytes
         onProgress(done / size)
     }
-
-    private fun bytesOf(file: File, from: Double, until: Double): Promise<ByteArray> {
-        val part = file.asDynamic().slice(from, until)
-        return part.arrayBuffer().unsafeCast<Promise<ArrayBuffer>>().then { Int8Array(it).unsafeCast<ByteArray>() }
-    }
-
-    private companion object {
-        val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
-
-        /** The number of bytes that are read at once. */
-        const val PIECE = 4_000_000
-    }
 }
+
+/** The problem of a compressed file of which only the first [inflatedBytes] can be read. */
+internal fun gzipCut(inflatedBytes: Double) =
+    Problem(ProblemKind.GZIP_CUT, "The compressed file is cut off or damaged; the $inflatedBytes bytes before that were read.")

@@ -1,7 +1,6 @@
 package badlog.page.reading
 
 import badlog.core.recording.Problem
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.startWorker
 import badlog.page.embedded.About
@@ -25,11 +24,7 @@ internal class Reading(private val about: About, private val element: Element, p
     }
 
     // Only the exporter, which inflated the file to its end, knows whether the stream was complete.
-    private fun withCut(recording: Recording): Recording {
-        if (!about.isCut) return recording
-        val text = "The compressed file is cut off or damaged; the ${about.inflatedBytes} bytes before that were read."
-        return recording + Problem(ProblemKind.GZIP_CUT, text)
-    }
+    private fun withCut(recording: Recording): Recording = if (about.isCut) recording + gzipCut(about.inflatedBytes) else recording
 
     private fun readIn(worker: Worker, resolve: (ReadLog) -> Unit, reject: (Throwable) -> Unit) {
         val text = Base64Text(element)

@@ -2,6 +2,7 @@ package badlog.page.view
 
 import badlog.page.dom.Icon
 import badlog.page.dom.add
+import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
@@ -37,6 +38,17 @@ internal class Notice {
         text.showText(progress)
         element.classList.remove("is-empty")
         window.clearTimeout(timer)
+    }
+
+    /** Asks [question]; each of [choices] is a button. */
+    fun ask(question: String, vararg choices: Pair<String, () -> Unit>) {
+        show(question) {}
+        for ((label, choose) in choices) {
+            text.addButton("", label) {
+                hide()
+                choose()
+            }
+        }
     }
 
     /** Hides it. */

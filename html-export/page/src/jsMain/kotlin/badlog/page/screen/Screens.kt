@@ -1,18 +1,20 @@
-package badlog.page.app
+package badlog.page.screen
 
 import badlog.page.dom.add
+import badlog.page.dom.addButton
 import badlog.page.dom.element
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** What the page shows while the log is being read. */
-internal class LoadingScreen(name: String) {
+/** What the page shows while the log [name] is being read; [cancel] ends that, if it can be ended. */
+internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
     private lateinit var bar: HTMLElement
 
     val element: HTMLElement = element("div", "screen loading") {
         setAttribute("role", "status")
         add("p", "screen-title", "Reading $name…")
         add("div", "progress") { bar = add("div", "progress-bar") }
+        cancel?.let { addButton("", "Cancel", onClick = it).id = "cancel" }
     }
 
     init {

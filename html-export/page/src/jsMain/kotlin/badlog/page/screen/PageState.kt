@@ -1,4 +1,4 @@
-package badlog.page.app
+package badlog.page.screen
 
 import kotlinx.browser.document
 
@@ -7,7 +7,9 @@ internal fun setRulesState(state: String) {
     document.documentElement?.setAttribute("data-rules", state)
 }
 
-/** Records in the page, for programs that control it, the state of loading. */
+/** Records in the page, for programs that control it, what it shows: `loading`, `ready`, `failed`, or `empty` without a log. */
 internal fun setPageState(state: String) {
+    // The rules of the log that was shown before are over.
+    if (state == "loading") document.documentElement?.removeAttribute("data-rules")
     document.documentElement?.setAttribute("data-state", state)
 }

@@ -1,0 +1,80 @@
+package badlog.page.app
+
+import badlog.core.analysis.LogView
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.page.embedded.About
+import badlog.page.embedded.GivenLayout
+import badlog.page.embedded.LogBytes
+import badlog.page.embedded.PageSource
+import badlog.page.formula.Formulas
+import badlog.page.header.AxisChoice
+import badlog.page.header.Downloads
+import badlog.page.header.ThemeSwitch
+import badlog.page.opened.LogOpening
+import badlog.page.screen.PageRoot
+import badlog.page.screen.setPageState
+import badlog.protocol.PageAdditions
+import badlog.rules.RuleSet
+import badlog.signals.withSignals
+import badlog.viewer.choices.formula.joined
+import kotlinx.browser.window
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * A log to show.
+ *
+ * @property bytes the bytes of its file.
+ * @property isDamaged whether the page that holds it was changed since it was exported.
+ * @property compared returns the files of the logs that are compared with it from the beginning.
+ */
+internal class ShownLog(
+    val read: Recording,
+    val about: About,
+    val bytes: LogBytes,
+    val isDamaged: Boolean = false,
+    val compared: () -> Promise<List<File>>,
+)
+
+/** Shows logs on the page, one at a time. */
+internal class LogShowing(private val root: PageRoot, private val source: PageSource, private val opening: () -> LogOpening) {
+    private var page: LogPage? = null
+
+    /** The colors of all logs. */
+    val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
+
+    /** Shows [log] with [additions]; [showsWorst] to go to the worst finding when the rules have run. */
+    fun show(log: ShownLog, additions: PageAdditions?, showsWorst: Boolean = false) {
+        val about = log.about
+        val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
+        val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+        if (unreadable != null) return root.fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
+        val signals = (additions?.rules ?: RuleSet.NONE).signals
+        val layout = GivenLayout.of(additions?.layout)
+        val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
+        // The findings of a hook have the x axis of the exporter.
+        val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
+        val again = { root.guarded { show(log, additions, showsWorst) } }
+        val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
+        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
+        setPageState("loading")
+        root.clear()
+        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, opening()) { notes, board, compared ->
+            source.copyWith(notes, board, log.bytes.toMarkup(), compared)
+        }
+        page = shown
+        root.show(shown.element)
+        shown.start()
+        window.performance.asDynamic().mark("badlog-first-graphs")
+        // After the browser's next frame.
+        window.requestAnimationFrame {
+            window.setTimeout({
+                root.guarded {
+                    shown.complete(formulas.given, log.compared(), showsWorst)
+                    setPageState("ready")
+                }
+            }, 0)
+        }
+    }
+}

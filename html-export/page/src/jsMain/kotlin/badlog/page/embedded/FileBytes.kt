@@ -1,0 +1,42 @@
+package badlog.page.embedded
+
+import kotlinx.browser.window
+import org.khronos.webgl.ArrayBuffer
+import org.khronos.webgl.Int8Array
+import org.khronos.webgl.Uint8Array
+import org.w3c.fetch.Response
+import org.w3c.files.Blob
+import kotlin.js.Promise
+
+/** The bytes with which a gzip stream begins. */
+internal val GZIP: ByteArray = byteArrayOf(0x1f, 0x8b.toByte())
+
+/** What ends a script of a page. */
+internal const val END: String = "</script>"
+
+/** The number of bytes that are read at once; a multiple of three, so that their base64 texts are one. */
+internal const val PIECE: Int = 3 shl 20
+
+/** Returns the bytes from [from] until [until] of [file], or until its end. */
+internal fun bytesOf(file: Blob, from: Double, until: Double): Promise<ByteArray> {
+    val part = file.asDynamic().slice(from, until)
+    return part.arrayBuffer().unsafeCast<Promise<ArrayBuffer>>().then { Int8Array(it).unsafeCast<ByteArray>() }
+}
+
+/** Returns the gzip stream of [content]. */
+internal fun packed(content: Blob): Promise<Blob> {
+    val stream = content.asDynamic().stream().pipeThrough(js("new CompressionStream('gzip')"))
+    return Response(stream).blob()
+}
+
+/** Returns [bytes] in base64. */
+internal fun base64(bytes: ByteArray): String {
+    val all = bytes.unsafeCast<Int8Array>().let { Uint8Array(it.buffer, it.byteOffset, it.length) }
+    return (0 until all.length step ARGUMENTS).joinToString("") { from ->
+        val piece = all.subarray(from, minOf(from + ARGUMENTS, all.length))
+        window.btoa(js("String").fromCharCode.apply(null, piece).unsafeCast<String>())
+    }
+}
+
+/** The number of arguments that a function takes in any browser; a multiple of three. */
+private const val ARGUMENTS = 24_576

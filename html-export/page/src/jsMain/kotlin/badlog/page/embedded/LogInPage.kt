@@ -1,0 +1,107 @@
+package badlog.page.embedded
+
+import org.w3c.fetch.Response
+import org.w3c.files.Blob
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * Returns the files of the log that [page], a page of badlog, holds; null if it holds none. Rejected if it was changed since it was
+ * exported. Only a piece of the page is in memory at a time.
+ */
+internal fun logIn(page: File): Promise<List<File>?> = PageScan(page).run()
+
+private class PageScan(private val page: File) {
+    private val gzip = BlobParts()
+    private val sums = LineSums()
+
+    /** What was read of the page and not understood yet. */
+    private var rest = ""
+    private var isInLog = false
+    private var hasLog = false
+
+    fun run(): Promise<List<File>?> = readFrom(0.0).then {
+        val begin = rest.indexOf(ABOUT)
+        when {
+            !hasLog -> null
+
+            begin < 0 || isInLog -> error(DAMAGED)
+
+            else -> {
+                // Read again as UTF-8, in which the page is written.
+                val end = page.asDynamic().slice(page.size.toDouble() - rest.length + begin + ABOUT.length)
+                end.text().unsafeCast<Promise<String>>().then { filesOf(JSON.parse<dynamic>(it.substringBefore('<'))) }
+            }
+        }
+    }.unsafeCast<Promise<List<File>?>>()
+
+    private fun filesOf(about: dynamic): Promise<List<File>> {
+        check(sums.fit(about.crc32.unsafeCast<Array<Int>>())) { DAMAGED }
+        val name = about.name as String
+        val gzip = gzip.toBlob()
+        if (about.original == "gzip") return Promise.resolve(listOf(File(arrayOf<dynamic>(gzip), name)))
+        return unpacked(gzip).then { whole ->
+            val second = about.second as String?
+            val end = if (second == null) whole.size.toDouble() else (about.firstBytes as Number).toDouble()
+            listOfNotNull(
+                File(arrayOf<dynamic>(whole.asDynamic().slice(0, end)), name),
+                second?.let { File(arrayOf<dynamic>(whole.asDynamic().slice(end)), it) },
+            )
+        }
+    }
+
+    private fun readFrom(from: Double): Promise<Unit> = bytesOf(page, from, from + PIECE).then { bytes ->
+        rest += LATIN.decode(bytes).unsafeCast<String>()
+        scan()
+        if (bytes.size < PIECE) Unit else readFrom(from + PIECE)
+    }.unsafeCast<Promise<Unit>>()
+
+    private fun scan() {
+        if (!isInLog && !hasLog) {
+            val begin = rest.indexOf(LOG)
+            val end = rest.indexOf('>', maxOf(begin, 0))
+            if (begin < 0 || end < 0) return forget()
+            rest = rest.substring(end + 1)
+            isInLog = true
+            hasLog = true
+        }
+        while (isInLog) {
+            val end = rest.indexOfFirst { it == '<' || it == '\n' }
+            val length = if (end < 0) rest.length / GROUP * GROUP else end
+            val bytes = Base64.decode(rest.substring(0, length))
+            gzip.addBytes(bytes)
+            val isLineEnd = end >= 0
+            sums.add(bytes, isLineEnd)
+            rest = rest.substring(length)
+            if (!isLineEnd) return
+            isInLog = rest[0] == '\n'
+            if (isInLog) rest = rest.substring(1)
+        }
+        forget()
+    }
+
+    /** Forgets all but the end of what was read: a tag may have been cut in two. */
+    private fun forget() {
+        rest = rest.takeLast(LONGEST)
+    }
+
+    private companion object {
+        const val LOG = "id=\"recording\""
+        const val ABOUT = "id=\"about\">"
+        const val DAMAGED = "the log in it was damaged in copying"
+
+        /** Longer than any facts about a log. */
+        const val LONGEST = 1 shl 20
+
+        /** The characters of base64 for three bytes. */
+        const val GROUP = 4
+
+        /** One character for each byte. */
+        val LATIN: dynamic = js("new TextDecoder('latin1')")
+    }
+}
+
+private fun unpacked(gzip: Blob): Promise<Blob> {
+    val stream = gzip.asDynamic().stream().pipeThrough(js("new DecompressionStream('gzip')"))
+    return Response(stream).blob()
+}

@@ -1,0 +1,36 @@
+package badlog.page.opened
+
+import badlog.core.analysis.LogView
+import badlog.page.reading.LogFileReader
+import badlog.rules.RuleSet
+import badlog.rules.over
+import badlog.signals.overItsTime
+import badlog.signals.withSignals
+import badlog.viewer.catalog.FoundRule
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import kotlin.js.Promise
+
+/** Finds out what lists show of logs: what they hold, and what [rules] find in them. Used in a worker, or on the page if there is none. */
+internal class LogExamination(private val rules: RuleSet) {
+    /** Examines [log]; [onKnown] is called with what it holds, and again with what the rules found. Rejected if it cannot be read. */
+    fun of(log: OpenedLog, onKnown: (OpenedLog) -> Unit): Promise<Unit> = LogFileReader(log.files) {}.read().then { read ->
+        val view = LogView.of(read.overItsTime()).withSignals(rules.signals)
+        val name = log.fileName
+        val summary = LogSummary.of(view, rules.signals, name, log.modified, OpenedLog.isOnlyOfLogs(name))
+        val known = log.with(summary, found = null)
+        onKnown(known)
+        if (!known.isGray) onKnown(known.with(summary, found(view, name)))
+    }
+
+    private fun found(view: LogView, name: String) = LogFound(
+        0,
+        try {
+            rules.over(view, name, isEverywhere = true).findings.map { FoundRule(it.rule, it.severity) }
+                .sortedByDescending { it.severity }.distinctBy { it.name }
+        } catch (problem: Throwable) {
+            console.error(problem)
+            null
+        },
+    )
+}

@@ -1,0 +1,169 @@
+package badlog.page.opened
+
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.embedded.logIn
+import badlog.page.reading.FileReading
+import badlog.page.screen.LoadingScreen
+import badlog.page.screen.PageRoot
+import badlog.page.screen.setPageState
+import badlog.rules.RuleSet
+import badlog.viewer.text.countText
+import kotlinx.browser.document
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.events.KeyboardEvent
+import org.w3c.files.File
+
+/**
+ * Opens what a person drops or chooses, instead of what is shown.
+ *
+ * @param rules returns the rules of this page.
+ * @param settings what can be changed on every page.
+ * @param goToStart shows what was there before any log was opened.
+ * @param show shows a log that was read, with others to compare.
+ */
+internal class LogOpening(
+    private val root: PageRoot,
+    private val rules: () -> RuleSet,
+    private val settings: () -> HTMLElement,
+    private val goToStart: () -> Unit,
+    private val show: (OpenedLog, Recording, compared: List<File>, showsWorst: Boolean) -> Unit,
+) {
+    private var log: OpenedLog? = null
+    private var folder: FolderScreen? = null
+
+    /** Opens the only log in [files], or lists those that there are. */
+    fun open(files: List<File>) {
+        folder?.pause()
+        folder = null
+        val page = files.singleOrNull()?.takeIf(::isPage)
+        if (page != null) return openPage(page)
+        val likely = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
+        val advice = files.singleOrNull()?.let { adviceFor(it.name) }
+        if (advice != null) return root.fail("This page cannot read ${files[0].name}", advice, back())
+        // One file is asked for by name, whatever that is.
+        val logs = if (files.size == 1) OpenedLog.logsIn(files) else likely
+        when (logs.size) {
+            0 -> if (files.isNotEmpty()) {
+                root.fail(
+                    "There is no log here",
+                    "None of these ${countText(files.size, "file")} is a log.",
+                    back(),
+                )
+            }
+
+            1 -> open(logs[0])
+
+            else -> list(logs)
+        }
+    }
+
+    /** The buttons of the shown log's page that lead to others; null for the log that is part of the page. */
+    fun tools(): HTMLElement? {
+        val open = log ?: return null
+        return element("div", "downloads") {
+            addBack()
+            val logs = folder?.visible?.filter { it.isReadable }.orEmpty()
+            val at = logs.indexOfFirst { it.path == open.path }
+            if (at < 0) return@element
+            val previous = { logs.getOrNull(at - 1)?.let(::open) }
+            val next = { logs.getOrNull(at + 1)?.let(::open) }
+            addIconButton("turned", Icon.CHEVRON, "Previous log of the list (Alt+Page up)") { previous() }.id = "previous-log"
+            addIconButton("", Icon.CHEVRON, "Next log of the list (Alt+Page down)") { next() }.id = "next-log"
+            PageEvents.on(document, "keydown") {
+                val key = it.unsafeCast<KeyboardEvent>()
+                if (key.altKey && key.key == "PageUp") previous()
+                if (key.altKey && key.key == "PageDown") next()
+            }
+        }
+    }
+
+    private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
+
+    private fun open(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
+        folder?.pause()
+        lateinit var reading: FileReading
+        val loading = LoadingScreen(opened.fileName) {
+            reading.cancel()
+            goBack()
+        }
+        reading = FileReading(opened.files, loading::show)
+        setPageState("loading")
+        root.showAlone(loading.element)
+        reading.start().then({ read -> accept(opened, read, compared, showsWorst) }, { failure ->
+            root.fail("${opened.fileName} cannot be read", "${failure.message}. Open it again.", back())
+        }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun accept(opened: OpenedLog, read: Recording, compared: List<OpenedLog>, showsWorst: Boolean) {
+        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+        if (unreadable != null) return root.fail("There is nothing to show of ${opened.fileName}", unreadable.message, back())
+        log = opened
+        document.title = opened.title
+        show(opened, read, compared.flatMap { it.files }, showsWorst)
+    }
+
+    private fun openPage(page: File) {
+        val title = "There is nothing to show of ${page.name}"
+        logIn(page).then({ inPage ->
+            if (inPage == null) root.fail(title, "It is not a page of badlog with a log in it.", back())
+            inPage?.let { open(OpenedLog(it)) }
+        }, { root.fail(title, "${it.message?.replaceFirstChar(Char::uppercase)}.", back()) }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun list(logs: List<OpenedLog>) {
+        folder = FolderScreen(logs, rules(), settings(), ::leaveFolder, ::open)
+        goBack()
+    }
+
+    private fun leaveFolder() {
+        folder?.pause()
+        folder = null
+        goBack()
+    }
+
+    /** Shows the list from which the log was opened, or else what was there before. */
+    private fun goBack() {
+        log = null
+        val listed = folder ?: return goToStart()
+        root.showAlone(listed.element)
+        acceptFiles(::open)
+        document.title = "badlog"
+        setPageState("empty")
+        listed.resume()
+    }
+
+    private fun back() = element("div", "page-tools") { addBack() }
+
+    private fun HTMLElement.addBack() = addButton(
+        "",
+        "",
+        if (folder ==
+            null
+        ) {
+            "Open something else"
+        } else {
+            "Back to the list of logs"
+        },
+    ) { goBack() }.apply {
+        id = "go-back"
+        appendChild(Icon.BACK.draw())
+        add("span", "", if (folder == null) "Open…" else "Logs")
+    }
+
+    /** Returns what to do with a file called [name], which holds a log that only other programs can read; null for any other. */
+    private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
+        "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
+        "revlog", "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
+        "zip" -> "Unpack it first, then open what was in it."
+        else -> null
+    }
+
+    private fun isPage(file: File) = file.name.endsWith(".html", ignoreCase = true) || file.name.endsWith(".htm", ignoreCase = true)
+}

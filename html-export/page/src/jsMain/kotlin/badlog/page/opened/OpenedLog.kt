@@ -1,0 +1,87 @@
+package badlog.page.opened
+
+import badlog.page.embedded.LogBytes
+import badlog.page.embedded.markupOf
+import badlog.viewer.catalog.ListedLog
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import org.w3c.files.Blob
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * A log that a person opened. It stays on the person's computer.
+ *
+ * @property files its file, or both of a Driver Station log, in the order in which they are read.
+ * @property summary what is known of it: at first, what its name says.
+ */
+internal class OpenedLog(
+    val files: List<File>,
+    override val summary: LogSummary = LogSummary.named(files[0].name, modifiedOf(files[0])),
+    override val found: LogFound? = null,
+) : ListedLog {
+    override val path: String get() = pathOf(files[0])
+
+    override val fileName: String get() = files[0].name
+
+    override val size: Long get() = files.sumOf { it.size.toDouble() }.toLong()
+
+    override val modified: Long get() = modifiedOf(files[0])
+
+    /** Returns the same log, of which more is known. */
+    fun with(summary: LogSummary, found: LogFound?): OpenedLog = OpenedLog(files, summary, found)
+
+    /** Returns its bytes, on a page that [version] of badlog made. */
+    fun bytes(version: String): LogBytes = object : LogBytes {
+        override fun original() = Promise.resolve(Blob(files.toTypedArray()))
+
+        override fun text(filter: (ByteArray) -> ByteArray) = null
+
+        override fun toMarkup() = markupOf(files, version)
+    }
+
+    companion object {
+        /** The endings of a Driver Station log's two files. */
+        private const val FIRST = ".dslog"
+        private const val SECOND = ".dsevents"
+
+        /** The endings of logs that a page can read. */
+        private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog", FIRST, SECOND)
+
+        /** Returns the logs in [files], of which some may be no logs, in order. */
+        fun logsIn(files: List<File>): List<OpenedLog> {
+            // Files from different places may have the same name.
+            for (same in files.groupBy(::pathOf).values) {
+                same.drop(1).forEachIndexed { i, file -> file.place = "${pathOf(file)} (${i + 2})" }
+            }
+            val seconds = files.filter { it.name.endsWith(SECOND, ignoreCase = true) }.associateByTo(HashMap(), ::withoutEnding)
+            val logs = files.filterNot { it.name.endsWith(SECOND, ignoreCase = true) }.map { first ->
+                val second = if (first.name.endsWith(FIRST, ignoreCase = true)) seconds.remove(withoutEnding(first)) else null
+                OpenedLog(listOfNotNull(first, second))
+            }
+            return logs + seconds.values.map { OpenedLog(listOf(it)) }
+        }
+
+        /** Returns whether [file] has the name of a log. */
+        fun isNamedLikeLog(file: File): Boolean = file.name.removeSuffix(".gz").lowercase().let { name -> ENDINGS.any(name::endsWith) }
+
+        /** Returns whether only logs have such names as [name]; tables of all kinds end in `.csv`. */
+        fun isOnlyOfLogs(name: String): Boolean = !name.removeSuffix(".gz").endsWith(".csv", ignoreCase = true)
+
+        /** Returns when [file] was last written, in ms since 1970. */
+        fun modifiedOf(file: File): Long = (file.asDynamic().lastModified as Double).toLong()
+
+        // A file that was dropped alone has no folder.
+        private fun pathOf(file: File) = file.place ?: (file.asDynamic().webkitRelativePath as String?).orEmpty().ifEmpty { file.name }
+
+        // Two folders may have files of the same name.
+        private fun withoutEnding(file: File) = pathOf(file).substringBeforeLast('.')
+    }
+}
+
+/** Where the file was, with the names of its folders; null unless the page found that out itself. */
+internal var File.place: String?
+    get() = asDynamic().place as String?
+    set(value) {
+        asDynamic().place = value
+    }

@@ -1,0 +1,30 @@
+package badlog.page
+
+import java.util.Base64
+
+/** Drops files with these names and bytes on the page. */
+internal fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
+    script(
+        """
+        const data = new DataTransfer()
+        for (const [name, base64] of arguments[0]) {
+            data.items.add(new File([Uint8Array.from(atob(base64), c => c.charCodeAt(0))], name))
+        }
+        document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
+        """.trimIndent(),
+        files.map { (name, bytes) -> listOf(name, Base64.getEncoder().encodeToString(bytes)) },
+    )
+}
+
+/** Presses the button [label] of the question that the page asks. */
+internal fun OpenPage.choose(label: String) {
+    await("the choice $label") { label in texts(".notice button") }
+    elements(".notice button").first { it.text == label }.click()
+    settle()
+}
+
+/** Drops files with these names and bytes on the page, to compare them with its log. */
+internal fun OpenPage.compare(vararg files: Pair<String, ByteArray>) {
+    drop(*files)
+    choose("Compare with this log")
+}

@@ -1,0 +1,204 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.files.gzip
+import badlog.formats.driverstation.STATION_EVENTS
+import badlog.formats.driverstation.STATION_LOG
+import io.kotest.assertions.withClue
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.longs.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.div
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+
+/** The page without a log, which opens others. */
+internal class EmptyPageSpec : PageSpec({
+    val folder by lazy { Files.createTempDirectory("badlog-empty") }
+    val page by lazy { (folder / EmptyPage.NAME).also { EmptyPage().write(it) } }
+
+    afterSpec { folder.toFile().deleteRecursively() }
+
+    fun OpenPage.awaitLog(title: String) {
+        await("the log $title") { texts(".page-title h1") == listOf(title) }
+        awaitState("ready")
+    }
+
+    /** Opens the page, and waits until a person can choose. */
+    fun onEmptyPage(screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = onPage(page, screen, state = "empty", test = test)
+
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 11) { row, column -> if (column == 0) row / 10.0 else 12.0 }
+
+    test("it is at most 475,000 bytes with its sample") {
+        Files.size(page) shouldBeLessThanOrEqual 475_000L
+    }
+
+    test("it may load nothing from any network") {
+        page.readText() shouldContain "default-src 'none'"
+        page.readText().contains("connect-src") shouldBe false
+    }
+
+    browserTest("it says what it opens, and opens the sample in it with its findings") {
+        val dark = Screen.WIDE.copy(isDark = true)
+        for (screen in listOf(Screen.WIDE, Screen.PHONE, dark)) {
+            onEmptyPage(screen) {
+                text shouldContain "Open a robot’s log"
+                seriousForReaders() shouldBe emptyList()
+                (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                keepScreenshot("empty-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+                if (screen !== dark) return@onEmptyPage
+                element("#try-sample").click()
+                await("the sample") { texts(".page-title h1").isNotEmpty() }
+                awaitState("ready")
+                text shouldContain "Likely cause: the robot drew more than its battery gives."
+            }
+        }
+    }
+
+    browserTest("a dropped log is opened, its bytes can be saved, and the way back leads to the next one") {
+        onEmptyPage {
+            drop("first.bag" to bag)
+            awaitLog("first.bag")
+            number("return document.querySelectorAll('.graph[data-name=\"Volts\"]').length") shouldBe 1.0
+            withClue("the very bytes") { saved("first.bag") { element("#download").click() } shouldBe bag }
+            element("#go-back").click()
+            awaitState("empty")
+            drop("second.csv" to "Time,Amps\n0,1\n1,2\n".encodeToByteArray())
+            awaitLog("second.csv")
+            texts(".graph-title") shouldContain "Amps"
+            press("?")
+            texts("#help[open]").size shouldBe 1
+        }
+    }
+
+    browserTest("on a page with a log, a dropped one is compared or opened instead") {
+        onPage(TestPages.of(bag, "own.bag")) {
+            drop("other.bag" to bag)
+            choose("Open instead")
+            awaitLog("other.bag")
+            drop("own.bag" to bag)
+            choose("Compare with this log")
+            await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
+            element("#go-back").click()
+            awaitLog("own.bag")
+        }
+    }
+
+    browserTest("a copy of the page holds the opened log, byte for byte, with the board and the notes") {
+        val cases = listOf("plain.bag" to bag, "packed.bag.gz" to gzip(bag), "cut.bag.gz" to gzip(bag).let { it.copyOf(it.size * 2 / 3) })
+        for ((name, bytes) in cases) {
+            var copy = ByteArray(0)
+            var shown = emptyList<String>()
+            onEmptyPage {
+                drop(name to bytes)
+                awaitLog(name)
+                shown = texts(".facts")
+                copy = exported("A copy of this page, with your notes and board", name.substringBeforeLast('.') + ".html")
+            }
+            val file = folder / "$name.html"
+            file.writeBytes(copy)
+            onPage(file) {
+                texts(".page-title h1") shouldContainExactly listOf(name)
+                saved(name) { element("#download").click() } shouldBe bytes
+                if (name.startsWith("cut")) text shouldContain "cut off or damaged"
+                (elements("#go-back").isEmpty()) shouldBe true
+                shown.size shouldBe 1
+            }
+        }
+    }
+
+    browserTest("both files of a Driver Station log are opened as one log, and copied as two") {
+        val (log, events) = listOf("2026_03_14 10_00_00 Sat.dslog", "2026_03_14 10_00_00 Sat.dsevents")
+        val files = mapOf(log to STATION_LOG.bytes, events to STATION_EVENTS.bytes)
+        var copy = ByteArray(0)
+        onEmptyPage {
+            drop(*files.toList().reversed().toTypedArray())
+            await("the log") { texts(".page-title h1").size == 1 }
+            awaitState("ready")
+            copy = exported("A copy of this page, with your notes and board", log.substringBeforeLast('.') + ".html")
+        }
+        val file = folder / "station.html"
+        file.writeBytes(copy)
+        onPage(file) {
+            saved(log) { element("#download").click() } shouldBe files.getValue(log)
+            saved(events) { element("#download-second").click() } shouldBe files.getValue(events)
+        }
+    }
+
+    browserTest("the log in another page is taken out, whatever it is called, and nothing of a damaged or foreign page is shown") {
+        val name = "Mödül 1.bag"
+        val whole = TestPages.of(bag, name).readBytes()
+        val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
+        val damaged = whole.copyOf().also { it[at] = if (it[at] == 'A'.code.toByte()) 'B'.code.toByte() else 'A'.code.toByte() }
+        onEmptyPage {
+            drop("page.html" to whole)
+            awaitLog(name)
+            saved(name) { element("#download").click() } shouldBe bag
+            for ((what, bytes, sentence) in listOf(
+                Triple("damaged.html", damaged, "damaged in copying"),
+                Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a page of badlog"),
+                Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
+            )) {
+                element("#go-back").click()
+                awaitState("empty")
+                drop(what to bytes)
+                awaitState("failed")
+                text shouldContain sentence
+            }
+        }
+    }
+
+    browserTest("a copy of the page holds the logs that are compared, dropped or not, but none that was taken away") {
+        val own = TestPages.ofSamples("wrong-turn.bag", listOf("elevator-bench.csv"))
+        var copy = ByteArray(0)
+        onPage(own) {
+            await("two logs") { texts(".compared-log bdi").size == 2 }
+            compare("other.bag" to bag, "third.bag.gz" to gzip(bag))
+            await("four logs") { texts(".compared-log bdi").size == 4 }
+            copy = exported("A copy of this page, with your notes and board", "wrong-turn.html")
+        }
+        val file = folder / "compared.html"
+        file.writeBytes(copy)
+        onPage(file) {
+            await("four logs") { texts(".compared-log bdi").size == 4 }
+            texts(".compared-log bdi").drop(2) shouldContainExactly listOf("other.bag", "third.bag.gz")
+            elements(".compared-log .icon-button")[0].click()
+            await("three logs") { texts(".compared-log bdi").size == 3 }
+            copy = exported("A copy of this page, with your notes and board", "wrong-turn.html")
+        }
+        file.writeBytes(copy)
+        onPage(file) {
+            await("three logs") { texts(".compared-log bdi").size == 3 }
+            texts(".compared-log bdi").drop(1) shouldContainExactly listOf("other.bag", "third.bag.gz")
+        }
+    }
+
+    browserTest("a kind of log that pages cannot read is named, with what to do") {
+        onEmptyPage {
+            for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "b.revlog" to "badlog convert", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
+                drop(name to byteArrayOf(1, 2, 3))
+                awaitState("failed")
+                text shouldContain "This page cannot read $name"
+                text shouldContain advice
+                element("#go-back").click()
+                awaitState("empty")
+            }
+        }
+    }
+
+    browserTest("what is no log is said to be none, and the way back is open") {
+        onEmptyPage {
+            drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
+            awaitState("failed")
+            text shouldContain "There is nothing to show of pit.jpg"
+            element("#go-back").click()
+            awaitState("empty")
+        }
+    }
+})

@@ -1,0 +1,208 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.deleteExisting
+import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+/** A folder of logs, opened on a page. */
+internal class OpenedFolderSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-folder") }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun folder(name: String, fill: (Path) -> Unit): Path = (temporary / name).createDirectories().also(fill)
+
+    fun samples() = folder("event") { folder ->
+        for (sample in listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag", "elevator-bench.csv", "README.md")) {
+            SAMPLES.resolve(sample).copyTo(folder / sample, overwrite = true)
+        }
+        (folder / "day2").createDirectories()
+        (folder / "day2" / "pit.bag").writeBytes(bag)
+    }
+
+    /** Opens [folder] on the page without a log. */
+    fun onFolder(folder: Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = onPage(page, screen, state = "empty") {
+        elements("input[type=file]").last().sendKeys("$folder")
+        await("the list") { elements(".log-table").isNotEmpty() }
+        test()
+    }
+
+    fun OpenPage.awaitAll() = await("all logs") { texts(".log-tools [role=status]").single().let { "read" !in it } }
+
+    fun OpenPage.column(name: String) = texts("[data-column='$name']")
+
+    fun OpenPage.awaitLog(title: String) {
+        await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
+        awaitState("ready")
+    }
+
+    browserTest("the logs of a folder and those in it are listed as in the window: match, battery, findings; other files are not") {
+        onFolder(samples()) {
+            texts(".page-head h1") shouldContainExactly listOf("event")
+            column("FILE").size shouldBe 5
+            awaitAll()
+            column("FILE") shouldContainExactlyInAnyOrder
+                listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag", "elevator-bench.csv", "pit.bag")
+            val row = column("FILE").indexOf("qualification-42.bag")
+            column("NUMBER")[row] shouldBe "42"
+            column("EVENT")[row] shouldBe "Mill Creek Regional"
+            column("BATTERY")[row] shouldBe "6.73 V"
+            column("FINDINGS")[row] shouldStartWith "Browned out"
+            seriousForReaders() shouldBe emptyList()
+            keepScreenshot("folder")
+            show(Screen.WIDE.copy(isDark = true))
+            keepScreenshot("folder-dark")
+        }
+        onFolder(samples(), Screen.PHONE) {
+            awaitAll()
+            (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+            keepScreenshot("phone-folder")
+        }
+    }
+
+    browserTest("a click on a title sorts, words search, and what is idle can be hidden") {
+        onFolder(samples()) {
+            awaitAll()
+            element("#sort-BATTERY").click()
+            settle()
+            column("BATTERY").first() shouldBe "6.73 V"
+            element("#sort-BATTERY").click()
+            settle()
+            column("BATTERY")[0] shouldContain "V"
+            (column("BATTERY")[0] != "6.73 V") shouldBe true
+            element("#search").sendKeys("mill 57")
+            settle()
+            column("FILE") shouldContainExactly listOf("qualification-57.bag.gz")
+            element("#search").sendKeys(" nothing")
+            settle()
+            text shouldContain "No log matches."
+        }
+    }
+
+    browserTest("a finding in the list opens its log at the worst incident; the next log, and the list, are a click away") {
+        onFolder(samples()) {
+            awaitAll()
+            element("#sort-NUMBER").click()
+            settle()
+            elements("[data-column='FINDINGS'] button").first { "Browned out" in it.text }.click()
+            awaitLog("Qualification 42")
+            await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+            text shouldContain "Likely cause"
+            script("location.hash = '#t=93.7'")
+            element("#next-log").click()
+            awaitLog("Qualification 57")
+            script("return location.hash") shouldBe ""
+            element("#previous-log").click()
+            awaitLog("Qualification 42")
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+            awaitAll()
+            column("FILE").size shouldBe 5
+        }
+    }
+
+    browserTest("checked logs are drawn over each other") {
+        onFolder(samples()) {
+            awaitAll()
+            element("#compare-logs").isEnabled shouldBe false
+            for (name in listOf("qualification-42.bag", "qualification-57.bag.gz")) element("[aria-label='Compare $name']").click()
+            element("#compare-logs").click()
+            awaitLog("Qualification 42")
+            await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
+        }
+    }
+
+    browserTest("a dropped folder is listed with the folders in it, of which a browser reads a part at a time; names may repeat") {
+        onPage(page, state = "empty") {
+            script(
+                """
+                const bytes = Uint8Array.from(arguments[0])
+                const file = path => ({isFile: true, fullPath: path, file: take => take(new File([bytes], path.split('/').pop()))})
+                const folder = (path, ...parts) => ({isDirectory: true, fullPath: path, createReader: () => ({readEntries: take => take(parts.shift() ?? [])})})
+                const day2 = folder('/event/day2', [file('/event/day2/a.bag')])
+                const event = folder('/event', [file('/event/a.bag'), file('/event/b.bag')], [day2, file('/event/notes.txt')])
+                const drop = new Event('drop', {bubbles: true, cancelable: true})
+                drop.dataTransfer = {types: ['Files'], files: {length: 0, item: () => null}, items: [{webkitGetAsEntry: () => event}]}
+                document.body.dispatchEvent(drop)
+                """.trimIndent(),
+                bag.map { it.toInt() and 255 },
+            )
+            await("the list") { elements(".log-table").isNotEmpty() }
+            texts(".page-head h1") shouldContainExactly listOf("event")
+            awaitAll()
+            @Suppress("UNCHECKED_CAST")
+            val paths = script("return [...document.querySelectorAll('tbody tr')].map(row => row.dataset.path)") as List<String>
+            paths shouldContainExactlyInAnyOrder listOf("event/a.bag", "event/b.bag", "event/day2/a.bag")
+        }
+        onPage(page, state = "empty") {
+            drop("a.bag" to bag, "a.bag" to bag)
+            await("the list") { elements(".log-table").isNotEmpty() }
+            awaitAll()
+            column("FILE") shouldContainExactly listOf("a.bag", "a.bag")
+        }
+    }
+
+    browserTest("what cannot be read is listed with the reason, and hostile names stay text") {
+        val gone = folder("hostile") { folder ->
+            (folder / "<img src=x onerror=alert(1)>.bag").writeBytes(bag)
+            (folder / "damaged.bag").writeText("{\"topics\":[")
+            (folder / "groceries.csv").writeText("milk,2\neggs,12\n")
+            (folder / "empty.wpilog").writeBytes(ByteArray(0))
+            (folder / "packed.bag").writeBytes(byteArrayOf(0xfd.toByte(), 0x37, 0x7a, 0x58, 0x5a, 0, 1, 2))
+        }
+        onFolder(gone) {
+            awaitAll()
+            column("FILE") shouldContain "<img src=x onerror=alert(1)>.bag"
+            elements(".log-table img").size shouldBe 0
+            fun cell(name: String, file: String) = column(name)[column("FILE").indexOf(file)]
+            cell("PROBLEMS", "packed.bag") shouldBe "unreadable"
+            cell("FINDINGS", "packed.bag") shouldBe "cannot be read"
+            cell("FINDINGS", "empty.wpilog") shouldBe "no samples"
+            elements("[data-column='FILE'] button").first { "img" in it.text }.click()
+            awaitLog("<img src=x onerror=alert(1)>.bag")
+        }
+    }
+
+    browserTest("a log that is gone when it is opened is said to be so, and the way back leads to the list") {
+        val shrinking = folder("shrinking") { folder ->
+            (folder / "a.bag").writeBytes(bag)
+            (folder / "b.bag").writeBytes(bag)
+        }
+        onFolder(shrinking) {
+            awaitAll()
+            (shrinking / "b.bag").deleteExisting()
+            elements("[data-column='FILE'] button").first { it.text == "b.bag" }.click()
+            awaitState("failed")
+            text shouldContain "b.bag cannot be read"
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+        }
+    }
+
+    browserTest("of very many logs, the table makes some hundreds of rows, and more when asked") {
+        val many = folder("many") { folder -> for (i in 1..350) (folder / "FRC_20260314_100000_TEST_Q$i.bag").writeText("{\"topics\":[],\"values\":[]}\n\n") }
+        onFolder(many) {
+            elements(".log-table tbody tr").size shouldBe 300
+            element(".log-table .more").click()
+            settle()
+            elements(".log-table tbody tr").size shouldBe 350
+            column("NUMBER").first { it.isNotEmpty() }.length shouldBeGreaterThan 0
+        }
+    }
+})
