@@ -51,7 +51,9 @@ class SvgPenSpec : FunSpec({
     }
 
     test("no text can leave its element, or make a document that is not XML") {
-        drawn { text("<a>&\"\u0001\uD834\uDD1E\uD834", 0.0, 0.0, 1.0, BLUE) } shouldContain ">&lt;a>&amp;&quot;\uFFFD\uD834\uDD1E\uFFFD<"
+        // As a literal, it would not survive an incremental compilation to JavaScript.
+        val half = Char(0xD834)
+        drawn { text("<a>&\"\u0001\uD834\uDD1E$half", 0.0, 0.0, 1.0, BLUE) } shouldContain ">&lt;a>&amp;&quot;\uFFFD\uD834\uDD1E\uFFFD<"
         checkAll(Arb.string(0..20)) { text ->
             val content = drawn { text(text, 0.0, 0.0, 1.0, BLUE) }.substringAfter("\">").substringBefore("</text>")
             content shouldNotContain "<"
