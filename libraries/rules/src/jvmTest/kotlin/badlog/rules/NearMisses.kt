@@ -23,6 +23,11 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
     "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0.6" } },
+    // The other channels rest, too.
+    "Channel rests alone" to {
+        from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" }
+        for (i in listOf(0, 1, 3)) from(27.5, "/PowerDistribution/ChannelCurrent[$i]") { "4" }
+    },
     // Its other faults are none of breakers, and one breaker was open all along.
     "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 16.0 else 16.0 + (1 shl 25) } },
     // No motor takes more than its breaker stands.

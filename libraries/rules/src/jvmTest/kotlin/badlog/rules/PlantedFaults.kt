@@ -19,6 +19,8 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
     "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0" } },
+    // It pulled less than most breakers stand.
+    "Channel rests alone" to { from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" } },
     "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 16.0 } },
     "Too much at once" to { from(20.0, CHANNEL) { if (it < 22) "250" else "3" } },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },

@@ -8,6 +8,7 @@ import badlog.signals.derived.channelChanges
 import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.largestOf
+import badlog.signals.derived.missedPulls
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
 import badlog.signals.derived.slipOfSides
@@ -29,7 +30,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
     "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
-    "largest current" to true, "friction rise" to false,
+    "largest current" to true, "friction rise" to false, "missed pulls" to false,
 )
 
 /** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
@@ -46,6 +47,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
             MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + ModuleSignals(robot, bus).signals +
             channels() +
+            rests() +
             headings() +
             sideSignals(robot) +
             bus.signals
@@ -108,6 +110,23 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         }
     }
 
+    /** How often each channel rests alone: which channels belong together, their currents tell. */
+    private fun rests(): List<DerivedSignal> {
+        val topics = found.of("channel current").map { it.topic }
+        return topics.mapIndexed { at, topic ->
+            DerivedSignal("missed pulls", "", topic, listOf(topic)) { samples ->
+                val pulls = samples.missedPulls.getOrPut("") {
+                    val series = topics.map(samples::raw)
+                    val times = timesOf(series)
+                    missedPulls(times, series.map { it.heldAt(times) }, samples.enabledAt(times), HARD_PULL).map { own ->
+                        Series(times, own ?: DoubleArray(times.size))
+                    }
+                }
+                pulls[at]
+            }
+        }
+    }
+
     private fun headings(): List<DerivedSignal> = found.of("gyro angle").map { topic ->
         val heading = NamedSignal.of("gyro angle", listOf(topic))
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
@@ -152,5 +171,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private companion object {
         const val SHOWN = 4
         const val TOTAL_CURRENT = "total current"
+
+        /** In A: what the largest breakers of a power distribution's channels stand. */
+        const val HARD_PULL = 40.0
     }
 }

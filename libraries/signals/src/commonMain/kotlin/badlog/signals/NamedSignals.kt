@@ -96,6 +96,9 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     /** How each part follows its target, by the name of what is measured; several signals are derived from it. */
     internal val followings = HashMap<String, Following>()
 
+    /** What the channels of the power distribution missed while they rested: one list, for all of them. */
+    internal val missedPulls = HashMap<String, List<Series>>()
+
     /** How the channels of the power distribution changed: one list, for all of them. */
     internal val channelChanges = HashMap<String, List<Double?>>()
 
