@@ -12,7 +12,7 @@ internal enum class ResultForm {
     companion object {
         /** Returns the form requested by `--csv` and `--json`. */
         fun of(isCsv: Boolean, isJson: Boolean): ResultForm = when {
-            isCsv && isJson -> throw UsageError("--csv and --json exclude each other")
+            isCsv && isJson -> throw UsageError("--csv and --json cannot be used together")
             isCsv -> CSV
             isJson -> JSON
             else -> TEXT

@@ -47,7 +47,7 @@ internal class ConvertCommand(private val parts: PartLoader) :
     )
 
     override fun makeTask(): Task {
-        if (period != null && rowsAt != null) throw UsageError("--period and --rows-at exclude each other")
+        if (period != null && rowsAt != null) throw UsageError("--period and --rows-at cannot be used together")
         if (isParquet()) return parquetTask()
         val format = LogFormat.entries.find { it.option == to } ?: output.outPath?.let(LogFormat::ofName)
             ?: throw UsageError("name the format: ${OPTIONS.joinToString(" or ") { "--to $it" }}")

@@ -23,7 +23,7 @@ internal class McpCommand(private val parts: PartLoader, private val input: Inpu
             "reads, and only logs below the folder. docs/assistant.md shows how assistants are configured.",
         hasJson = false,
     ) {
-    private val folder by argument("FOLDER").path().help("The folder of logs that may be asked about.")
+    private val folder by argument("FOLDER").path().help("The folder of logs that the assistant may read.")
 
     override val examples: List<String> = listOf("mcp logs")
 

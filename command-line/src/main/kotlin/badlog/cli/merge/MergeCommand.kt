@@ -45,7 +45,7 @@ internal class MergeCommand :
     )
 
     override fun makeTask(): Task {
-        if (appends && joins) throw UsageError("--append and --join exclude each other")
+        if (appends && joins) throw UsageError("--append and --join cannot be used together")
         val mode = if (appends) {
             MergeMode.APPEND
         } else if (joins) {

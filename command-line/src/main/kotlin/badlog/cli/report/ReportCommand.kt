@@ -47,11 +47,11 @@ internal class ReportCommand :
         val form = ResultForm.of(isCsv, isJson)
         if (xTopic != null && folder != null) {
             throw UsageError(
-                "--x and --out exclude each other, since pages show logs as they are; make bags of them with convert --x first",
+                "--x and --out cannot be used together, since pages show logs as they are; make bags of them with convert --x first",
             )
         }
         if (station != null && folder != null) {
-            throw UsageError("--with-ds and --out exclude each other, since a page shows one log; merge both with merge --with-ds first")
+            throw UsageError("--with-ds and --out cannot be used together, since a page shows one log; merge both with merge --with-ds first")
         }
         if (field != null && folder == null) throw UsageError("--field needs --out, since only pages draw a field")
         return ReportTask(

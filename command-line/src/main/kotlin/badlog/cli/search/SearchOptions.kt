@@ -15,7 +15,7 @@ internal class SearchOptions : OptionGroup() {
 
     /** Returns the requested search, with [hooks] and the virtual topics [virtualTopics]. */
     fun search(hooks: HookOptions, virtualTopics: List<String>): Search {
-        if (isWithoutRules && rules != null) throw UsageError("--rules and --no-rules exclude each other")
+        if (isWithoutRules && rules != null) throw UsageError("--rules and --no-rules cannot be used together")
         return Search(rules, isWithoutRules, hooks.runners, virtualTopics)
     }
 }

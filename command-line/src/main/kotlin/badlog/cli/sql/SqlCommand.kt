@@ -37,7 +37,7 @@ internal class SqlCommand(private val parts: PartLoader, private val input: Inpu
 
     override fun makeTask(): Task {
         if (listOf(isCsv, isJson, parquet != null, explainsTables).count { it } > 1) {
-            throw UsageError("--csv, --json, --parquet and --explain-tables exclude each other")
+            throw UsageError("--csv, --json, --parquet and --explain-tables cannot be used together")
         }
         if (explainsTables && query != null) throw UsageError("--explain-tables takes no query")
         if (parquet != null && query == null) throw UsageError("--parquet needs a query")

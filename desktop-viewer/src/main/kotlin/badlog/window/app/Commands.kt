@@ -93,7 +93,7 @@ private fun moveGraph(id: Int, places: Int, board: GraphBoard) {
 
 /** Returns the keys for the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(
-    Command("Window", "Statistics across logs, and back", listOf(KeyPress(Key.S, "S"))) {
+    Command("Window", "Show or hide statistics across logs", listOf(KeyPress(Key.S, "S"))) {
         panels.change { toggled(MainView.STATISTICS) }
     },
     Command("Window", "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
@@ -122,7 +122,7 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "Open the previous log of the list", listOf(KeyPress(Key.PageUp, "Page up"))) { opener.step(-1) },
     Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
     Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
-    Command("Logs", "All logs as a table, and back", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
+    Command("Logs", "Show or hide the table of logs", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
 )
 
 /** Returns the keys for the list of topics. */

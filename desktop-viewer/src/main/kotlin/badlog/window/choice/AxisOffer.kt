@@ -21,7 +21,7 @@ internal fun AxisOffer(choice: AxisChoice) {
         Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
         itemVerticalAlignment = Alignment.CenterVertically,
     ) {
-        Text("This log names no x axis. “$column” rises from row to row.", Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp))
+        Text("This log does not name an x axis. “$column” increases in every row.", Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp))
         ToolButton("Draw over “$column”, here and in the folder’s other logs", text = "Draw over “$column”") { choice.choose(true) }
         ToolButton("Keep row numbers; the menu Layout can change it", text = "Keep row numbers") { choice.choose(false) }
     }

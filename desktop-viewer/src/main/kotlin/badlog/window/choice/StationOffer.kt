@@ -43,7 +43,7 @@ internal fun StationOffer(stations: StationChoice) {
 internal fun alignmentText(fit: ClockFit): String {
     // The Driver Station logs every 20 ms: a better precision is impossible.
     val error = ceil(maxOf(fit.error, PERIOD) * HUNDRED) / HUNDRED
-    return "± ${roundedText(error)} s" + if (fit.edges == 0) ", by the clocks alone" else ""
+    return "± ${roundedText(error)} s" + if (fit.edges == 0) ", aligned by the clocks only" else ""
 }
 
 private const val PERIOD = 0.02

@@ -29,7 +29,7 @@ internal fun ExportMenu(
     val graphs = board.state.graphs
     Menu("Export", "Export: pages, figures, parts of a log", Icons.Share, { FigurePanel(graphs, figures::save, it) }) { openPanel ->
         val whyNoLog = "Open a log first.".takeIf { current.recording == null }
-        val whyNoGraph = whyNoLog ?: "There is no graph; draw a topic first.".takeIf { graphs.isEmpty() }
+        val whyNoGraph = whyNoLog ?: "No graph is open; draw a topic first.".takeIf { graphs.isEmpty() }
         val checked = compared.state.checked.size
         val part = if (view.selection != null) "The selection" else "The visible range"
         listOf(

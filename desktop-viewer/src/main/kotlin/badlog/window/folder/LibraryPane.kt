@@ -201,7 +201,7 @@ private fun emptinessOf(library: LibraryState): String = when {
 
     else ->
         "No logs here yet. Bags (.bag, .badbag), tables (.csv), logs of WPILib (.wpilog) and of the Driver Station (.dslog) " +
-            "in this folder and its subfolders are listed, compressed (.gz) ones too. New ones appear by themselves."
+            "in this folder and its subfolders are listed, compressed (.gz) ones too. New logs appear automatically."
 }
 
 /** The progress of reading the folder, and what prevents it; empty if everything is known. */

@@ -93,7 +93,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
                     if (formulas.remove(before)) close()
                 }
             }
-            ToolButton("Keep the formula (Enter)", text = "OK", isOn = isReady, isEnabled = isReady, onClick = keep)
+            ToolButton("Save the formula (Enter)", text = "OK", isOn = isReady, isEnabled = isReady, onClick = keep)
         }
     }
 }

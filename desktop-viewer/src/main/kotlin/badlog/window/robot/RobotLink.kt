@@ -52,7 +52,7 @@ internal class RobotLink(
     fun connect(robot: String, anyway: Boolean = false) {
         val before = job
         disconnect()
-        val target = folder() ?: return change { saying("Open the folder where the robot’s logs are to go first.", isTrouble = true) }
+        val target = folder() ?: return change { saying("First open the folder for the robot’s logs.", isTrouble = true) }
         val addresses = try {
             addressesOf(robot.trim())
         } catch (e: IllegalArgumentException) {
@@ -124,7 +124,7 @@ internal class RobotLink(
 
         override fun connected(address: RobotAddress, user: String) = say { saying("Connected to $address as $user.") }
 
-        override fun waiting(address: RobotAddress) = say { saying("$address is enabled; its logs come when it is disabled.") }
+        override fun waiting(address: RobotAddress) = say { saying("$address is enabled; its logs are copied when it is disabled.") }
 
         override fun retrying(address: RobotAddress, reason: String) = say { saying("The connection to $address was lost; trying again.") }
 
@@ -153,7 +153,7 @@ internal class RobotLink(
     private inner class Questions : FetchQuestions {
         override fun trusts(question: HostKeyQuestion): Boolean {
             val what = if (question.isChanged) {
-                "The robot at ${question.address} has a new key, as when it is reimaged or another robot has its address."
+                "The robot at ${question.address} has a new key: it was re-imaged, or another robot uses this address."
             } else {
                 "The robot at ${question.address} is unknown."
             }

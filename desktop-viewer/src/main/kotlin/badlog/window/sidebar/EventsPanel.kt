@@ -63,7 +63,7 @@ internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecor
     if (!isReady) return
     val all = open.events
     if (all.size == 0) {
-        PanelHint("This log has no events: none of its topics holds texts that say what happened.")
+        PanelHint("This log has no events: no topic contains event texts.")
         return
     }
     val found = events.matching

@@ -116,7 +116,7 @@ internal fun FindingsPanel(
             }
         }
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
-        if (compared.drawn.size > 1) Small("Of the open log only, not of the compared logs.")
+        if (compared.drawn.size > 1) Small("Findings of the open log only, not of compared logs.")
         findings.state.refusal?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {

@@ -32,7 +32,7 @@ internal fun LackingSignals(lacking: List<String>, topics: List<String>, onAssig
                 }
             }
             MenuBox(open == signal, { open = null }, menu = choice) {
-                ToolButton("Choose the topic that is “$signal”, for all logs of this folder", text = "“$signal” is …") { open = signal }
+                ToolButton("Choose the topic for “$signal” in all logs of this folder", text = "“$signal” is …") { open = signal }
             }
         }
     }

@@ -100,7 +100,7 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
         )
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
             ToolButton("Cancel the note (Escape)", text = "Cancel", onClick = notes::cancel)
-            ToolButton("Keep the note (Enter)", text = "OK", isOn = true, isEnabled = draft.text.isNotBlank(), onClick = notes::keep)
+            ToolButton("Save the note (Enter)", text = "OK", isOn = true, isEnabled = draft.text.isNotBlank(), onClick = notes::keep)
         }
     }
 }

@@ -91,7 +91,7 @@ private fun RangeChoice(panels: WindowPanels, view: AxisView, open: OpenRecordin
                 StatisticsRange.SHOWN -> titleOfShown(view) to
                     "Statistics of the selection, or between both cursors, or else of the visible range"
 
-                StatisticsRange.ENABLED -> "Enabled" to "Statistics of the time in which the robot was enabled"
+                StatisticsRange.ENABLED -> "Enabled" to "Statistics of the enabled time"
 
                 StatisticsRange.ALL -> "All" to "Statistics of the whole log"
             }

@@ -39,7 +39,7 @@ import badlog.window.theme.ToolButton
 @Composable
 internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
     if (open.view.recording.values.isEmpty()) {
-        PanelHint("This log has no metadata: nothing was written into its header.")
+        PanelHint("This log has no metadata: its header is empty.")
         return
     }
     var query by remember { mutableStateOf("") }

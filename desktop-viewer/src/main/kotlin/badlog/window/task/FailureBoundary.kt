@@ -37,7 +37,7 @@ internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, 
     snapshotFlow { failures.count }.collectLatest { count ->
         delay(PATIENCE)
         if (failures.seen >= count || !isInSight()) return@collectLatest
-        val sentence = "badlog failed and cannot go on; start it again, and send us ${failures.file}."
+        val sentence = "badlog failed and has to close; start it again, and send us ${failures.file}."
         JOptionPane.showMessageDialog(null, sentence, "badlog", JOptionPane.ERROR_MESSAGE)
         end()
     }

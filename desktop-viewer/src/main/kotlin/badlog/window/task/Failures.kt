@@ -36,7 +36,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
         val where = if (log.add(failure)) "; send us $file" else ""
         SwingUtilities.invokeLater {
             count++
-            notices.complain("That failed (${failure.javaClass.simpleName})$where. Open logs stay open.")
+            notices.complain("That failed (${failure.javaClass.simpleName})$where. Your logs are still open.")
         }
     }
 

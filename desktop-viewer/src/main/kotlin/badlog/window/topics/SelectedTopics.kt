@@ -34,13 +34,13 @@ internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics
             ToolButton("Clear the selection of topics", Icons.Close) { topics.change { copy(selected = emptyList()) } }
         }
         FlowRow {
-            ToolButton("New graph of these", text = "New graph") {
+            ToolButton("New graph of the selected topics", text = "New graph") {
                 draw { board.change { withGraph(it) } }
             }
-            ToolButton("Only a graph of these", text = "Only these") {
+            ToolButton("Show only these topics", text = "Only these") {
                 draw { names -> board.change { if (names.isEmpty()) this else Board().withGraph(names) } }
             }
-            ToolButton("Separate graphs of these", text = "Separate graphs") {
+            ToolButton("A graph for each selected topic", text = "Separate graphs") {
                 draw { names -> board.change { names.fold(this) { list, name -> list.withGraph(listOf(name)) } } }
             }
             ToolButton("Add these to the last graph", text = "Add to last graph") {

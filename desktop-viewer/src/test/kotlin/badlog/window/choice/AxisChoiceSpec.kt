@@ -25,7 +25,7 @@ class AxisChoiceSpec : FunSpec({
         val viewer = viewerOf(recordingOf(text))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
-            onNodeWithText("This log names no x axis. “Time” rises from row to row.").assertExists()
+            onNodeWithText("This log does not name an x axis. “Time” increases in every row.").assertExists()
             onNodeWithText("Draw over “Time”").performClick()
             onNodeWithText("Keep row numbers").assertDoesNotExist()
         }

@@ -59,6 +59,6 @@ class StationChoiceSpec : FunSpec({
     test("the error is not said to be less than the Driver Station's period, and clocks alone are said to be so") {
         alignmentText(ClockFit(1.0, 4, 0.0)) shouldBe "± 0.02 s"
         alignmentText(ClockFit(1.0, 4, 0.031)) shouldBe "± 0.04 s"
-        alignmentText(ClockFit(1.0, 0, 1.0)) shouldBe "± 1 s, by the clocks alone"
+        alignmentText(ClockFit(1.0, 0, 1.0)) shouldBe "± 1 s, aligned by the clocks only"
     }
 })

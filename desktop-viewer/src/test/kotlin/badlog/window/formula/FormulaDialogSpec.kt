@@ -73,7 +73,7 @@ class FormulaDialogSpec : FunSpec({
             viewer.formulas.edit(viewer.formulas.definitions.single())
             waitForIdle()
             onNodeWithContentDescription(field).performTextReplacement("Half = System/Battery Voltage / 2")
-            onNodeWithContentDescription("Keep the formula (Enter)").performClick()
+            onNodeWithContentDescription("Save the formula (Enter)").performClick()
             waitFor { viewer.current.recording?.signal("Half") != null }
             viewer.current.recording?.signal("Power") shouldBe null
             viewer.board.state.graphs.last().title shouldBe "Half"
@@ -97,7 +97,7 @@ class FormulaDialogSpec : FunSpec({
             waitForIdle()
             onNodeWithContentDescription(field).performTextReplacement("Double = System/Battery Voltage * 2")
             onNodeWithText("“Half = Power / 2” needs this name; change that first.").assertExists()
-            onNodeWithContentDescription("Keep the formula (Enter)").performClick()
+            onNodeWithContentDescription("Save the formula (Enter)").performClick()
             onNodeWithContentDescription("Remove this formula").performClick()
             viewer.formulas.definitions shouldBe definitions
             viewer.notices.all.single().text shouldBe "“Half = Power / 2” needs it; remove that first."

@@ -48,7 +48,7 @@ class LogNotesSpec : FunSpec({
             viewer.view.placeCursor(42.0)
             onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
-            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            onNodeWithContentDescription("Save the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
             NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
             viewer.panels.change { copy(front = FrontPart.DETAILS) }
@@ -56,7 +56,7 @@ class LogNotesSpec : FunSpec({
             runOnIdle { viewer.panels.state.front shouldBe FrontPart.GRAPHS }
             onNodeWithText("Change").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("again ")
-            onNodeWithContentDescription("Keep the note (Enter)").performClick()
+            onNodeWithContentDescription("Save the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
             NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
             onNodeWithText("Remove").performClick()

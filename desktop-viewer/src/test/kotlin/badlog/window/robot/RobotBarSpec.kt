@@ -66,7 +66,7 @@ class RobotBarSpec : FunSpec({
                 station.isEnabled = true
                 beside({ listOf(robot.address(station.port)) }, tempdir().toPath()) { viewer ->
                     connect()
-                    awaitText("10.10.14.2 is enabled; its logs come when it is disabled.")
+                    awaitText("10.10.14.2 is enabled; its logs are copied when it is disabled.")
                     station.isEnabled = false
                     awaitText("The robot at 10.10.14.2 is unknown. Its key is SHA256:")
                     onNodeWithContentDescription("Trust this robot").performClick()
@@ -133,7 +133,7 @@ class RobotBarSpec : FunSpec({
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         viewer.robot.connect("1014")
-        viewer.robot.state.status shouldBe "Open the folder where the robot’s logs are to go first."
+        viewer.robot.state.status shouldBe "First open the folder for the robot’s logs."
         beside(RobotAddress::of, tempdir().toPath()) {
             it.robot.connect("a b")
             it.robot.state.status shouldBe "“a b” is neither a team's number nor an address; type 1014, 10.10.14.2 or user@robot.local."

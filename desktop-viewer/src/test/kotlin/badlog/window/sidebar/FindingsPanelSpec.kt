@@ -84,7 +84,7 @@ class FindingsPanelSpec : FunSpec({
         runDesktopComposeUiTest(420, 900) {
             setContent { ViewerTheme(Theme.LIGHT) { viewer.keyboard.Watch { TestInspector(viewer) } } }
             fun choose(topic: String) {
-                onNodeWithContentDescription("Choose the topic that is “battery”", substring = true).performClick()
+                onNodeWithContentDescription("Choose the topic for “battery”", substring = true).performClick()
                 onNodeWithText(topic).performClick()
                 waitForIdle()
             }

@@ -67,7 +67,7 @@ class TopicPaneSpec : FunSpec({
             onNodeWithContentDescription("Topic Arm/Angle").performMouseInput { click() }
             onRoot().performKeyInput { keyUp(Key.CtrlLeft) }
             onNodeWithText("2 selected").assertExists()
-            onNodeWithContentDescription("New graph of these").performClick()
+            onNodeWithContentDescription("New graph of the selected topics").performClick()
             runOnIdle {
                 drawn(viewer) shouldContainExactly listOf(listOf("Drive/Left", "Arm/Angle"))
                 viewer.topics.state.selected shouldBe emptyList()

@@ -31,9 +31,9 @@ object NotesFile {
             if (Files.size(file) > MAX_BYTES) throw NotesException("It is too large.")
             notesOfJson(Files.readString(file))
         } catch (e: NotesException) {
-            throw NotesException("The notes in ${file.fileName} are damaged: ${e.message} Mend the file, or delete it.")
+            throw NotesException("The notes in ${file.fileName} are damaged: ${e.message} Repair the file, or delete it.")
         } catch (_: CharacterCodingException) {
-            throw NotesException("The notes in ${file.fileName} are damaged: they are not text. Mend the file, or delete it.")
+            throw NotesException("The notes in ${file.fileName} are damaged: they are not text. Repair the file, or delete it.")
         } catch (e: IOException) {
             throw NotesException("The notes in ${file.fileName} cannot be read: ${e.message}")
         }

@@ -43,7 +43,7 @@ class NotesFileSpec : FunSpec({
     test("damaged notes say which file is to be mended") {
         Files.writeString(NotesFile.of(log), "{\"notes\":7}")
         shouldThrow<NotesException> { NotesFile.read(log) }.message shouldBe
-            "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Mend the file, or delete it."
+            "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Repair the file, or delete it."
         Files.write(NotesFile.of(log), byteArrayOf(-1, -2, 7))
         shouldThrow<NotesException> { NotesFile.read(log) }.message shouldStartWith "The notes in q42.bag.notes.json are damaged"
     }

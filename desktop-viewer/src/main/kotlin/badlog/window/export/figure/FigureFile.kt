@@ -32,7 +32,7 @@ internal fun imageOf(figure: LogFigure, graphs: List<BoardGraph>, scale: Int = P
     // Its height is known only after drawing.
     val height = onSurface(1, scale) { pen -> Sheet(figure.width, pen).also { figure.draw(it, graphs) }.height }
     if (height * figure.width * scale * scale > MAX_PIXELS) {
-        throw IOException("The picture of so many graphs is too large; select fewer of them, or SVG.")
+        throw IOException("The picture would be too large; select fewer graphs, or SVG.")
     }
     val rows = (height * scale).toInt()
     return Surface.makeRasterN32Premul(figure.width * scale, rows).use { surface ->

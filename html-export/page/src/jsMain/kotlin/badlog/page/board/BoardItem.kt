@@ -38,7 +38,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
             menuButton = addIconButton("graph-menu", Icon.MORE, "More for this graph") { openMenu() }
             menuButton.setAttribute("aria-haspopup", "menu")
             menuButton.setAttribute("aria-expanded", "false")
-            addIconButton("pin", Icon.PIN, "Take off the board (P)") { scene.board.change { without(spec.id) } }
+            addIconButton("pin", Icon.PIN, "Remove from the board (P)") { scene.board.change { without(spec.id) } }
                 .setAttribute("aria-pressed", "true")
         }
     }

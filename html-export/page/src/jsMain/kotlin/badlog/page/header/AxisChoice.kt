@@ -32,7 +32,7 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, pri
         val name = PathName.baseNameOf(column.name)
         element("p", "axis-choice") {
             id = "axis-choice"
-            add("span", "", if (chosen == TIME) "Drawn over “$name”." else "This log names no x axis. “$name” rises from row to row.")
+            add("span", "", if (chosen == TIME) "Drawn over “$name”." else "This log does not name an x axis. “$name” increases in every row.")
             if (chosen != TIME) addButton("", "Draw over “$name”") { choose(TIME) }.id = "axis-time"
             addButton("text-button", if (chosen == TIME) "Use row numbers" else "Keep row numbers") { choose(ROWS) }.id = "axis-rows"
         }

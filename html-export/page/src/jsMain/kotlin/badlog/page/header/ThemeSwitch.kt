@@ -11,7 +11,7 @@ import org.w3c.dom.HTMLElement
 /** Light, dark, or the system's theme; remembered. [onChange] is called after each change of colors. */
 internal class ThemeSwitch(private val onChange: () -> Unit) {
     private enum class Theme(val icon: Icon, val text: String) {
-        AUTO(Icon.AUTO, "Colors: as the system"),
+        AUTO(Icon.AUTO, "Colors: follow the system"),
         LIGHT(Icon.SUN, "Colors: light"),
         DARK(Icon.MOON, "Colors: dark"),
     }

@@ -51,7 +51,7 @@ internal class HelpOverlay {
             HelpLine(
                 "On the graphs",
                 "Touch",
-                "Tap pins the cursor, a long one sets the second; a sideways drag zooms or pans, a double tap shows everything.",
+                "Tap pins the cursor, a long press sets the second; a sideways drag zooms or pans, a double tap shows everything.",
             ),
             HelpLine("Board", "Drag a title", "Puts the graph there on the board; on another graph, draws both in one."),
             HelpLine("Page", "/", "Search"),
