@@ -1,6 +1,6 @@
 package badlog.cli.input
 
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.UnreadableFileException

@@ -27,7 +27,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.catalog.folder.LogEntry
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.search.Query
 import badlog.window.menu.MenuBox

@@ -12,7 +12,7 @@ import java.util.EnumSet
 /**
  * The result of scanning a folder.
  *
- * @property files the possible logs, in no particular order; [badlog.core.text.NaturalOrder] is what people expect. A log of two files is included
+ * @property files the possible logs, in no particular order. A log of two files is included
  * once, as the first.
  * @property unreadable the folders that could not be read.
  */

@@ -1,6 +1,6 @@
 package badlog.season
 
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet

@@ -1,7 +1,7 @@
 package badlog.assistant.log
 
 import badlog.assistant.call.ToolException
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.partsOfLog

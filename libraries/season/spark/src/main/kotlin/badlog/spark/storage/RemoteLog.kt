@@ -1,6 +1,6 @@
 package badlog.spark.storage
 
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.files.LogName
 import badlog.files.firstPartOf
 import badlog.files.wholeLogs

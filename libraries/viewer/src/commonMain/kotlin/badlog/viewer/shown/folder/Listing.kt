@@ -1,7 +1,7 @@
 package badlog.viewer.shown.folder
 
 import badlog.core.recording.Severity
-import badlog.core.text.NaturalOrder
+import badlog.signals.match.NaturalOrder
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.shown.search.Query

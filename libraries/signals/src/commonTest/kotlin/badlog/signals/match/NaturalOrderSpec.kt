@@ -1,4 +1,4 @@
-package badlog.core.text
+package badlog.signals.match
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

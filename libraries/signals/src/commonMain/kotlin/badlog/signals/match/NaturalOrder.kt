@@ -1,4 +1,4 @@
-package badlog.core.text
+package badlog.signals.match
 
 /** Orders texts as people do: regardless of case, and numbers in them by their value, so that 9 comes before 10. */
 public object NaturalOrder : Comparator<String> {
