@@ -1,11 +1,11 @@
 package badlog.cli.input
 
-import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.UnreadableFileException
 import badlog.files.reading
 import badlog.files.wholeLogs
+import badlog.signals.match.NaturalOrder
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

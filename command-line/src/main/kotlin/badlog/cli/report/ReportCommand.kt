@@ -51,7 +51,9 @@ internal class ReportCommand :
             )
         }
         if (station != null && folder != null) {
-            throw UsageError("--with-ds and --out cannot be used together, since a page shows one log; merge both with merge --with-ds first")
+            throw UsageError(
+                "--with-ds and --out cannot be used together, since a page shows one log; merge both with merge --with-ds first",
+            )
         }
         if (field != null && folder == null) throw UsageError("--field needs --out, since only pages draw a field")
         return ReportTask(

@@ -11,6 +11,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
+import java.nio.file.Files
 
 private const val VOLTS = "Battery Voltage"
 
@@ -82,6 +83,19 @@ internal class CompareSpec : PageSpec({
             element("#compare").isDisplayed shouldBe false
             texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
         }
+    }
+
+    browserTest("all files that are chosen at once are compared; what is none is named when the others have been read") {
+        val folder = Files.createTempDirectory("badlog-compare")
+        val files = listOf("a.bag" to log(0.0, 2.0, 11.0), "pit.bag" to byteArrayOf(-1, -40, -1, 0), "b.bag" to log(5.0, 2.0, 10.0))
+            .map { (name, bytes) -> Files.write(folder.resolve(name), bytes) }
+        onPage(page) {
+            element("#compare-file").sendKeys(files.joinToString("\n"))
+            awaitLogs(3)
+            texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "a.bag", "b.bag")
+            await("the sentence") { "pit.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
+        }
+        folder.toFile().deleteRecursively()
     }
 
     browserTest("a search goes on when a log comes to be compared") {

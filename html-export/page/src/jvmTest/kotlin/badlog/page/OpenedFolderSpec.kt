@@ -9,6 +9,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.Keys
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.copyTo
@@ -125,6 +126,79 @@ internal class OpenedFolderSpec : PageSpec({
             element("#compare-logs").click()
             awaitLog("Qualification 42")
             await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
+        }
+    }
+
+    browserTest("the way back leads to the row that was left, with everything that the list had; keys in a dialog leave no log") {
+        onFolder(samples()) {
+            awaitAll()
+            elements("[data-column='FILE'] button").first { it.text == "practice.bag" }.click()
+            await("the log") { texts(".page-title h1").size == 1 }
+            awaitState("ready")
+            press("m")
+            act { keyDown(Keys.ALT).sendKeys(Keys.PAGE_DOWN).keyUp(Keys.ALT) }
+            press(Keys.ESCAPE)
+            texts(".page-title h1").size shouldBe 1
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+            script("return document.activeElement.textContent") shouldBe "practice.bag"
+            elements("#theme").size shouldBe 1
+            script("return document.documentElement.dataset.rules ?? null") shouldBe null
+            // The folder's own name finds nothing.
+            element("#search").sendKeys("event practice")
+            settle()
+            text shouldContain "No log matches."
+        }
+    }
+
+    browserTest("logs of the same name in different folders are compared with each other; what systems hide is not listed") {
+        val days = folder("days") { folder ->
+            for ((day, volts) in listOf("day1" to 11, "day2" to 12, "day3" to 13)) {
+                val log = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else volts + row % 2 }
+                (folder / day).createDirectories()
+                (folder / day / "match.bag").writeBytes(log)
+                (folder / day / "._match.bag").writeBytes(byteArrayOf(1, 2, 3))
+            }
+        }
+        onFolder(days) {
+            awaitAll()
+            column("FILE").size shouldBe 3
+            for (box in elements("[aria-label='Compare match.bag']").indices) elements("[aria-label='Compare match.bag']")[box].click()
+            element("#compare-logs").click()
+            await("all three") { texts(".compared-log bdi").size == 3 }
+            texts(".compared-log bdi").distinct().size shouldBe 3
+        }
+    }
+
+    browserTest("where a log cannot be shown, another one can be dropped, and the list is not forgotten") {
+        onFolder(samples()) {
+            awaitAll()
+            drop("pit.zip" to byteArrayOf(1, 2, 3))
+            awaitState("failed")
+            drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
+            await("the other sentence") { "nothing to show of pit.jpg" in text }
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+            awaitAll()
+            drop("alone.bag" to bag)
+            awaitLog("alone.bag")
+            element("#go-back").click()
+            awaitState("empty")
+            text shouldContain "Open a robot’s log"
+        }
+    }
+
+    browserTest("a finding of a table without an x axis is shown over its time, over which it was found") {
+        val tables = folder("tables") { folder ->
+            val rows = (0..1500).joinToString("\n") { i -> "${i / 50.0},${if (i in 500..700) 6.2 else 12.4},1" }
+            (folder / "a.csv").writeText("Time,Battery Voltage,Enabled\n$rows\n")
+            (folder / "b.bag").writeBytes(bag)
+        }
+        onFolder(tables) {
+            awaitAll()
+            elements("[data-column='FINDINGS'] button").first().click()
+            awaitLog("a.csv")
+            await("its evidence") { elements(".evidence").any { it.isDisplayed } }
         }
     }
 

@@ -27,7 +27,7 @@ class FolderScanSpec : FunSpec({
             listOf("b/Q10.bag", "b/Q9.bag", "a.csv", "c.wpilog.gz", "c.BADBAG", "d.tar.gz", ".hidden.bag", ".git/x.bag", "notes.txt")
                 .forEach { folder.put(it) }
             found(folder) shouldBe
-                listOf("a.csv", "b/Q9.bag", "b/Q10.bag", "c.BADBAG", "c.wpilog.gz")
+                listOf("a.csv", "b/Q10.bag", "b/Q9.bag", "c.BADBAG", "c.wpilog.gz")
         }
     }
 

@@ -1,8 +1,8 @@
 package badlog.report
 
-import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
+import badlog.signals.match.NaturalOrder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.encodeToJsonElement

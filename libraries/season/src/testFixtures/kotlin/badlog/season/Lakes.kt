@@ -1,6 +1,5 @@
 package badlog.season
 
-import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -8,6 +7,7 @@ import badlog.season.lake.Lake
 import badlog.season.lake.LakeLog
 import badlog.season.lake.LakeResult
 import badlog.season.sql.LakeDatabase
+import badlog.signals.match.NaturalOrder
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Files
 import java.nio.file.Path

@@ -88,7 +88,7 @@ internal class LogPage(
     theme: ThemeSwitch,
     axisChoice: HTMLElement?,
     private val opening: LogOpening,
-    private val copyWith: (List<Note>, String, compared: List<File>) -> Promise<Blob>,
+    private val copyWith: (List<Note>, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -229,7 +229,8 @@ internal class LogPage(
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
         findings.wait()
         RuleSearch(logged, additions.rules, about.name).start(
-            onFindings = { found ->
+            onFindings = onFindings@{ found ->
+                if (!element.isConnected) return@onFindings
                 scene.findings = timelineOf(found.findings + embeddedFindings)
                 val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
                 findings.show(found.ran, found.skipped, incidents)
@@ -243,7 +244,8 @@ internal class LogPage(
                 if (found.findings.isNotEmpty()) redraw()
                 setRulesState("done")
             },
-            onFailure = { reason ->
+            onFailure = onFailure@{ reason ->
+                if (!element.isConnected) return@onFailure
                 findings.fail(reason)
                 setRulesState("failed")
             },
@@ -308,7 +310,8 @@ internal class LogPage(
     }
 
     private fun saveCopy() {
-        Promise.resolve(Unit).then { copyWith(notes.now.notes, layoutNow().toJson(), comparison.files) }
+        val compared = comparison.files + compareBar.waiting
+        Promise.resolve(Unit).then { copyWith(notes.now.notes, layoutNow().toJson(), compared, comparison.removed) }
             .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
             .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }

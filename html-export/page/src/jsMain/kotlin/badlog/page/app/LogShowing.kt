@@ -3,6 +3,7 @@ package badlog.page.app
 import badlog.core.analysis.LogView
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
+import badlog.page.dom.PageEvents
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.embedded.LogBytes
@@ -60,19 +61,25 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
         setPageState("loading")
         root.clear()
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, opening()) { notes, board, compared ->
-            source.copyWith(notes, board, log.bytes.toMarkup(), compared)
-        }
+        val shown =
+            LogPage(formulas, about, additions, layout, downloads, theme, axis.element, opening()) { notes, board, compared, removed ->
+                source.copyWith(notes, board, log.bytes.toMarkup(), compared, removed)
+            }
         page = shown
+        // Nothing may hold a log that is not shown.
+        PageEvents.onEnd { page = null }
         root.show(shown.element)
         shown.start()
         window.performance.asDynamic().mark("badlog-first-graphs")
         // After the browser's next frame.
         window.requestAnimationFrame {
             window.setTimeout({
-                root.guarded {
-                    shown.complete(formulas.given, log.compared(), showsWorst)
-                    setPageState("ready")
+                // Somebody may have gone on in the meantime.
+                if (page === shown) {
+                    root.guarded {
+                        shown.complete(formulas.given, log.compared(), showsWorst)
+                        setPageState("ready")
+                    }
                 }
             }, 0)
         }

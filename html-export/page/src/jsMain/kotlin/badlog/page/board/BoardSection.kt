@@ -52,7 +52,8 @@ internal class BoardSection(
                 add = addIconButton("", Icon.PLUS, "Add topics") { topics.open() }.apply { id = "add-topics" }
                 undo = addIconButton("", Icon.UNDO, "Undo (Ctrl+Z)") { board.undo() }.apply { id = "undo" }
                 redo = addIconButton("redo", Icon.UNDO, "Redo (Ctrl+Y)") { board.redo() }.apply { id = "redo" }
-                addIconButton("", Icon.START, "Start board: the graphs that this page opened with") { board.startAgain() }.id = "start-board"
+                val start = "Start board: the graphs that this page opened with"
+                addIconButton("", Icon.START, start) { board.startAgain() }.id = "start-board"
                 appendChild(layouts)
                 clear = addIconButton("", Icon.CLOSE, "Remove all") { board.change { Board() } }.apply { id = "clear-board" }
             }

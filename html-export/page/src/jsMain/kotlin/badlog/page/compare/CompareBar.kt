@@ -3,6 +3,7 @@ package badlog.page.compare
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
@@ -28,6 +29,8 @@ import org.w3c.files.File
 internal class CompareBar(private val comparison: PageComparison, private val notice: Notice) {
     private lateinit var alignment: HTMLSelectElement
     private lateinit var logs: HTMLElement
+    private val unread = ArrayList<OpenedLog>()
+    private val failures = ArrayList<String>()
 
     private val input = element("input").unsafeCast<HTMLInputElement>().apply {
         type = "file"
@@ -36,7 +39,8 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         isHidden = true
         setAttribute("aria-label", "Log to compare")
         addEventListener("change", {
-            open(files?.asList().orEmpty())
+            // The browser's own list becomes empty with the value.
+            open(files?.asList().orEmpty().toList())
             value = ""
         })
     }
@@ -79,28 +83,47 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         comparison.onChange(::list)
     }
 
+    /** The files that wait to be read. */
+    val waiting: List<File> get() = unread.flatMap { it.files }
+
     /** Reads the logs in [files], one after the other, and compares them. */
     fun open(files: List<File>) {
-        val logs = OpenedLog.logsIn(files)
-        val log = logs.firstOrNull() ?: return
+        val isReading = unread.isNotEmpty()
+        unread += OpenedLog.logsIn(files)
+        if (!isReading) readNext()
+    }
+
+    private fun readNext() {
+        val log = unread.firstOrNull()
+        if (log == null) {
+            notice.endProgress()
+            // Said at the end, for the progress of the others would hide it.
+            notice.say(*failures.toTypedArray())
+            failures.clear()
+            return
+        }
         val name = log.fileName
         lateinit var reading: FileReading
-        reading = FileReading(log.files) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", reading::cancel) }
-        notice.show("Reading $name…", reading::cancel)
-        reading.start().then({ read ->
-            notice.hide()
-            accept(log, read)
-            open(files - log.files.toSet())
-        }, { failure -> notice.say("$name cannot be read: ${failure.message}. Open it again.") })
+        val cancel = {
+            reading.cancel()
+            unread.clear()
+        }
+        reading = FileReading(log.files) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", cancel) }
+        PageEvents.onEnd(cancel)
+        notice.show("Reading $name…", cancel)
+        reading.start().then({ accept(log, it) }, { failures += "$name cannot be read: ${it.message}. Open it again." }).then {
+            unread -= log
+            readNext()
+        }
     }
 
     private fun accept(log: OpenedLog, read: Recording) {
         val name = log.fileName
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         when {
-            unreadable != null -> notice.say("$name: ${unreadable.message}")
-            read.topics.all { it.samples.isEmpty() } -> notice.say("$name has no samples, so there is nothing to compare.")
-            else -> comparison.add(name, read, log.files)
+            unreadable != null -> failures += "$name: ${unreadable.message}"
+            read.topics.all { it.samples.isEmpty() } -> failures += "$name has no samples, so there is nothing to compare."
+            else -> comparison.add(log, read)
         }
     }
 

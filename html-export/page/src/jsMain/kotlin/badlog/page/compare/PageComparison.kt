@@ -6,6 +6,7 @@ import badlog.core.analysis.matchTitle
 import badlog.core.analysis.meant
 import badlog.core.recording.Recording
 import badlog.page.formula.Formulas
+import badlog.page.opened.OpenedLog
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.comparison.Alignment
 import badlog.viewer.choices.comparison.LogMoments
@@ -21,12 +22,13 @@ import org.w3c.files.File
  * @param file the name of the page's own file.
  */
 internal class PageComparison(private val formulas: Formulas, file: String) {
-    private class Log(val id: Int, val files: List<File>, val file: String, val view: LogView, val name: LogName, val moments: LogMoments)
+    private class Log(val id: Int, val files: List<File>, val path: String, val view: LogView, val name: LogName, val moments: LogMoments)
 
-    private val open = logOf(OPEN, emptyList(), file, formulas.logged)
+    private val open = logOf(OPEN, emptyList(), file, file, formulas.logged)
     private val logs = ArrayList<Log>()
     private var offsets = LogOffsets<Int>()
     private var lastId = OPEN
+    private val gone = ArrayList<File>()
     private val listeners = ArrayList<() -> Unit>()
 
     /** The page's own formulas, and those of its reader, when the others' lines were calculated. */
@@ -51,21 +53,28 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     /** The files of the logs. */
     val files: List<File> get() = logs.flatMap { it.files }
 
-    /** Adds the log [recording] called [file], read from [files]; one of the same name makes way for it. */
-    fun add(file: String, recording: Recording, files: List<File>) {
-        logs.removeAll { it.file == file }
-        logs += logOf(++lastId, files, file, formulas.viewOf(recording))
+    /** The files of logs that were removed. */
+    val removed: List<File> get() = gone
+
+    /** Adds [log], read as [recording]; one from the same place makes way for it. */
+    fun add(log: OpenedLog, recording: Recording) {
+        for (same in logs.filter { it.path == log.path }) gone += same.files
+        logs.removeAll { it.path == log.path }
+        logs += logOf(++lastId, log.files, log.path, log.fileName, formulas.viewOf(recording))
         show()
     }
 
     /** Removes the log at [index] of [drawn]. */
     fun remove(index: Int) {
-        offsets = offsets.without(logs.removeAt(index).id)
+        val log = logs.removeAt(index)
+        gone += log.files
+        offsets = offsets.without(log.id)
         show()
     }
 
     /** Removes all. */
     fun clear() {
+        gone += files
         logs.clear()
         show()
     }
@@ -102,11 +111,11 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
 
     private fun moments() = (listOf(open) + logs).associate { it.id to it.moments }
 
-    private fun logOf(id: Int, files: List<File>, file: String, view: LogView): Log {
+    private fun logOf(id: Int, files: List<File>, path: String, file: String, view: LogView): Log {
         val values = view.recording.values
         val match = matchTitle(null, values.meant("match type"), values.meant("match number", "match"))
-        val name = LogName(values.meant("event name", "event"), match, view.title ?: file, file)
-        return Log(id, files, file, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
+        val name = LogName(values.meant("event name", "event"), match, view.title ?: file, path)
+        return Log(id, files, path, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
     }
 
     private companion object {

@@ -3,18 +3,31 @@ package badlog.page.dom
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.EventTarget
 
-/** What the shown log listens to outside its own elements. It ends when something else is shown. */
+/** What the shown log listens to outside its own elements, and what works for it. Both end when something else is shown. */
 internal object PageEvents {
     private var lasting = newController()
+    private val ends = ArrayList<() -> Unit>()
 
     /** Calls [listener] at each event of [type] on [target], until [end]. */
     fun on(target: EventTarget, type: String, listener: (Event) -> Unit) =
         target.addEventListener(type, listener, json("signal" to lasting.signal))
 
-    /** Ends all listening. */
+    /** Calls [listener] at the next event of [type], if it comes before the [end]. */
+    fun once(target: EventTarget, type: String, listener: (Event) -> Unit) =
+        target.addEventListener(type, listener, json("signal" to lasting.signal, "once" to true))
+
+    /** Calls [work] once, at the [end]. */
+    fun onEnd(work: () -> Unit) {
+        ends += work
+    }
+
+    /** Ends all listening, and all work. */
     fun end() {
         lasting.abort()
         lasting = newController()
+        val works = ends.toList()
+        ends.clear()
+        for (work in works) work()
     }
 
     private fun newController(): dynamic = js("new AbortController()")

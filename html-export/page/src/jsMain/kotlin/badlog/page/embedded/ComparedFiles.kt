@@ -11,7 +11,14 @@ internal fun comparedFiles(): Promise<List<File>> {
     val files = document.querySelectorAll("script.compared").asList().map { node ->
         val element = node.unsafeCast<Element>()
         val name = element.getAttribute("data-name").orEmpty()
-        EmbeddedFile(element).inflated().then { File(arrayOf<dynamic>(it), name) }
+        EmbeddedFile(element).inflated().then { File(arrayOf<dynamic>(it), name).also { file -> file.carrier = element } }
     }
     return Promise.all(files.toTypedArray()).then { it.toList() }
 }
+
+/** The script of this page that holds the file; null for any other file. */
+internal var File.carrier: Element?
+    get() = asDynamic().carrier as Element?
+    set(value) {
+        asDynamic().carrier = value
+    }

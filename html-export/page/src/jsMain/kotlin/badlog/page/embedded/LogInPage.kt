@@ -59,9 +59,10 @@ private class PageScan(private val page: File) {
     private fun scan() {
         if (!isInLog && !hasLog) {
             val begin = rest.indexOf(LOG)
-            val end = rest.indexOf('>', maxOf(begin, 0))
+            // A name may have this sign, but no quotes.
+            val end = rest.indexOf("\">", maxOf(begin, 0))
             if (begin < 0 || end < 0) return forget()
-            rest = rest.substring(end + 1)
+            rest = rest.substring(end + 2)
             isInLog = true
             hasLog = true
         }

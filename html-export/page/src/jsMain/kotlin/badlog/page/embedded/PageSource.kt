@@ -23,8 +23,9 @@ internal class PageSource(root: Element) {
      *
      * @param opened the log to hold instead of the page's own, see [LogBytes.toMarkup]; null for the page's own.
      * @param compared the files of the logs that are compared with it.
+     * @param removed those that are not any more; all others that the page holds are copied as they are.
      */
-    fun copyWith(notes: List<Note>, layout: String, opened: Promise<Blob>?, compared: List<File>): Promise<Blob> {
+    fun copyWith(notes: List<Note>, layout: String, opened: Promise<Blob>?, compared: List<File>, removed: List<File>): Promise<Blob> {
         val additions = JSON.parse<dynamic>(document.getElementById("additions")?.textContent ?: NO_ADDITIONS)
         additions.notes = JSON.parse<dynamic>(notes.toJson())
         additions.notesProblem = undefined
@@ -34,17 +35,14 @@ internal class PageSource(root: Element) {
             for (one in listOf("differences", "video")) additions[one] = undefined
         }
         val text = packed(Blob(arrayOf(JSON.stringify(additions)))).then { bytesOf(it, 0.0, it.size.toDouble()) }.then { base64(it) }
-        // What the page already holds of the compared logs is copied as it is.
-        val held = document.querySelectorAll("script.compared").asList().mapNotNull { it.unsafeCast<Element>().getAttribute(NAME) }
-        val others = compared.filterNot { opened == null && it.name in held }.map(::markupOfCompared)
+        val others = compared.filter { opened != null || it.carrier == null }.map(::markupOfCompared)
         val parts = Promise.all(arrayOf<Promise<Any?>>(text, opened ?: Promise.resolve(null), Promise.all(others.toTypedArray())))
         return parts.then { (packed, log, more) ->
-            val names = compared.map { it.name }
-            copyWith(packed as String, log as Blob?, more.unsafeCast<Array<Blob>>()) { it.getAttribute(NAME) in names }
+            copyWith(packed as String, log as Blob?, more.unsafeCast<Array<Blob>>(), removed.mapNotNull { it.carrier })
         }
     }
 
-    private fun copyWith(additions: String, opened: Blob?, compared: Array<Blob>, isCompared: (Element) -> Boolean): Blob {
+    private fun copyWith(additions: String, opened: Blob?, compared: Array<Blob>, removed: List<Element>): Blob {
         val copy = BlobParts()
         copy.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n")
         // The program and its style follow the style that the page has from the beginning.
@@ -61,7 +59,7 @@ internal class PageSource(root: Element) {
 
                 opened != null && element.id !in PROGRAM -> Unit
 
-                element.className == "compared" && !isCompared(element) -> Unit
+                element in removed -> Unit
 
                 else -> {
                     if (element.id == "packed") copy.addAdditions(additions)
@@ -97,8 +95,6 @@ internal class PageSource(root: Element) {
         /** The scripts of a page that are not about its log. */
         val PROGRAM = setOf("packed", "unpacking")
 
-        /** Where a script has the name of its file. */
-        const val NAME = "data-name"
         const val NO_ADDITIONS = """{"virtual":[],"findings":[],"hooks":[]}"""
     }
 }

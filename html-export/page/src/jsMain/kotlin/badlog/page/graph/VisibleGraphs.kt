@@ -1,12 +1,14 @@
 package badlog.page.graph
 
 import badlog.page.dom.IntersectionObserver
+import badlog.page.dom.PageEvents
 import badlog.page.dom.json
 import badlog.page.view.Frame
 import badlog.page.view.Scene
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
+import org.w3c.dom.events.EventTarget
 
 /**
  * All graphs of the page: draws those near the screen, and makes all of them follow the visible range and the
@@ -107,10 +109,10 @@ internal class VisibleGraphs(private val scene: Scene) {
     private fun followDensity() {
         val ratio = window.devicePixelRatio
         val isSame = "(min-resolution: ${ratio - ROUNDING}dppx) and (max-resolution: ${ratio + ROUNDING}dppx)"
-        window.matchMedia(isSame).asDynamic().addEventListener("change", {
+        PageEvents.once(window.matchMedia(isSame).unsafeCast<EventTarget>(), "change") {
             repaint()
             followDensity()
-        }, json("once" to true))
+        }
     }
 
     private fun part(card: GraphCard) {

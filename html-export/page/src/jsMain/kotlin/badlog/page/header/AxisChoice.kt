@@ -30,9 +30,10 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, pri
         null
     } else {
         val name = PathName.baseNameOf(column.name)
+        val unnamed = "This log does not name an x axis. “$name” increases in every row."
         element("p", "axis-choice") {
             id = "axis-choice"
-            add("span", "", if (chosen == TIME) "Drawn over “$name”." else "This log does not name an x axis. “$name” increases in every row.")
+            add("span", "", if (chosen == TIME) "Drawn over “$name”." else unnamed)
             if (chosen != TIME) addButton("", "Draw over “$name”") { choose(TIME) }.id = "axis-time"
             addButton("text-button", if (chosen == TIME) "Use row numbers" else "Keep row numbers") { choose(ROWS) }.id = "axis-rows"
         }

@@ -10,6 +10,7 @@ import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.CsvPart
 import badlog.page.embedded.EmbeddedFile
+import badlog.page.embedded.EmbeddedLog
 import badlog.page.embedded.LogBytes
 import badlog.page.export.fileOf
 import badlog.page.view.Notice
@@ -45,7 +46,8 @@ internal class Downloads(private val about: About, private val bytes: LogBytes, 
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
         addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
-        val attachments = document.querySelectorAll("script.attachment").asList()
+        // They belong to the page's own log.
+        val attachments = if (bytes is EmbeddedLog) document.querySelectorAll("script.attachment").asList() else emptyList()
         attachments.forEachIndexed { index, node ->
             val carrier = node.unsafeCast<HTMLElement>()
             val name = carrier.getAttribute("data-name") ?: "attachment ${index + 1}"

@@ -1,6 +1,5 @@
 package badlog.page.opened
 
-import badlog.page.dom.startWorker
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.viewer.catalog.Content
@@ -16,71 +15,80 @@ import kotlin.js.Promise
  *
  * @param next returns the log to read next; null when all have been read.
  * @param onKnown called with a log of which more is known.
+ * @param onLost called with a log that was not read after all.
  */
-internal class FolderReading(private val rules: RuleSet, private val next: () -> OpenedLog?, private val onKnown: (OpenedLog) -> Unit) {
+internal class FolderReading(
+    private val rules: RuleSet,
+    private val next: () -> OpenedLog?,
+    private val onKnown: (OpenedLog) -> Unit,
+    private val onLost: (OpenedLog) -> Unit,
+) {
     private val workers = ArrayList<Worker>()
-    private var isOver = false
+
+    /** How often it was started or stopped: what was begun before is over. */
+    private var turn = 0
 
     /** Starts, or goes on after [stop]. */
     fun start() {
-        isOver = false
-        val json = rules.toJson()
-        repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS)) {
-            SummaryWorker.start(json)?.let {
-                workers += it
-                readIn(it)
-            }
-        }
-        if (workers.isEmpty()) readHere()
+        stop()
+        repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS)) { startWorker() }
+        if (workers.isEmpty()) readHere(turn)
     }
 
     /** Stops reading; logs that are being read are read again after the next [start]. */
     fun stop() {
-        isOver = true
+        turn++
         for (worker in workers) worker.terminate()
         workers.clear()
     }
 
-    private fun readIn(worker: Worker) {
-        var log = next() ?: return worker.terminate()
+    private fun startWorker() {
+        var log = next() ?: return
+        val worker = SummaryWorker.start(rules.toJson()) ?: return onLost(log)
+        workers += worker
+        var hasAnswered = false
         worker.onerror = {
             worker.terminate()
-            workers -= worker
-            // Some browsers forbid the worker only after its constructor has returned.
-            if (workers.isEmpty() && !isOver) readHere(log)
+            if (workers.remove(worker)) {
+                if (hasAnswered) {
+                    onKnown(unreadable(log, "it takes too much memory"))
+                    startWorker()
+                } else {
+                    // Some browsers forbid the worker only after its constructor has returned.
+                    onLost(log)
+                    if (workers.isEmpty()) readHere(turn)
+                }
+            }
         }
         worker.onmessage = { event: MessageEvent ->
+            hasAnswered = true
             val message: dynamic = event.data
-            when {
-                isOver -> Unit
-
-                message.failure == undefined && message.match != undefined -> {
-                    log = SummaryMessage.read(message, log)
-                    onKnown(log)
-                }
-
-                else -> {
-                    if (message.failure != null) onKnown(unreadable(log, message.failure as String))
-                    next()?.let {
-                        log = it
-                        worker.postMessage(it.files.toTypedArray())
-                    }
+            if (message.failure == undefined && message.match != undefined) {
+                log = SummaryMessage.read(message, log)
+                onKnown(log)
+            } else {
+                if (message.failure != null) onKnown(unreadable(log, message.failure as String))
+                val following = next()
+                if (following == null) {
+                    workers -= worker
+                    worker.terminate()
+                } else {
+                    log = following
+                    worker.postMessage(following.files.toTypedArray())
                 }
             }
         }
         worker.postMessage(log.files.toTypedArray())
     }
 
-    private fun readHere(first: OpenedLog? = next()) {
-        var log = first ?: return
+    private fun readHere(begun: Int) {
+        var log = next() ?: return
         LogExamination(rules).of(log) {
             log = it
-            if (!isOver) onKnown(it)
-        }.catch { if (!isOver) onKnown(unreadable(log, it.message ?: it.toString())) }.then {
-            if (!isOver) {
-                // A timer between two logs lets the page draw and react.
-                window.setTimeout({ readHere() }, 0)
-            }
+            if (turn == begun) onKnown(it)
+        }.catch { if (turn == begun) onKnown(unreadable(log, it.message ?: it.toString())) }.then {
+            // A timer between two logs lets the page draw and react.
+            if (turn == begun) window.setTimeout({ if (turn == begun) readHere(begun) }, 0)
         }
     }
 

@@ -20,23 +20,24 @@ import org.w3c.dom.HTMLInputElement
  *
  * @param logs the logs; those that turn out to be none are not listed.
  * @param rules those that run over each.
- * @param settings what can be changed on every page.
+ * @param settings returns what can be changed on every page.
  * @param onLeave called when a person wants something else.
  * @param onOpen called with the log to open, those to compare with it, and whether to show the worst that was found.
  */
 internal class FolderScreen(
     logs: List<OpenedLog>,
     rules: RuleSet,
-    settings: HTMLElement,
+    private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
     private val onOpen: (OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) -> Unit,
 ) {
     private val known = logs.associateByTo(LinkedHashMap()) { it.path }
-    private var listing = Listing(logs)
+    private var listing = Listing(logs, folder = folderOf(logs) + "/")
     private val unread = HashSet(known.keys)
     private val checked = LinkedHashSet<String>()
-    private val reading = FolderReading(rules, ::nextToRead, ::take)
+    private val reading = FolderReading(rules, ::nextToRead, ::take) { unread += it.path }
     private var timer = 0
+    private lateinit var tools: HTMLElement
     private lateinit var progress: HTMLElement
     private lateinit var compare: HTMLElement
     private lateinit var nothing: HTMLElement
@@ -46,13 +47,12 @@ internal class FolderScreen(
     val element: HTMLElement = element("div", "start folder-logs") {
         add("header", "page-head") {
             add("h1", "", folderOf(logs))
-            add("div", "page-tools") {
+            tools = add("div", "page-tools") {
                 addButton("", "", "Open something else", onLeave).apply {
                     id = "go-back"
                     appendChild(Icon.BACK.draw())
                     add("span", "", "Open…")
                 }
-                appendChild(settings)
             }
         }
         add("div", "log-tools") {
@@ -76,8 +76,14 @@ internal class FolderScreen(
     /** The listed logs, in order. */
     val visible: List<OpenedLog> get() = listing.visible
 
-    /** Goes on reading. */
-    fun resume() = reading.start()
+    /** Goes on reading: it is shown again. */
+    fun resume() {
+        tools.appendChild(settings())
+        reading.start()
+    }
+
+    /** Returns whether [log] is one of its logs. */
+    fun has(log: OpenedLog): Boolean = log.path in known
 
     /** Stops reading, because a log is being read that a person wants to see. */
     fun pause() {
@@ -111,13 +117,18 @@ internal class FolderScreen(
 
     private fun take(log: OpenedLog) {
         known[log.path] = log
-        // Rows come in quicker than anybody reads.
-        if (timer == 0) {
-            timer = window.setTimeout({
-                timer = 0
-                list(listing.copy(entries = known.values.toList()))
-            }, PAUSE)
-        }
+        if (!log.isReadable) checked -= log.path
+        showLater()
+    }
+
+    /** Rows come in quicker than anybody reads. */
+    private fun showLater() {
+        if (timer != 0) return
+        timer = window.setTimeout({
+            timer = 0
+            // A button that is being pressed must not be replaced by a new one.
+            if (table.isPressed) showLater() else list(listing.copy(entries = known.values.toList()))
+        }, PAUSE)
     }
 
     private fun list(changed: Listing<OpenedLog>) {

@@ -14,6 +14,7 @@ import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
 import badlog.rules.RuleSet
+import badlog.signals.overItsTime
 import badlog.viewer.text.countText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -38,28 +39,22 @@ internal class LogOpening(
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
 
+    /** How often a person asked for something: what was asked for before is not shown any more. */
+    private var request = 0
+
     /** Opens the only log in [files], or lists those that there are. */
     fun open(files: List<File>) {
-        folder?.pause()
-        folder = null
-        val page = files.singleOrNull()?.takeIf(::isPage)
-        if (page != null) return openPage(page)
-        val likely = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
-        val advice = files.singleOrNull()?.let { adviceFor(it.name) }
-        if (advice != null) return root.fail("This page cannot read ${files[0].name}", advice, back())
+        val only = files.singleOrNull()
+        val advice = only?.let { adviceFor(it.name) }
         // One file is asked for by name, whatever that is.
-        val logs = if (files.size == 1) OpenedLog.logsIn(files) else likely
-        when (logs.size) {
-            0 -> if (files.isNotEmpty()) {
-                root.fail(
-                    "There is no log here",
-                    "None of these ${countText(files.size, "file")} is a log.",
-                    back(),
-                )
-            }
-
-            1 -> open(logs[0])
-
+        val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
+        when {
+            files.isEmpty() -> return
+            only != null && isPage(only) -> openPage(only)
+            only != null && advice != null -> fail("This page cannot read ${only.name}", advice)
+            logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "Pages of badlog are opened one at a time.")
+            logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
+            logs.size == 1 -> open(logs[0])
             else -> list(logs)
         }
     }
@@ -78,6 +73,7 @@ internal class LogOpening(
             addIconButton("", Icon.CHEVRON, "Next log of the list (Alt+Page down)") { next() }.id = "next-log"
             PageEvents.on(document, "keydown") {
                 val key = it.unsafeCast<KeyboardEvent>()
+                if (key.target.asDynamic().closest("dialog, input, textarea, select") != null) return@on
                 if (key.altKey && key.key == "PageUp") previous()
                 if (key.altKey && key.key == "PageDown") next()
             }
@@ -87,38 +83,72 @@ internal class LogOpening(
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
 
     private fun open(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
-        folder?.pause()
         lateinit var reading: FileReading
-        val loading = LoadingScreen(opened.fileName) {
-            reading.cancel()
-            goBack()
-        }
-        reading = FileReading(opened.files, loading::show)
-        setPageState("loading")
-        root.showAlone(loading.element)
-        reading.start().then({ read -> accept(opened, read, compared, showsWorst) }, { failure ->
-            root.fail("${opened.fileName} cannot be read", "${failure.message}. Open it again.", back())
+        val asked = wait(opened.fileName) { reading.cancel() }
+        reading = FileReading(opened.files, asked.screen::show)
+        reading.start().then({ read -> if (asked.isLatest) accept(opened, read, compared, showsWorst) }, { failure ->
+            if (asked.isLatest) fail("${opened.fileName} cannot be read", "${failure.message}. Open it again.")
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
     private fun accept(opened: OpenedLog, read: Recording, compared: List<OpenedLog>, showsWorst: Boolean) {
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) return root.fail("There is nothing to show of ${opened.fileName}", unreadable.message, back())
+        if (unreadable != null) return fail("There is nothing to show of ${opened.fileName}", unreadable.message)
         log = opened
+        if (folder?.has(opened) == false) folder = null
         document.title = opened.title
-        show(opened, read, compared.flatMap { it.files }, showsWorst)
+        // A finding of the list was found over the log's time.
+        show(opened, if (showsWorst) read.overItsTime() else read, compared.flatMap { it.files }, showsWorst)
     }
 
     private fun openPage(page: File) {
         val title = "There is nothing to show of ${page.name}"
+        val asked = wait(page.name) {}
         logIn(page).then({ inPage ->
-            if (inPage == null) root.fail(title, "It is not a page of badlog with a log in it.", back())
-            inPage?.let { open(OpenedLog(it)) }
-        }, { root.fail(title, "${it.message?.replaceFirstChar(Char::uppercase)}.", back()) }).catch { root.failUnexpectedly(it, back()) }
+            when {
+                !asked.isLatest -> Unit
+                inPage == null -> fail(title, "It is not a page of badlog with a log in it.")
+                else -> open(OpenedLog(inPage))
+            }
+        }, {
+            if (asked.isLatest) fail(title, "${it.message?.replaceFirstChar(Char::uppercase)}.")
+        }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private inner class Asked(val screen: LoadingScreen, private val number: Int) {
+        /** Whether nothing else was asked for since. */
+        val isLatest: Boolean get() = number == request
+    }
+
+    /** Shows that the file [name] is being read; [cancel] ends that. */
+    private fun wait(name: String, cancel: () -> Unit): Asked {
+        folder?.pause()
+        val asked = Asked(
+            LoadingScreen(name) {
+                cancel()
+                goBack()
+            },
+            ++request,
+        )
+        setPageState("loading")
+        root.showAlone(asked.screen.element)
+        acceptFiles {
+            cancel()
+            open(it)
+        }
+        return asked
+    }
+
+    private fun fail(title: String, explanation: String) {
+        folder?.pause()
+        request++
+        root.fail(title, explanation, back())
+        acceptFiles(::open)
     }
 
     private fun list(logs: List<OpenedLog>) {
-        folder = FolderScreen(logs, rules(), settings(), ::leaveFolder, ::open)
+        folder?.pause()
+        folder = FolderScreen(logs, rules(), settings, ::leaveFolder, ::open)
         goBack()
     }
 
@@ -130,6 +160,8 @@ internal class LogOpening(
 
     /** Shows the list from which the log was opened, or else what was there before. */
     private fun goBack() {
+        request++
+        val left = log
         log = null
         val listed = folder ?: return goToStart()
         root.showAlone(listed.element)
@@ -137,6 +169,7 @@ internal class LogOpening(
         document.title = "badlog"
         setPageState("empty")
         listed.resume()
+        left?.let { document.getElementById("open:${it.path}") }?.unsafeCast<HTMLElement>()?.focus()
     }
 
     private fun back() = element("div", "page-tools") { addBack() }

@@ -5,6 +5,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.json
 import badlog.viewer.shown.folder.BROWNOUT_NEAR
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
@@ -44,6 +45,9 @@ internal class LogTable(
         }
     }
 
+    /** Whether somebody is just pressing something in it. */
+    val isPressed: Boolean get() = element.matches(":active")
+
     /** Shows [listing]; the logs at the paths [checked] are checked. */
     fun show(listing: Listing<OpenedLog>, checked: Set<String>) {
         showAgain = { show(listing, checked) }
@@ -57,7 +61,7 @@ internal class LogTable(
         for (log in listing.visible.take(limit)) body.addRow(log, columns, log.path in checked)
         more.isHidden = listing.visible.size <= limit
         more.textContent = "Show more (${countText(listing.visible.size - limit)} left)"
-        focused?.let { document.getElementById(it) }?.unsafeCast<HTMLElement>()?.focus()
+        focused?.let { document.getElementById(it) }?.asDynamic()?.focus(json("preventScroll" to true))
     }
 
     private fun HTMLElement.addTitle(column: LogColumn, listing: Listing<OpenedLog>) = add("th", if (column.isNumber) "is-number" else "") {

@@ -63,7 +63,12 @@ internal class OpenedLog(
         }
 
         /** Returns whether [file] has the name of a log. */
-        fun isNamedLikeLog(file: File): Boolean = file.name.removeSuffix(".gz").lowercase().let { name -> ENDINGS.any(name::endsWith) }
+        fun isNamedLikeLog(file: File): Boolean {
+            val name = file.name.removeSuffix(".gz").lowercase()
+            // Systems keep data of their own in files and folders with such names.
+            val isHidden = pathOf(file).split('/').any { it.startsWith('.') || it.startsWith('$') }
+            return !isHidden && ENDINGS.any(name::endsWith)
+        }
 
         /** Returns whether only logs have such names as [name]; tables of all kinds end in `.csv`. */
         fun isOnlyOfLogs(name: String): Boolean = !name.removeSuffix(".gz").endsWith(".csv", ignoreCase = true)

@@ -18,13 +18,14 @@ internal class FileReading(private val files: List<File>, private val onProgress
     /** Starts, and promises the recording; never fulfilled after [cancel]. */
     fun start(): Promise<Recording> = Promise { resolve, reject ->
         val finish = { read: Recording -> if (!isCancelled) resolve(read) }
-        val readHere = { LogFileReader(files, ::advance).read().then(finish, reject) }
+        val fail = { problem: Throwable -> if (!isCancelled) reject(problem) }
+        val readHere = { LogFileReader(files, ::advance).read().then(finish, fail) }
         val started = startWorker().also { worker = it } ?: return@Promise readHere().unsafeCast<Unit>()
         started.receive(
             WorkerAnswers(
                 onProgress = ::advance,
                 onRead = { finish(it.recording) },
-                onFailure = reject,
+                onFailure = fail,
                 onRefusal = { readHere() },
             ),
         )

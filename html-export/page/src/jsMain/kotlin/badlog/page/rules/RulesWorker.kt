@@ -1,6 +1,7 @@
 package badlog.page.rules
 
 import badlog.core.analysis.LogView
+import badlog.page.dom.PageEvents
 import badlog.page.dom.json
 import badlog.page.dom.startWorker
 import badlog.page.reading.RecordingMessage
@@ -42,6 +43,7 @@ internal object RulesWorker {
         onForbidden: () -> Unit,
     ) {
         val worker = startWorker(NAME) ?: return onForbidden()
+        PageEvents.onEnd(worker::terminate)
         worker.onerror = {
             worker.terminate()
             onForbidden()

@@ -10,6 +10,6 @@ internal fun setRulesState(state: String) {
 /** Records in the page, for programs that control it, what it shows: `loading`, `ready`, `failed`, or `empty` without a log. */
 internal fun setPageState(state: String) {
     // The rules of the log that was shown before are over.
-    if (state == "loading") document.documentElement?.removeAttribute("data-rules")
+    if (state != "ready") document.documentElement?.removeAttribute("data-rules")
     document.documentElement?.setAttribute("data-state", state)
 }

@@ -14,6 +14,7 @@ internal class Notice {
     private lateinit var text: HTMLElement
     private var timer = 0
     private var cancel = {}
+    private var isAsking = false
 
     val element: HTMLElement = element("div", "notice card") {
         text = add("p") { setAttribute("role", "status") }
@@ -28,21 +29,24 @@ internal class Notice {
     fun say(vararg sentences: String) {
         val said = sentences.joinToString(" ")
         if (said.isEmpty()) return
-        show(said) {}
+        display(said) {}
         timer = window.setTimeout(::hide, FIRST + said.length * PER_LETTER)
     }
 
-    /** Shows [progress] until the next sentence; closing it calls [onCancel]. */
+    /** Shows [progress] until the next sentence, unless a question waits for its answer; closing it calls [onCancel]. */
     fun show(progress: String, onCancel: () -> Unit) {
-        cancel = onCancel
-        text.showText(progress)
-        element.classList.remove("is-empty")
-        window.clearTimeout(timer)
+        if (!isAsking) display(progress, onCancel)
+    }
+
+    /** Hides the progress. */
+    fun endProgress() {
+        if (!isAsking) hide()
     }
 
     /** Asks [question]; each of [choices] is a button. */
     fun ask(question: String, vararg choices: Pair<String, () -> Unit>) {
-        show(question) {}
+        display(question) {}
+        isAsking = true
         for ((label, choose) in choices) {
             text.addButton("", label) {
                 hide()
@@ -51,8 +55,17 @@ internal class Notice {
         }
     }
 
+    private fun display(sentence: String, onCancel: () -> Unit) {
+        isAsking = false
+        cancel = onCancel
+        text.showText(sentence)
+        element.classList.remove("is-empty")
+        window.clearTimeout(timer)
+    }
+
     /** Hides it. */
     fun hide() {
+        isAsking = false
         element.classList.add("is-empty")
         text.showText("")
     }

@@ -1,7 +1,6 @@
 package badlog.assistant.log
 
 import badlog.assistant.call.ToolException
-import badlog.signals.match.NaturalOrder
 import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.partsOfLog
@@ -11,6 +10,7 @@ import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import badlog.rules.SignalsFile
 import badlog.rules.folder.FolderRules
+import badlog.signals.match.NaturalOrder
 import badlog.signals.vocabulary.SignalVocabulary
 import java.io.IOException
 import java.nio.file.Files

@@ -1,10 +1,10 @@
 package badlog.spark.storage
 
-import badlog.signals.match.NaturalOrder
 import badlog.files.LogName
 import badlog.files.firstPartOf
 import badlog.files.wholeLogs
 import badlog.season.lake.LogSource
+import badlog.signals.match.NaturalOrder
 import org.apache.hadoop.conf.Configuration
 import org.apache.hadoop.fs.FileStatus
 import org.apache.hadoop.fs.FileSystem
