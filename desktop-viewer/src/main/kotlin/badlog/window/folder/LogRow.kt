@@ -39,9 +39,9 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
-import badlog.viewer.shown.folder.BROWNOUT_NEAR
 import badlog.viewer.shown.folder.batteryText
 import badlog.viewer.shown.folder.durationText
+import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
 import badlog.viewer.shown.folder.problemText
 import badlog.viewer.text.dateText
@@ -129,8 +129,7 @@ private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = build
 }
 
 /** Returns red if the robot came near a brownout, otherwise [usual]. */
-internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color =
-    if ((entry.summary.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR) palette.error else usual
+internal fun batteryColor(entry: LogEntry, palette: Palette, usual: Color): Color = if (entry.isNearBrownout) palette.error else usual
 
 /** Returns the background of a row. */
 internal fun rowColor(palette: Palette, isOpen: Boolean, isSelected: Boolean, isHovered: Boolean): Color = when {

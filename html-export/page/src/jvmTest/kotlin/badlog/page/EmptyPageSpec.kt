@@ -209,7 +209,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("what is no log is said to be none, and the way back is open") {
+    browserTest("a file that is not a log is said not to be one, and the page can go back") {
         onEmptyPage {
             drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
             awaitState("failed")

@@ -196,9 +196,11 @@ internal class OpenedFolderSpec : PageSpec({
         }
         onFolder(tables) {
             awaitAll()
+            val named = elements("[data-column='FINDINGS'] button").first().text.substringBefore(" +")
             elements("[data-column='FINDINGS'] button").first().click()
             awaitLog("a.csv")
             await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+            text shouldContain named
         }
     }
 

@@ -239,7 +239,7 @@ internal class LogPage(
                 search.followFindings()
                 // The place in the address is known only now.
                 link.followAgain()
-                if (showsWorst) findings.step(1)
+                if (showsWorst) findings.goToWorst(found.findings)
                 // Draws into the existing graphs, since somebody may be dragging over one.
                 if (found.findings.isNotEmpty()) redraw()
                 setRulesState("done")

@@ -9,6 +9,7 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
+import badlog.page.view.isPlaced
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
@@ -155,6 +156,12 @@ internal class FindingList(
         val step = order.beside(current, scene.cursor.x, steps) ?: return ""
         visit(step.place, step.incident, isWhole = step.incident != null)
         return step.spoken
+    }
+
+    /** Goes to the worst incident; without one, to the worst of [found], which a folder's list names: the first of its severity. */
+    fun goToWorst(found: List<Finding>) {
+        val worst = found.maxByOrNull { it.severity }
+        if (incidents.isNotEmpty() || worst == null || !worst.isPlaced) step(1) else visit(firstPlaceOf(worst))
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */

@@ -1,15 +1,14 @@
 package badlog.page.opened
 
-import badlog.core.recording.Severity
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.json
-import badlog.viewer.shown.folder.BROWNOUT_NEAR
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
+import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
 import badlog.viewer.text.countText
 import kotlinx.browser.document
@@ -112,8 +111,7 @@ internal class LogTable(
             LogColumn.PROBLEMS -> add("span", if (log.isReadable) "" else "is-error", shown).title = problemSentence(log)
 
             LogColumn.BATTERY -> {
-                val isNear = (log.summary.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR
-                add("span", if (isNear) "is-${Severity.ERROR.name.lowercase()}" else "", shown)
+                add("span", if (log.isNearBrownout) "is-error" else "", shown)
             }
 
             else -> textContent = shown

@@ -10,8 +10,11 @@ import badlog.viewer.text.roundedText
 import badlog.viewer.text.withUnit
 import kotlin.math.floor
 
-/** Below this many volts a roboRIO begins to cut outputs. */
-const val BROWNOUT_NEAR: Double = 7.0
+/** Whether the battery came near the voltage at which a roboRIO cuts outputs. */
+val ListedLog.isNearBrownout: Boolean get() = (summary.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR
+
+/** In V. */
+private const val BROWNOUT_NEAR = 7.0
 
 /** Returns `2:47`; null when it is not known. */
 fun durationText(log: ListedLog): String? {

@@ -54,7 +54,7 @@ class ListingSpec : FunSpec({
 
     fun names(listing: Listing<AnyLog>) = listing.visible.map { it.fileName }
 
-    test("the newest is at the top, and what is no log is not listed") {
+    test("the newest is at the top, and a file that is not a log is not listed") {
         names(listing) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
         listing.size shouldBe 4
     }
