@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.cli.assign.AssignCommand
 import badlog.cli.command.CommandLine
 import badlog.cli.command.EXIT_CODES
 import badlog.cli.command.Task
@@ -74,6 +75,7 @@ internal class BadlogCommand(
         FindCommand(),
         TableCommand(),
         ReportCommand(),
+        AssignCommand(),
         RulesCommand(),
         ReplayCommand(),
         RecordCommand(robots),

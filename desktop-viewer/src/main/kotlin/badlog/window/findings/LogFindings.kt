@@ -1,6 +1,7 @@
 package badlog.window.findings
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.catalog.folder.SignalAssignment
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.rules.Finding
@@ -94,7 +95,7 @@ internal class LogFindings(
     /** Makes [topic] the signal [signal] of all logs of the folder, and runs the rules once more; or says why it cannot be that. */
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
-        val refusal = assign(signal, topic, open.forRules, open.file, folder())
+        val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)
         change { copy(refusal = refusal) }
         if (refusal == null) runAgain()
     }

@@ -18,6 +18,7 @@ import badlog.page.opened.acceptFiles
 import badlog.page.reading.PartsReading
 import badlog.page.reading.ReadLog
 import badlog.page.reading.Reading
+import badlog.page.rules.AssignedSignals
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
@@ -38,7 +39,9 @@ internal class Startup {
     private var hasOpened = false
     private val logs: LogShowing = LogShowing(root, source) { opening }
     private val opening: LogOpening =
-        LogOpening(root, { findAdditions()?.rules ?: RuleSet.NONE }, { logs.theme.element }, ::goToStart, ::showOpened)
+        LogOpening(root, {
+            AssignedSignals.over(findAdditions()?.rules ?: RuleSet.NONE)
+        }, { logs.theme.element }, ::goToStart, ::showOpened)
 
     /** Starts the page. */
     fun run() {

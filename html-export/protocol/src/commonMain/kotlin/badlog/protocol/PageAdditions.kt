@@ -40,6 +40,10 @@ class PageAdditions(
     fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
         PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
 
+    /** Returns the same with [rules]. */
+    fun with(rules: RuleSet): PageAdditions =
+        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+
     /** Returns the same without rules, because of [problem]; the names of signals' topics stay. */
     fun withoutRules(problem: String): PageAdditions {
         val names = RuleSet.NONE.with(rules.signals)

@@ -2,6 +2,7 @@ package badlog.report
 
 import badlog.core.recording.Severity
 import badlog.files.LogFile
+import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.resistanceText
 import badlog.rules.incident.Incident
@@ -55,10 +56,14 @@ fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
     val alone = readable.singleOrNull()?.takeIf { builtIn.isNotEmpty() }
-    val unseen = alone?.let { (if (it.findings.isEmpty()) "Nothing found. " else "") + it.notLookedAt.text } ?: builtInText(builtIn)
+    val unseen =
+        alone?.let { (if (it.findings.isEmpty()) "Nothing found. " else "") + notLookedAtText(it.notLookedAt) } ?: builtInText(builtIn)
     return listOfNotNull(unseen) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
         hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
+
+private fun notLookedAtText(notLookedAt: NotLookedAt): String =
+    notLookedAt.text + if (notLookedAt.lacking.isEmpty()) "" else " If one of its topics is that signal, say so with badlog assign."
 
 /** No log has all topics of the built-in rules. */
 private fun builtInText(skipped: List<SkippedRule>): String? {

@@ -82,7 +82,7 @@ class ComparisonSpec : FunSpec({
 
     test("the resistance of the battery is given with its uncertainty, and has to differ by more than that") {
         val found = RuleSet.BUILT_IN.compared(logs(12) + log(Random(1), 4 to 26.0)).last().findings.single()
-        found.text shouldContain "Battery and wiring had 26 ± 0.8 mΩ, "
+        found.text shouldContain "Battery and wiring had a resistance of 26 ± 0.8 mΩ, "
         val unsure = LogFigures(MatchKind.MATCH, KEYS, USUAL.copyOf().also { it[4] = 26.0 }, 9.0)
         texts(logs(12) + unsure).last().shouldBeEmpty()
     }

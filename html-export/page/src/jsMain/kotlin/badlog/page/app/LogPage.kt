@@ -20,6 +20,7 @@ import badlog.page.embedded.GivenLayout
 import badlog.page.export.sendMoment
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
+import badlog.page.findings.SignalChoice
 import badlog.page.folder.EventsLink
 import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
@@ -87,6 +88,7 @@ internal class LogPage(
     downloads: Downloads,
     theme: ThemeSwitch,
     axisChoice: HTMLElement?,
+    onOtherSignals: () -> Unit,
     private val opening: LogOpening,
     private val copyWith: (List<Note>, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
@@ -129,7 +131,8 @@ internal class LogPage(
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
-    private val findings = FindingList(scene, ::showEvidence, ::pinEvidence)
+    private val findings =
+        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), ::showEvidence, ::pinEvidence)
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)

@@ -13,6 +13,7 @@ import badlog.page.header.AxisChoice
 import badlog.page.header.Downloads
 import badlog.page.header.ThemeSwitch
 import badlog.page.opened.LogOpening
+import badlog.page.rules.AssignedSignals
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
 import badlog.protocol.PageAdditions
@@ -45,25 +46,32 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     /** The colors of all logs. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
 
-    /** Shows [log] with [additions]; [showsWorst] to go to the worst finding when the rules have run. */
-    fun show(log: ShownLog, additions: PageAdditions?, showsWorst: Boolean = false) {
+    /** Shows [log] with what the page was [given] for it; [showsWorst] to go to the worst finding when the rules have run. */
+    fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
         val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) return root.fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
+        val additions = given?.let { it.with(AssignedSignals.over(it.rules)) }
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
-        val given = joined(layout.formulas, additions?.virtualTopics.orEmpty())
+        val definitions = joined(layout.formulas, additions?.virtualTopics.orEmpty())
         // The findings of a hook have the x axis of the exporter.
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
-        val again = { root.guarded { show(log, additions, showsWorst) } }
+        val again = { root.guarded { show(log, given, showsWorst) } }
         val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
-        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, given, about.fileKey)
+        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, definitions, about.fileKey)
         setPageState("loading")
         root.clear()
         val shown =
-            LogPage(formulas, about, additions, layout, downloads, theme, axis.element, opening()) { notes, board, compared, removed ->
-                source.copyWith(notes, board, log.bytes.toMarkup(), compared, removed)
+            LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening()) {
+                    notes,
+                    board,
+                    compared,
+                    removed,
+                ->
+                val rules = additions?.rules?.takeIf { AssignedSignals.topics.isNotEmpty() }
+                source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
             }
         page = shown
         // Nothing may hold a log that is not shown.

@@ -1,5 +1,7 @@
 package badlog.page.embedded
 
+import badlog.rules.RuleSet
+import badlog.rules.toJson
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.toJson
 import kotlinx.browser.document
@@ -21,15 +23,24 @@ internal class PageSource(root: Element) {
     /**
      * Returns a copy of this page with [notes] and with [layout], the text of a layout file. Fails if the page's own additions are damaged.
      *
+     * @param rules what to look for, if the page's reader has changed it; null for the page's own.
      * @param opened the log to hold instead of the page's own, see [LogBytes.toMarkup]; null for the page's own.
      * @param compared the files of the logs that are compared with it.
      * @param removed those that are not any more; all others that the page holds are copied as they are.
      */
-    fun copyWith(notes: List<Note>, layout: String, opened: Promise<Blob>?, compared: List<File>, removed: List<File>): Promise<Blob> {
+    fun copyWith(
+        notes: List<Note>,
+        layout: String,
+        rules: RuleSet?,
+        opened: Promise<Blob>?,
+        compared: List<File>,
+        removed: List<File>,
+    ): Promise<Blob> {
         val additions = JSON.parse<dynamic>(document.getElementById("additions")?.textContent ?: NO_ADDITIONS)
         additions.notes = JSON.parse<dynamic>(notes.toJson())
         additions.notesProblem = undefined
         additions.layout = layout
+        if (rules != null) additions.rules = JSON.parse<dynamic>(rules.toJson())
         if (opened != null) {
             for (list in listOf("virtual", "findings", "hooks")) additions[list] = emptyArray<Any>()
             for (one in listOf("differences", "video")) additions[one] = undefined

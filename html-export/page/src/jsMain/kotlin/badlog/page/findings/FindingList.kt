@@ -30,11 +30,13 @@ import org.w3c.dom.HTMLElement
  * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; at first a few of those that
  * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
+ * @param signals asks which topics are the signals that rules lack.
  * @param onVisit called when a person goes to a place, with the incident if it is part of one, and whether all of that was meant.
  * @param onPin called when a person wants to keep the graphs that show a finding.
  */
 internal class FindingList(
     private val scene: Scene,
+    private val signals: SignalChoice,
     private val onVisit: (FindingPlace<Finding>, Incident?, isWhole: Boolean) -> Unit,
     private val onPin: (Finding, Incident?) -> Unit,
 ) {
@@ -85,6 +87,7 @@ internal class FindingList(
             fewer = addButton("text-button", "Show fewer") { list(FEW) }
         }
         skipped = add("details", "findings-skipped")
+        appendChild(signals.chosen)
     }
 
     init {
@@ -102,10 +105,14 @@ internal class FindingList(
     /** Shows the current findings of the scene, their [incidents], and which rules were skipped or are wrong; the others [ran]. */
     fun show(ran: Int, skippedRules: List<SkippedRule>, incidents: List<Incident>) {
         haveRun = true
-        show(skippedRules, incidents, NotLookedAt(ran, skippedRules).text)
+        show(skippedRules, incidents, NotLookedAt(ran, skippedRules))
     }
 
-    private fun show(skippedRules: List<SkippedRule> = emptyList(), incidents: List<Incident> = emptyList(), notLookedAt: String = "") {
+    private fun show(
+        skippedRules: List<SkippedRule> = emptyList(),
+        incidents: List<Incident> = emptyList(),
+        notLookedAt: NotLookedAt? = null,
+    ) {
         this.incidents = incidents
         isSearching = false
         all = scene.findings.worstFirst
@@ -114,9 +121,10 @@ internal class FindingList(
         element.classList.toggle("has-spans", all.any { it.end > it.time })
         val (wrong, lacking) = skippedRules.partition { it.isMistake }
         for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
-        if (lacking.isNotEmpty()) {
+        if (notLookedAt != null && lacking.isNotEmpty()) {
             skipped.isHidden = false
-            skipped.add("summary", "", notLookedAt)
+            skipped.add("summary", "", notLookedAt.text)
+            skipped.appendChild(signals.fieldsFor(notLookedAt.lacking))
             skipped.add("ul") { for (rule in lacking) add("li", "", "${rule.rule}: ${rule.message}") }
         }
         filter(query)

@@ -4,21 +4,21 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
- * the switch stays [pressed], or how much farther it jumps than it moved before at the moment at which the switch closes, which code does
- * that takes this for the end of the way. 0 while nothing contradicts. [times] are those of both arrays.
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves within
+ * [MOVE_SECONDS] while the switch stays [pressed] (a sensor may drift farther in minutes), or how much farther it jumps than it moved
+ * before at the moment at which the switch closes, which code does that takes this for the end of the way. 0 while nothing contradicts.
+ * [times] are those of both arrays.
  */
 fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)
     var low = 0.0
     var high = 0.0
+    var since = Double.NEGATIVE_INFINITY
     for (i in 1 until times.size) {
         if (pressed[i] != 1.0 || !(range > 0)) continue
         val here = position[i]
         if (pressed[i - 1] != 1.0) {
             // Code may set the position to 0 in the same loop, or in the next.
-            low = here
-            high = here
             var jump = 0.0
             val first = maxOf(1, i - 1)
             val moved = if (first > 1) position[first - 1] - position[first - 2] else 0.0
@@ -26,6 +26,11 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray,
                 if (times[k] - times[k - 1] < JUMP_SECONDS) jump = maxOf(jump, abs(position[k] - position[k - 1] - moved))
             }
             if (jump > JUMP_SHARE * range) errors[i] = 100 * jump / range
+        }
+        if (pressed[i - 1] != 1.0 || times[i] - since > MOVE_SECONDS) {
+            since = times[i]
+            low = here
+            high = here
         }
         if (here < low) low = here
         if (here > high) high = here
@@ -39,8 +44,7 @@ internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - qu
 
 /**
  * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the
- * position
- * that comes with the switch may be an old one.
+ * position that comes with the switch may be an old one.
  */
 fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {
     var since = 0
@@ -50,6 +54,7 @@ fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {
     }
 }
 
+private const val MOVE_SECONDS = 20.0
 private const val OLD_SAMPLES = 3
 private const val JUMP_SECONDS = 0.1
 private const val JUMP_SHARE = 0.12

@@ -53,6 +53,10 @@ class MechanismSensorsSpec : FunSpec({
         deadReading(times, times.of { if (it < 31) swing(it) else -1.0 }, times.always()).most() shouldBe 0.0
     }
 
+    test("a switch that stays pressed is not contradicted by a position that only drifts, wherever it begins") {
+        switchError(times, times.of { 5 + 0.005 * it }, times.of { 1.0 }, range = 1.0).most() shouldBeLessThan 11.0
+    }
+
     test("a switch that reads pressed while the mechanism moves is contradicted") {
         val height = times.of { 1 - swing(it) }
         switchError(times, height, times.of { if (1 - swing(it) < 0.02) 1.0 else 0.0 }).most() shouldBeLessThan 3.0

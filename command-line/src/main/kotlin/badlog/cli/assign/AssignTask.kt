@@ -1,0 +1,85 @@
+package badlog.cli.assign
+
+import badlog.catalog.folder.SignalAssignment
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogLoop
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.console.Spelling
+import badlog.cli.input.Failure
+import badlog.cli.input.NotALog
+import badlog.cli.input.readLog
+import badlog.cli.search.signalsBeside
+import badlog.cli.text.jsonOf
+import badlog.core.analysis.LogView
+import badlog.signals.withSignals
+import kotlinx.serialization.Serializable
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Makes [topic] the signal [signal] in all logs beside [log].
+ *
+ * @param near returns which of some names a name may have been meant to be.
+ */
+internal class AssignTask(
+    private val log: Path,
+    private val signal: String,
+    private val topic: String,
+    private val near: (String, List<String>) -> List<String>,
+    private val isJson: Boolean,
+) : Task {
+    override fun run(console: Console): ExitCode {
+        val written = try {
+            assign(console)
+        } catch (e: Exception) {
+            console.warn(if (e is NotALog) e.message else LogLoop.sentenceOf(e, log))
+            return ExitCode.NOTHING
+        }
+        val folder = log.toAbsolutePath().normalize().parent
+        console.say(
+            if (isJson) {
+                Spelling.ascii("${jsonOf(AssignedJson("assign", "$log", "whole", "$written", signal, topic))}")
+            } else {
+                "“$signal” is “$topic” in all logs of $folder now; $written says so."
+            },
+        )
+        return ExitCode.WHOLE
+    }
+
+    /** Returns the file that it is written in. */
+    private fun assign(console: Console): Path {
+        if (Files.isDirectory(log)) throw Failure("$log is a folder; name one of its logs that has the topic.")
+        val vocabulary = signalsBeside(log)
+        if (vocabulary.find(signal) == null) {
+            val known = vocabulary.signals.map { it.name }
+            throw Failure("“$signal” is not a signal${meantOf(signal, known, "badlog info --signals")}")
+        }
+        val recording = console.progress("${log.fileName}").use { readLog(log, it) }
+        val topics = recording.topics.map { it.name }
+        if (topic !in topics) throw Failure("“$topic” is not a topic of $log${meantOf(topic, topics, "badlog info --topics")}")
+        val assignment = SignalAssignment(log, library = null)
+        assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary))?.let { throw Failure(it) }
+        return assignment.file
+    }
+
+    private fun meantOf(name: String, known: List<String>, list: String): String {
+        val meant = near(name, known).take(MOST_MEANT).joinToString(" or ") { "“$it”" }
+        return if (meant.isEmpty()) "; $list shows them." else "; did you mean $meant?"
+    }
+
+    private companion object {
+        const val MOST_MEANT = 2
+    }
+}
+
+/** What was assigned, for programs. */
+@Serializable
+private class AssignedJson(
+    private val command: String,
+    private val file: String,
+    private val status: String,
+    private val output: String,
+    private val signal: String,
+    private val topic: String,
+)

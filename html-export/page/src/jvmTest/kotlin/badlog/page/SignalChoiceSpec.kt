@@ -1,0 +1,101 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.SignalsFile
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import org.openqa.selenium.By
+import org.openqa.selenium.Keys
+import java.nio.file.Files
+import kotlin.io.path.deleteExisting
+import kotlin.io.path.writeBytes
+
+/** Which topic a signal is that the rules lack, said on the page. */
+internal class SignalChoiceSpec : PageSpec({
+    val bag = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Arm", "m")), rows = 60) { row, column ->
+        when (column) {
+            0 -> row / 10.0
+            1 -> if (row in 20..40) 6 else 12
+            else -> 1
+        }
+    }
+    val additions = PageAdditions(rules = RuleSet.BUILT_IN)
+
+    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+
+    /** Says that [signal] is [topic], as a person types it. */
+    fun OpenPage.say(signal: String, topic: String) {
+        if (element(".findings-skipped").getAttribute("open") == null) element(".findings-skipped summary").click()
+        val field = elements(".signals-lacking label").single { "“$signal”" in it.text }.findElement(By.tagName("input"))
+        field.clear()
+        field.sendKeys(topic, Keys.TAB)
+        settle()
+    }
+
+    fun OpenPage.rulesFound() = texts(".finding-text, .incident p > span").joinToString("\n")
+
+    browserTest("a topic that is said to be the battery is that for the rules, also when the page is opened again, until it is forgotten") {
+        onPage(TestPages.of(bag, additions = additions)) {
+            awaitRules()
+            rulesFound() shouldNotContain "The battery voltage dropped"
+            say("battery", "Power/My Volts")
+            awaitRules()
+            rulesFound() shouldContain "The battery voltage dropped to 6 V"
+            texts(".signals-chosen").single() shouldContain "“battery” is “Power/My Volts” in this browser."
+            keepScreenshot("signal-chosen")
+            reload()
+            awaitRules()
+            rulesFound() shouldContain "The battery voltage dropped to 6 V"
+            element(".signals-chosen button").click()
+            awaitRules()
+            rulesFound() shouldNotContain "The battery voltage dropped"
+            element(".signals-chosen").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a topic that cannot be the signal is refused with a reason, as is a name that is no topic") {
+        onPage(TestPages.of(bag, additions = additions)) {
+            awaitRules()
+            say("battery", "Arm")
+            texts(".notice p").single() shouldBe "“Arm” cannot be “battery”, which is a number in V; choose another topic."
+            keepScreenshot("signal-refused")
+            say("battery", "Volts")
+            texts(".notice p").single() shouldBe "“Volts” is not a topic of this log; choose another one."
+            element(".signals-chosen").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("what was said is saved as the file for the folder of logs, and in a copy of the page") {
+        onPage(TestPages.of(bag, additions = additions)) {
+            awaitRules()
+            say("battery", "Power/My Volts")
+            awaitRules()
+            val file = saved("badlog-signals.toml") { elements(".signals-chosen button").last().click() }
+            SignalsFile.parse(file.decodeToString()).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf("Power/My Volts")
+            val copy = Files.createTempFile("badlog-copy", ".html")
+            copy.writeBytes(exported("A copy of this page, with your notes and board", "test.html"))
+            element(".signals-chosen button").click()
+            awaitRules()
+            onPage(copy) {
+                awaitRules()
+                rulesFound() shouldContain "The battery voltage dropped to 6 V"
+                texts(".signals-lacking label").map { it.trim() } shouldNotContain "“battery” is"
+            }
+            copy.deleteExisting()
+        }
+    }
+
+    browserTest("the fields offer the topics of the log") {
+        onPage(TestPages.of(bag, additions = additions)) {
+            awaitRules()
+            element(".findings-skipped summary").click()
+            elements("#signal-topics option").map { it.getAttribute("value") } shouldContain "Power/My Volts"
+        }
+    }
+})
