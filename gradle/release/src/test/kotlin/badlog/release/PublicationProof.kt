@@ -21,7 +21,7 @@ class PublicationProof : FunSpec({
         val modules = ROOT.walk().maxDepth(4).onEnter { it.name !in listOf("build", ".git", "node_modules") }
             .filter { it.name == "build.gradle" && "gradle/library.gradle" in it.readText() }
             .map { if (it.parentFile.name == "jvm-robot") "badlog-robot" else "badlog-${it.parentFile.name}" }.toList()
-        modules shouldContainExactlyInAnyOrder listOf("badlog-core", "badlog-files", "badlog-formats", "badlog-robot")
+        modules shouldContainExactlyInAnyOrder listOf("badlog-core", "badlog-files", "badlog-formats", "badlog-robot", "badlog-web")
         (modules - poms.map { it.name.substringBefore("-$VERSION.pom") }.toSet()).shouldBeEmpty()
     }
 

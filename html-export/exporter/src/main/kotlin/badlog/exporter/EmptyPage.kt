@@ -17,16 +17,18 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     /**
      * Writes the page to [output], whose folder is created if necessary.
      *
+     * @param isServed whether the page is for a web server on a robot: it lists the logs that this server has, and may ask it for them. Any
+     *   other page may not use a network at all.
      * @throws ExportException if it cannot be written.
      */
-    fun write(output: Path) {
+    fun write(output: Path, isServed: Boolean = false) {
         val page = output.toAbsolutePath().normalize()
         checkWritable(page, emptyList())
         writing(page) {
             Files.createDirectories(page.parent)
             AtomicFile(page).use { file ->
                 val writer = PageWriter(file.out, parts)
-                writer.begin("badlog")
+                writer.begin("badlog", isServed = isServed)
                 writer.program(PageAdditions(rules = RuleSet.BUILT_IN))
                 ExportThreads().use { threads ->
                     val sample = checkNotNull(EmptyPage::class.java.getResourceAsStream("/badlog/page/$SAMPLE")) {
@@ -34,7 +36,7 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
                     }
                     sample.use { writer.sample(SAMPLE) { out -> RawEmbedding(threads, out).embed(it) } }
                 }
-                writer.end()
+                writer.end(isServed)
                 file.commit()
             }
         }
@@ -43,6 +45,9 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     companion object {
         /** The usual name of the page. */
         const val NAME: String = "badlog.html"
+
+        /** The usual name of the page for a web server on a robot. Called `index.html`, it would hide the list of logs that it asks for. */
+        const val SERVED_NAME: String = "logs.html"
 
         private const val SAMPLE = "brownout.bag"
     }

@@ -35,12 +35,13 @@ class PageParts private constructor(
 
     /**
      * Returns the Content-Security-Policy of a page with these parts: nothing from the network, and no other script or style. A video may
-     * be one that the reader opens or, if [hasVideo], one from the page's own location.
+     * be one that the reader opens or, if [hasVideo], one from the page's own location. If the page [isServed], it may ask its own server.
      */
-    internal fun policy(hasVideo: Boolean): String =
-        "default-src 'none'; script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; " +
-            "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
-            "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
+    internal fun policy(hasVideo: Boolean, isServed: Boolean = false): String = "default-src 'none'; script-src '${hash(
+        UNPACKING,
+    )}' '${hash(program)}'; worker-src blob:; ${if (isServed) "connect-src 'self'; " else ""}" +
+        "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
+        "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
 
     companion object {
         /** Returns the parts that are built into this version of badlog. */

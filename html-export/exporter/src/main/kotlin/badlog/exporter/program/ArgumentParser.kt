@@ -63,6 +63,8 @@ internal class ArgumentParser {
             .help("Show this video, which is in the folder of the only page.")
         private val withEmpty by option("--empty").flag()
             .help("Also make ${EmptyPage.NAME}, a page without a log that opens others.")
+        private val withServed by option("--served").flag()
+            .help("Also make ${EmptyPage.SERVED_NAME}, the same page for a web server on a robot: it lists the logs of its folder.")
         private val opensPage by option("-o", "--open").flag()
             .help("Open the page in the default browser; of several, the page of the newest log.")
 
@@ -90,10 +92,10 @@ internal class ArgumentParser {
             "Exit code: 0 success, 3 some data was lost or left out, 1 no page was made, 2 wrong usage."
 
         override fun run() {
-            if (paths.isEmpty() && !withEmpty) throw MissingArgument(registeredArguments()[0])
+            if (paths.isEmpty() && !withEmpty && !withServed) throw MissingArgument(registeredArguments()[0])
         }
 
-        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, withEmpty, opensPage)
+        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, withEmpty, withServed, opensPage)
     }
 
     private companion object {

@@ -16,6 +16,7 @@ import java.nio.file.Path
  * logs.
  * @property video a video of the match for the only page; null for none.
  * @property withEmpty whether to make a page without a log as well.
+ * @property withServed whether to make such a page for a web server on a robot, too.
  * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
@@ -27,8 +28,9 @@ internal class Arguments(
     val field: Path?,
     val video: Path?,
     val withEmpty: Boolean,
+    val withServed: Boolean,
     val opensPage: Boolean,
 ) {
-    /** The page without a log. */
-    val emptyPage: Path get() = (out?.takeIf { it.isFolder }?.path ?: Path.of("")).resolve(EmptyPage.NAME).toAbsolutePath().normalize()
+    /** Returns where the page without a log goes that is called [name]. */
+    fun emptyPage(name: String): Path = (out?.takeIf { it.isFolder }?.path ?: Path.of("")).resolve(name).toAbsolutePath().normalize()
 }

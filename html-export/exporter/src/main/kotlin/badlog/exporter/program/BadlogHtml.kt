@@ -71,7 +71,8 @@ internal class BadlogHtml(
             err.println("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
-        if (arguments.withEmpty && !makeEmpty(arguments.emptyPage)) return ExitCode.NOTHING
+        if (arguments.withEmpty && !makeEmpty(arguments.emptyPage(EmptyPage.NAME), isServed = false)) return ExitCode.NOTHING
+        if (arguments.withServed && !makeEmpty(arguments.emptyPage(EmptyPage.SERVED_NAME), isServed = true)) return ExitCode.NOTHING
         if (arguments.paths.isEmpty()) return ExitCode.WHOLE
         val export = exporterOf(arguments.attachments, arguments.compared)
         jobs.forEachIndexed { index, job ->
@@ -90,8 +91,8 @@ internal class BadlogHtml(
         }
     }
 
-    private fun makeEmpty(page: Path): Boolean = try {
-        EmptyPage().write(page)
+    private fun makeEmpty(page: Path, isServed: Boolean): Boolean = try {
+        EmptyPage().write(page, isServed)
         out.println(page)
         true
     } catch (e: ExportException) {

@@ -1,0 +1,115 @@
+package badlog.web
+
+import java.io.File
+import java.io.IOException
+import java.net.URLDecoder
+import java.nio.file.DirectoryIteratorException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.LinkOption.NOFOLLOW_LINKS
+import java.nio.file.Path
+import java.nio.file.attribute.BasicFileAttributes
+import kotlin.io.path.name
+
+/**
+ * The logs that may be seen: those in some folders and in the folders below. Links are not followed, hidden names do not exist, and nor
+ * does anything that is not called like a log.
+ */
+internal class LogFolders(folders: List<File>) {
+    /** Each folder by the name that it has in addresses. */
+    private val roots: Map<String, Path>
+
+    init {
+        // Two names of one folder, such as a stick's and its link, are one.
+        val found = folders.mapNotNull { folder -> if (folder.isDirectory) realPath(folder) else null }.distinct()
+        roots = LinkedHashMap()
+        for (folder in found) {
+            val name = folder.fileName?.toString()?.takeIf(::isVisible) ?: "logs"
+            var free = name
+            var number = 1
+            while (free in roots) free = "$name-${++number}"
+            roots[free] = folder
+        }
+    }
+
+    /** Returns what is in the folder that [address] names, which begins and ends with `/`; null if there is no such folder. */
+    fun list(address: String): Listing? {
+        if (address == "/") return Listing(roots.keys.toList(), emptyList())
+        val folder = resolve(address.removeSuffix("/")) ?: return null
+        if (attributesOf(folder)?.isDirectory != true) return null
+        val folders = ArrayList<String>()
+        val files = ArrayList<ListedFile>()
+        forEachIn(folder) { path, attributes ->
+            if (attributes.isDirectory) folders += path.name else files += ListedFile(path, attributes)
+        }
+        return Listing(folders, files)
+    }
+
+    /** Returns the log that [address] names; null if there is none. */
+    fun log(address: String): ListedFile? {
+        val path = resolve(address) ?: return null
+        val attributes = attributesOf(path) ?: return null
+        return if (isLog(path, attributes)) ListedFile(path, attributes) else null
+    }
+
+    /** Calls [action] with each log and each folder in [folder]; with none if it cannot be read. */
+    private fun forEachIn(folder: Path, action: (Path, BasicFileAttributes) -> Unit) = try {
+        Files.newDirectoryStream(folder).use { paths ->
+            for (path in paths) {
+                val attributes = attributesOf(path) ?: continue
+                if (isVisible(path.name) && (attributes.isDirectory || isLog(path, attributes))) action(path, attributes)
+            }
+        }
+    } catch (_: IOException) {
+        // It was removed, such as a stick that was pulled out.
+    } catch (_: DirectoryIteratorException) {
+        // The same, while it was read.
+    }
+
+    /** Returns the path that [address] names, of which only the last part may be something else than a folder. */
+    private fun resolve(address: String): Path? {
+        val names = address.removePrefix("/").split('/').map { decoded(it) ?: return null }
+        if (!names.all(::isVisible)) return null
+        var path = roots[names[0]] ?: return null
+        for ((i, name) in names.withIndex().drop(1)) {
+            path = try {
+                path.resolve(name)
+            } catch (_: InvalidPathException) {
+                return null
+            }
+            if (i < names.lastIndex && attributesOf(path)?.isDirectory != true) return null
+        }
+        return path
+    }
+
+    private companion object {
+        val LOG = Regex("""(?is).+\.(bag|badbag|csv|wpilog|wpilogxz|dslog|dsevents|revlog|hoot)(\.gz)?""")
+
+        fun isLog(path: Path, attributes: BasicFileAttributes) = attributes.isRegularFile && LOG.matches(path.name)
+
+        /** Returns whether [name] may be that of a file or a folder, and is not hidden. */
+        fun isVisible(name: String) = name.isNotEmpty() && name[0] != '.' && name.none { it in "/\\:" || it < ' ' || it == '\uFFFD' }
+
+        fun decoded(name: String): String? = try {
+            URLDecoder.decode(name.replace("+", "%2B"), "UTF-8")
+        } catch (_: IllegalArgumentException) {
+            null
+        }
+
+        /** Returns what kind of file is at [path]; null if there is none, or a link, or none of the usual ones. */
+        fun attributesOf(path: Path): BasicFileAttributes? = try {
+            Files.readAttributes(path, BasicFileAttributes::class.java, NOFOLLOW_LINKS).takeUnless { it.isSymbolicLink || it.isOther }
+        } catch (_: IOException) {
+            null
+        }
+
+        fun realPath(folder: File): Path? = try {
+            folder.toPath().toRealPath()
+        } catch (_: IOException) {
+            null
+        }
+    }
+}
+
+/** Where badlog and WPILib log: on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a simulation. */
+internal val USUAL_FOLDERS = listOf("/U/logs", "/V/logs", "/u/logs", "/home/lvuser/logs", "/home/systemcore/logs", "logs").map(::File)

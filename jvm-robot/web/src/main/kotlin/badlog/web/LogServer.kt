@@ -1,0 +1,92 @@
+package badlog.web
+
+import com.sun.net.httpserver.HttpServer
+import java.io.IOException
+import java.net.InetSocketAddress
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.ThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+
+/**
+ * Shows the robot's logs in any browser in the robot's network: `http://10.TE.AM.2:5806/` lists them, newest first, and opens them, on a
+ * phone, too. It only reads, and only logs.
+ *
+ * It is slow on purpose, so that the robot's loop is not: two downloads at a time, and 1 MB/s for all of them together. While the robot is
+ * enabled or connected to the field, it answers with a sentence that says so; only the last megabyte of the log that is being written can
+ * be read while the robot is enabled without a field.
+ *
+ * Whatever goes wrong, it never throws: it says once on standard error what to do.
+ */
+public class LogServer private constructor(private val port: Int, private val options: LogServerOptions) : AutoCloseable {
+    private var server: HttpServer? = null
+    private var isClosed = false
+
+    /** Ends it, and the downloads that are running. */
+    @Synchronized
+    override fun close() {
+        isClosed = true
+        val open = server ?: return
+        server = null
+        open.stop(0)
+        (open.executor as ThreadPoolExecutor).shutdownNow()
+    }
+
+    /** The port that it has opened; null before that, and if it could not. */
+    internal val openPort: Int? @Synchronized get() = server?.address?.port
+
+    private fun open() {
+        try {
+            Class.forName("com.sun.net.httpserver.HttpServer")
+            listen()
+        } catch (_: ClassNotFoundException) {
+            say("it needs the module jdk.httpserver, which this Java lacks. Fetch the logs with badlog fetch instead")
+        } catch (failure: IOException) {
+            say("port $port cannot be opened (${failure.message}). Use another one from 5800 to 5810 that nothing else uses")
+        } catch (failure: Throwable) {
+            say("$failure. Fetch the logs with badlog fetch instead")
+        }
+    }
+
+    @Synchronized
+    private fun listen() {
+        if (isClosed) return
+        // Whoever sends a request slowly, or never ends it, holds a thread; the server reads these once, when its classes are loaded.
+        for ((name, value) in LIMITS) if (System.getProperty(name) == null) System.setProperty(name, value)
+        val opened = HttpServer.create(InetSocketAddress(port), 0)
+        val folders = LogFolders(options.folders.ifEmpty { USUAL_FOLDERS })
+        opened.createContext("/", LogHandler(folders, options, ServedPage(), Downloads(Pace(options.bytesPerSecond))))
+        opened.executor = ThreadPoolExecutor(THREADS, THREADS, IDLE_SECONDS, TimeUnit.SECONDS, LinkedBlockingQueue()) { work ->
+            Thread(work, "badlog web").apply {
+                isDaemon = true
+                priority = Thread.MIN_PRIORITY
+            }
+        }.apply { allowCoreThreadTimeOut(true) }
+        opened.start()
+        server = opened
+    }
+
+    private fun say(what: String) = System.err.println("badlog: The logs are not shown in browsers: $what.")
+
+    public companion object {
+        // Two for downloads, the others for short answers.
+        private const val THREADS = 4
+        private const val IDLE_SECONDS = 10L
+        private val LIMITS = mapOf("sun.net.httpserver.maxReqTime" to "10", "sun.net.httpserver.maxReqHeaders" to "50")
+
+        /**
+         * Starts a server on [port] with the options that suit most robots. Teams may use the ports 5800 to 5810, of which other programs use
+         * some: 5806 is usually free.
+         */
+        @JvmStatic
+        public fun start(port: Int): LogServer = start(port, LogServerOptions())
+
+        /** Starts a server on [port]. Returns at once: a thread of its own opens the port, and ends with the program. */
+        @JvmStatic
+        public fun start(port: Int, options: LogServerOptions): LogServer {
+            val server = LogServer(port, options)
+            // The server's own threads are daemons because this one is.
+            Thread({ server.open() }, "badlog web").apply { isDaemon = true }.start()
+            return server
+        }
+    }
+}

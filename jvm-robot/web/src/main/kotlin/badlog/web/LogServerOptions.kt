@@ -1,0 +1,30 @@
+package badlog.web
+
+import java.io.File
+import java.util.function.BooleanSupplier
+
+/** Options of [LogServer.start]. What it asks about the robot comes from WPILib, of any season, unless a supplier is set here. */
+public class LogServerOptions {
+    private val mode = RobotMode.find(LogServerOptions::class.java.classLoader)
+
+    /**
+     * The folders whose logs are shown, with the folders in them. Default: empty, which means those where badlog and WPILib log: the USB
+     * stick's, the robot's own, and `logs` in the working directory. Folders that do not exist are left out.
+     */
+    public var folders: List<File> = emptyList()
+
+    /**
+     * Whether to answer while the robot is enabled or connected to the field, too. Default: false, so that nothing but the robot's program
+     * runs in a match.
+     */
+    public var isAlwaysOpen: Boolean = false
+
+    /** Whether the robot is enabled. Called from the server's threads. Default without WPILib: never. */
+    public var isEnabled: BooleanSupplier = mode.isEnabled
+
+    /** Whether the robot is connected to the field. Called from the server's threads. Default without WPILib: never. */
+    public var isFieldAttached: BooleanSupplier = mode.isFieldAttached
+
+    /** How much all downloads together may send. */
+    internal var bytesPerSecond = 1_000_000L
+}

@@ -1,0 +1,39 @@
+package badlog.web
+
+import java.io.InputStream
+import java.util.zip.CRC32
+
+/** The page in this jar, as gzip. */
+internal class ServedPage {
+    /** Its length in bytes. */
+    val size: Long
+
+    /** What identifies its bytes. */
+    val tag: String
+
+    init {
+        val sum = CRC32()
+        var size = 0L
+        val buffer = ByteArray(BUFFER_BYTES)
+        open().use { stream ->
+            while (true) {
+                val count = stream.read(buffer)
+                if (count < 0) break
+                sum.update(buffer, 0, count)
+                size += count
+            }
+        }
+        this.size = size
+        tag = "\"${sum.value.toString(16)}\""
+    }
+
+    /** Returns its bytes. */
+    fun open(): InputStream = checkNotNull(ServedPage::class.java.getResourceAsStream(RESOURCE)) {
+        "$RESOURCE is missing in this build of badlog."
+    }
+
+    private companion object {
+        const val RESOURCE = "/badlog/web/logs.html.gz"
+        const val BUFFER_BYTES = 8192
+    }
+}

@@ -1,0 +1,61 @@
+package badlog.web
+
+import com.sun.management.ThreadMXBean
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import java.io.OutputStream
+import java.lang.management.ManagementFactory
+import java.nio.channels.FileChannel
+import java.nio.file.Files
+import kotlin.io.path.deleteExisting
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+class DownloadsSpec : FunSpec({
+    test("sending a log allocates nothing for its parts") {
+        val file = Files.createTempFile("badlog", ".bag").apply { writeBytes(ByteArray(4_000_000)) }
+        val downloads = Downloads(Pace(Long.MAX_VALUE / 1_000_000_000))
+        val nowhere = OutputStream.nullOutputStream()
+        val mayGoOn = { true }
+        val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
+        checkNotNull(downloads.take()).use { download ->
+            FileChannel.open(file).use { channel ->
+                val least = (1..20).minOf {
+                    channel.position(0)
+                    val before = threads.getThreadAllocatedBytes(Thread.currentThread().id)
+                    download.copy(channel, 4_000_000, nowhere, mayGoOn)
+                    threads.getThreadAllocatedBytes(Thread.currentThread().id) - before
+                }
+                least shouldBe 0
+            }
+        }
+        file.deleteExisting()
+    }
+
+    test("1 MB/s is kept, also by several together") {
+        val pace = Pace(1_000_000)
+        val began = System.nanoTime()
+        List(2) { Thread { repeat(10) { pace.await(16_384) } }.apply { start() } }.forEach { it.join() }
+        // The first part is free.
+        ((System.nanoTime() - began) / 1e9 >= 19 * 0.016384) shouldBe true
+    }
+
+    test("whoever asks gets the place of a download that stood still for ten seconds") {
+        val options = LogServerOptions()
+        withServer(options) { server ->
+            // More than the system keeps for somebody who does not read.
+            server.logs.resolve("large.bag").writeBytes(ByteArray(30_000_000))
+            server.logs.resolve("small.bag").writeText("small")
+            val asleep = List(2) {
+                server.connect().apply {
+                    getOutputStream().write("GET /logs/large.bag HTTP/1.1\r\nHost: localhost\r\n\r\n".encodeToByteArray())
+                    getInputStream().read() shouldNotBe -1
+                }
+            }
+            server.get("/logs/small.bag").status shouldBe 503
+            awaited("a place") { server.get("/logs/small.bag").takeIf { it.status == 200 } }.text shouldBe "small"
+            asleep.forEach { it.close() }
+        }
+    }
+})

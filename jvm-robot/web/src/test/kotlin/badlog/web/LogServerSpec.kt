@@ -1,0 +1,230 @@
+package badlog.web
+
+import edu.wpi.first.wpilibj.DriverStation
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.longs.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.io.File
+import java.io.RandomAccessFile
+import java.net.ServerSocket
+import java.nio.file.Files
+import java.nio.file.attribute.FileTime
+import java.util.zip.GZIPInputStream
+import kotlin.io.path.appendText
+import kotlin.io.path.createDirectories
+import kotlin.io.path.setLastModifiedTime
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+private val BYTES = ByteArray(100_000) { (it * 31 + it / 251).toByte() }
+
+class LogServerSpec : FunSpec({
+    test("/ is the page, which may ask this server and no other, and is not sent again to who has it") {
+        withServer { server ->
+            val page = server.get("/")
+            page.status shouldBe 200
+            page.headers["content-encoding"] shouldBe "gzip"
+            val text = GZIPInputStream(page.body.inputStream()).readBytes().decodeToString()
+            text shouldContain "default-src 'none'"
+            text shouldContain "connect-src 'self';"
+            text shouldContain "\"served\":true"
+            val again = server.get("/", "If-None-Match: ${page.headers["etag"]}")
+            again.status to again.body.size shouldBe (304 to 0)
+        }
+    }
+
+    test("a listing names folders and logs, with sizes and times of change, as WPILib's server does") {
+        withServer { server ->
+            server.logs.resolve("b.wpilog").writeBytes(BYTES)
+            server.logs.resolve("a.bag").writeText("bag")
+            server.logs.resolve("day 2").createDirectories()
+            server.logs.resolve("a.bag").setLastModifiedTime(FileTime.fromMillis(1_772_892_000_123))
+            server.logs.resolve("b.wpilog").setLastModifiedTime(FileTime.fromMillis(1_772_892_132_000))
+            server.get("/?format=json").text shouldBe """{"dirs":[{"name":"logs"}],"files":[]}"""
+            server.get("/logs/?format=json").text shouldBe
+                """{"dirs":[{"name":"day 2"}],"files":[{"name":"a.bag","size":3,"modified":1772892000123},""" +
+                """{"name":"b.wpilog","size":100000,"modified":1772892132000}]}"""
+        }
+    }
+
+    test("two folders of one name have two names, one folder of two names has one, and missing ones are left out").config(
+        enabledOrReasonIf = { IF_UNIX },
+    ) {
+        val above = Files.createTempDirectory("badlog-web")
+        val first = above.resolve("a/logs").createDirectories()
+        val second = above.resolve("b/logs").createDirectories()
+        second.resolve("x.bag").writeText("x")
+        val link = Files.createSymbolicLink(above.resolve("stick"), first)
+        val folders = LogFolders(listOf(first, link, second, above.resolve("none")).map { it.toFile() })
+        folders.list("/")?.toJson() shouldBe """{"dirs":[{"name":"logs"},{"name":"logs-2"}],"files":[]}"""
+        folders.log("/logs-2/x.bag")?.size shouldBe 1
+        above.toFile().deleteRecursively()
+    }
+
+    test("a part of a log is sent as it was asked for") {
+        withServer { server ->
+            server.logs.resolve("a.bag").writeBytes(BYTES)
+            fun range(value: String) = server.get("/logs/a.bag", "Range: $value")
+            fun part(value: String) = range(value).also { it.status shouldBe 206 }.let { it.headers["content-range"] to it.body.toList() }
+            part("bytes=0-0") shouldBe ("bytes 0-0/100000" to BYTES.take(1))
+            part("bytes=99990-") shouldBe ("bytes 99990-99999/100000" to BYTES.drop(99990))
+            part("bytes=-7") shouldBe ("bytes 99993-99999/100000" to BYTES.takeLast(7))
+            part("bytes=50000-999999999999999999999999") shouldBe ("bytes 50000-99999/100000" to BYTES.drop(50000))
+            part("bytes=-99999999999999999999") shouldBe ("bytes 0-99999/100000" to BYTES.toList())
+            for (beyond in listOf("bytes=100000-", "bytes=100000-100001", "bytes=99999999999999999999999-", "bytes=-0")) {
+                val answer = range(beyond)
+                answer.status to answer.headers["content-range"] shouldBe (416 to "bytes */100000")
+            }
+            // What a server may ignore gets the whole log, once.
+            for (ignored in listOf("bytes=0-1,4-5", "bytes=" + (0..900).joinToString(",") { "0-" }, "bytes=5-1", "bytes=-", "lines=0-1", "bytes=a-b", "bytes=--5")) {
+                val answer = range(ignored)
+                answer.status to answer.body.size shouldBe (200 to BYTES.size)
+            }
+        }
+    }
+
+    test("an unchanged log is not sent again, and a part of a changed one is not added to the old one") {
+        withServer { server ->
+            val log = server.logs.resolve("a.bag").apply { writeText("first") }
+            val tag = server.get("/logs/a.bag").headers["etag"]
+            server.get("/logs/a.bag", "If-None-Match: $tag").status shouldBe 304
+            server.get("/logs/a.bag", "Range: bytes=3-", "If-Range: $tag").text shouldBe "st"
+            log.writeText("another one")
+            server.get("/logs/a.bag", "If-None-Match: $tag").text shouldBe "another one"
+            server.get("/logs/a.bag", "Range: bytes=3-", "If-Range: $tag").text shouldBe "another one"
+        }
+    }
+
+    test("an empty log is an empty answer") {
+        withServer { server ->
+            server.logs.resolve("a.bag").writeText("")
+            server.get("/logs/a.bag").let { it.status to it.body.size } shouldBe (200 to 0)
+        }
+    }
+
+    test("a log that becomes shorter while it is sent ends the connection, and nobody waits for the rest") {
+        withServer(LogServerOptions().apply { bytesPerSecond = 20_000 }) { server ->
+            val log = server.logs.resolve("a.bag").apply { writeBytes(BYTES) }
+            server.connect().use { socket ->
+                socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\n\r\n".encodeToByteArray())
+                val stream = socket.getInputStream()
+                stream.readNBytes(500).size shouldBe 500
+                RandomAccessFile(log.toFile(), "rw").use { it.setLength(20_000) }
+                stream.readBytes().size shouldBeLessThan 40_000
+            }
+        }
+    }
+
+    test("two downloads run at a time, at 1 MB/s together; a third one is told, and gets its turn") {
+        withServer(LogServerOptions().apply { bytesPerSecond = 200_000 }) { server ->
+            server.logs.resolve("a.bag").writeBytes(BYTES)
+            val sockets = List(2) { server.connect() }
+            val began = System.nanoTime()
+            for (socket in sockets) {
+                socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n".encodeToByteArray())
+                socket.getInputStream().readNBytes(300)
+            }
+            val third = server.get("/logs/a.bag")
+            third.status shouldBe 503
+            third.text shouldStartWith "Two downloads are running already"
+            // Short answers need no place.
+            server.get("/logs/?format=json").status shouldBe 200
+            for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
+            val seconds = (System.nanoTime() - began) / 1e9
+            (seconds > 0.8) shouldBe true
+            sockets.forEach { it.close() }
+            awaited("a free place") { server.get("/logs/a.bag").takeIf { it.status == 200 } }.body.size shouldBe BYTES.size
+        }
+    }
+
+    test("on the field nothing is answered; while the robot is enabled elsewhere, only the end of the log that is being written") {
+        val options = LogServerOptions()
+        withServer(options) { server ->
+            val old = server.logs.resolve("old.bag").apply { writeBytes(BYTES) }
+            old.setLastModifiedTime(FileTime.fromMillis(System.currentTimeMillis() - 60_000))
+            val running = server.logs.resolve("running.bag").apply { writeBytes(ByteArray(2_000_000)) }
+            running.appendText("end")
+            DriverStation.enabled = true
+            try {
+                for (address in listOf("/", "/?format=json", "/logs/old.bag", "/logs/running.bag")) {
+                    val answer = server.get(address)
+                    answer.status shouldBe 503
+                    answer.text shouldStartWith "The robot is enabled: its logs can be opened once it is disabled."
+                }
+                server.get("/logs/old.bag", "Range: bytes=-3").status shouldBe 503
+                server.get("/logs/running.bag", "Range: bytes=0-").status shouldBe 503
+                server.get("/logs/running.bag", "Range: bytes=2000000-").text shouldBe "end"
+                server.get("/logs/running.bag", "Range: bytes=2000003-").status shouldBe 416
+                DriverStation.attached = true
+                server.get("/logs/running.bag", "Range: bytes=2000000-").text shouldStartWith "The robot is connected to the field"
+                DriverStation.enabled = false
+                server.get("/").status shouldBe 503
+                DriverStation.attached = false
+                server.get("/").status shouldBe 200
+                options.isAlwaysOpen = true
+                DriverStation.enabled = true
+                DriverStation.attached = true
+                server.get("/logs/old.bag").status shouldBe 200
+            } finally {
+                DriverStation.enabled = false
+                DriverStation.attached = false
+            }
+        }
+    }
+
+    test("a download ends when the robot is enabled") {
+        withServer(LogServerOptions().apply { bytesPerSecond = 50_000 }) { server ->
+            server.logs.resolve("a.bag").writeBytes(BYTES)
+            server.connect().use { socket ->
+                socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\n\r\n".encodeToByteArray())
+                socket.getInputStream().readNBytes(300)
+                DriverStation.enabled = true
+                try {
+                    socket.getInputStream().readBytes().size shouldBeLessThan BYTES.size
+                } finally {
+                    DriverStation.enabled = false
+                }
+            }
+        }
+    }
+
+    test("a port in use is one message that says what to do, and the program goes on") {
+        ServerSocket(0).use { taken ->
+            val (exit, said) = serving("${taken.localPort}", "1500")
+            exit shouldBe 0
+            said.trim().lines().size shouldBe 1
+            said shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
+        }
+    }
+
+    test("a Java without the server's module is one message that says what to do") {
+        val (exit, said) = serving("0", "1500", options = listOf("--limit-modules", "java.base,java.logging"))
+        exit shouldBe 0
+        said shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
+            "Fetch the logs with badlog fetch instead.\n"
+    }
+
+    test("it ends with the program") {
+        val (exit, said) = serving("0", "300")
+        exit to said shouldBe (0 to "")
+    }
+
+    test("a robot gets the server, its page and Kotlin's library, and no more") {
+        val jars = System.getProperty("badlog.shipped").split(File.pathSeparator).map(::File).filter { it.exists() }
+        jars.map { it.name.substringBeforeLast('-') } shouldContainExactly listOf("web", "kotlin-stdlib", "annotations")
+        jars[0].length() shouldBeLessThan 450_000
+    }
+})
+
+/** Runs a robot's program with [arguments] to its end; returns its exit code and what it said. */
+private fun serving(vararg arguments: String, options: List<String> = emptyList()): Pair<Int, String> {
+    val java = File(System.getProperty("java.home"), "bin/java").path
+    val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
+    val process = ProcessBuilder(listOf(java) + options + listOf("-cp", classpath, "badlog.robots.ServingRobot") + arguments).redirectErrorStream(true).start()
+    val said = process.inputStream.readBytes().decodeToString()
+    return process.waitFor() to said
+}
