@@ -82,7 +82,7 @@ internal class Startup {
 
     private fun readWhole() {
         val about = About.find() ?: return root.fail("This page is not complete", "Its end is missing: copy it again, or export it again.")
-        val recording = document.getElementById("recording") ?: return goToStart()
+        val recording = document.getElementById("recording") ?: return if (about.isServed) opening.openServer() else goToStart()
         val loading = LoadingScreen(about.name)
         root.showAlone(loading.element)
         val reading = Reading(about, recording, loading::show).start()
@@ -108,7 +108,8 @@ internal class Startup {
     private fun goToStart() {
         if (document.getElementById("recording") != null) return window.location.reload()
         val sample = document.getElementById("sample")
-        val start = StartScreen(logs.theme.element, opening::open, sample?.let { { openSample(it) } })
+        val server = if (About.find()?.isServed == true) opening::openServer else null
+        val start = StartScreen(logs.theme.element, opening::open, server, sample?.let { { openSample(it) } })
         root.showAlone(start.element)
         acceptFiles(opening::open)
         document.title = "badlog"

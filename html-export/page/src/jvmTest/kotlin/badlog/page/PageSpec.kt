@@ -36,4 +36,24 @@ internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
                 .shouldBeEmpty()
         }
     }
+
+    /**
+     * Opens the page at [address], which a server has, waits for its [state], and does [test]. Whatever is tested, it asks no other server, and
+     * writes nothing to the console but what [says] names: browsers report answers that are refusals.
+     */
+    fun onServedPage(
+        address: String,
+        screen: Screen = Screen.WIDE,
+        state: String = "empty",
+        says: List<String> = emptyList(),
+        test: OpenPage.() -> Unit,
+    ) {
+        OpenPage.open(address, screen, script = null).use { open ->
+            open.awaitState(state)
+            open.test()
+            open.consoleMessages().filterNot { message -> says.any { it in message } }.shouldBeEmpty()
+            val server = address.substringBeforeLast('/')
+            open.requests().filterNot { it.startsWith(server) || it.startsWith("blob:") || it.startsWith("data:") }.shouldBeEmpty()
+        }
+    }
 }

@@ -170,7 +170,10 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         private const val MAX_TEXT = 1000
 
         /** Opens [file]. */
-        fun open(file: Path, screen: Screen, script: String?): OpenPage {
+        fun open(file: Path, screen: Screen, script: String?): OpenPage = open(file.toUri().toString(), screen, script)
+
+        /** Opens the page at [address]. */
+        fun open(address: String, screen: Screen, script: String?): OpenPage {
             val driver = Chromium.driver
             val before = driver.windowHandle
             driver.switchTo().newWindow(WindowType.TAB)
@@ -180,7 +183,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
                 driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to source))
             }
             page.logs.forget()
-            driver.get(file.toUri().toString())
+            driver.get(address)
             return page
         }
 

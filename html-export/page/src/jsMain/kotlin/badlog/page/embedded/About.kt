@@ -1,6 +1,7 @@
 package badlog.page.embedded
 
 import kotlinx.browser.document
+import kotlinx.browser.window
 import org.w3c.files.File
 
 /**
@@ -13,6 +14,7 @@ import org.w3c.files.File
  * @property lineSums the CRC-32 of the bytes in each line of the embedded file.
  * @property version the version of badlog that made the page.
  * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
+ * @property isServed whether the page comes from a web server on a robot, whose logs it lists.
  */
 internal class About(
     val name: String,
@@ -23,6 +25,7 @@ internal class About(
     val version: String,
     val second: String?,
     val firstBytes: Int?,
+    val isServed: Boolean = false,
 ) {
     /** Identifies this file for what the browser remembers about it. */
     val fileKey: String get() = "$name:$inflatedBytes"
@@ -57,6 +60,7 @@ internal class About(
                 version = json.version as? String ?: "",
                 second = json.second as? String,
                 firstBytes = json.firstBytes as? Int,
+                isServed = json.served == true && window.location.protocol != "file:",
             )
         }
     }

@@ -1,6 +1,7 @@
 package badlog.page.opened
 
 import badlog.page.dom.PageEvents
+import badlog.page.dom.place
 import kotlinx.browser.document
 import org.w3c.dom.ItemArrayLike
 import org.w3c.dom.asList

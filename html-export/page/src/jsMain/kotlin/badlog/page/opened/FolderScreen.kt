@@ -33,7 +33,7 @@ internal class FolderScreen(
 ) {
     private val known = logs.associateByTo(LinkedHashMap()) { it.path }
     private var listing = Listing(logs, folder = folderOf(logs) + "/")
-    private val unread = HashSet(known.keys)
+    private val unread = logs.filter { it.isHere }.mapTo(HashSet()) { it.path }
     private val checked = LinkedHashSet<String>()
     private val reading = FolderReading(rules, ::nextToRead, ::take) { unread += it.path }
     private var timer = 0
@@ -84,6 +84,13 @@ internal class FolderScreen(
 
     /** Returns whether [log] is one of its logs. */
     fun has(log: OpenedLog): Boolean = log.path in known
+
+    /** Takes over that the bytes of [log] are here now, so that it can be read, too. */
+    fun keep(log: OpenedLog) {
+        known[log.path] = log
+        if (log.isUnread) unread += log.path
+        listing = listing.copy(entries = known.values.toList())
+    }
 
     /** Stops reading, because a log is being read that a person wants to see. */
     fun pause() {
@@ -163,7 +170,7 @@ internal class FolderScreen(
         nothing.showText(if (listing.size == 0) "There are no logs in this folder." else "No log matches.")
     }
 
-    private val OpenedLog.isUnread: Boolean get() = found == null && isReadable && !isGray
+    private val OpenedLog.isUnread: Boolean get() = isHere && found == null && isReadable && !isGray
 
     private companion object {
         /** Milliseconds between two updates of the table. */

@@ -13,6 +13,9 @@ import badlog.page.reading.FileReading
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
+import badlog.page.served.Download
+import badlog.page.served.ServedFolder
+import badlog.page.served.served
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
 import badlog.viewer.text.countText
@@ -59,6 +62,26 @@ internal class LogOpening(
         }
     }
 
+    /** Lists the logs of the page's server. */
+    fun openServer() {
+        val asked = wait("the robot’s list of logs") {}
+        ServedFolder().files().then({ files ->
+            val logs = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
+            when {
+                !asked.isLatest -> Unit
+
+                logs.isEmpty() -> fail(
+                    "There are no logs on this robot",
+                    "It writes one when a driver station is connected: look again then.",
+                )
+
+                else -> list(logs)
+            }
+        }, {
+            if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
+        }).catch { root.failUnexpectedly(it, back()) }
+    }
+
     /** The buttons of the shown log's page that lead to others; null for the log that is part of the page. */
     fun tools(): HTMLElement? {
         val open = log ?: return null
@@ -83,6 +106,25 @@ internal class LogOpening(
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
 
     private fun open(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
+        val all = listOf(opened) + compared
+        if (all.all { it.isHere }) read(opened, compared, showsWorst) else fetch(all, showsWorst)
+    }
+
+    private fun fetch(logs: List<OpenedLog>, showsWorst: Boolean) {
+        lateinit var download: Download
+        val asked = wait(logs[0].fileName) { download.cancel() }
+        download = Download(logs.flatMap { it.files }.filter { it.served != null }, asked.screen::show)
+        download.start().then({ fetched ->
+            if (!asked.isLatest) return@then
+            val here = logs.map { it.with(fetched) }
+            here.forEach { log -> folder?.keep(log) }
+            read(here[0], here.drop(1), showsWorst)
+        }, {
+            if (asked.isLatest) fail("${logs[0].fileName} cannot be opened", it.message.orEmpty())
+        }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun read(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
         lateinit var reading: FileReading
         val asked = wait(opened.fileName) { reading.cancel() }
         reading = FileReading(opened.files, asked.screen::show)

@@ -101,7 +101,14 @@ internal class LogTable(
             LogColumn.FINDINGS -> {
                 val worst = log.found?.worst
                 if (worst == null) {
-                    textContent = if (log.isGray) log.summary.content.saying else shown
+                    textContent = when {
+                        log.isGray -> log.summary.content.saying
+
+                        // It is read when a person opens it.
+                        !log.isHere -> ""
+
+                        else -> shown
+                    }
                 } else {
                     val look = "text-button is-${worst.name.lowercase()}"
                     addButton(look, shown, foundLines(log)) { onOpen(log, true) }.id = "found:${log.path}"

@@ -1,7 +1,9 @@
 package badlog.page.opened
 
+import badlog.page.dom.place
 import badlog.page.embedded.LogBytes
 import badlog.page.embedded.markupOf
+import badlog.page.served.served
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
@@ -10,9 +12,9 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * A log that a person opened. It stays on the person's computer.
+ * A log that a person opened, which stays on the person's computer, or one that the page's server has.
  *
- * @property files its file, or both of a Driver Station log, in the order in which they are read.
+ * @property files its file, or both of a Driver Station log, in the order in which they are read; empty ones for what the server has.
  * @property summary what is known of it: at first, what its name says.
  */
 internal class OpenedLog(
@@ -24,12 +26,18 @@ internal class OpenedLog(
 
     override val fileName: String get() = files[0].name
 
-    override val size: Long get() = files.sumOf { it.size.toDouble() }.toLong()
+    override val size: Long get() = files.sumOf { it.served?.size ?: it.size.toDouble() }.toLong()
+
+    /** Whether its bytes are here, not only on the page's server. */
+    val isHere: Boolean get() = files.none { it.served != null }
 
     override val modified: Long get() = modifiedOf(files[0])
 
     /** Returns the same log, of which more is known. */
     fun with(summary: LogSummary, found: LogFound?): OpenedLog = OpenedLog(files, summary, found)
+
+    /** Returns the same log with those of its files that [fetched] has bytes for. */
+    fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found)
 
     /** Returns its bytes, on a page that [version] of badlog made. */
     fun bytes(version: String): LogBytes = object : LogBytes {
@@ -83,10 +91,3 @@ internal class OpenedLog(
         private fun withoutEnding(file: File) = pathOf(file).substringBeforeLast('.')
     }
 }
-
-/** Where the file was, with the names of its folders; null unless the page found that out itself. */
-internal var File.place: String?
-    get() = asDynamic().place as String?
-    set(value) {
-        asDynamic().place = value
-    }

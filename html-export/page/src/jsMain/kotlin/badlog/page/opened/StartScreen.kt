@@ -15,9 +15,10 @@ import org.w3c.files.File
  *
  * @param settings what can be changed on every page.
  * @param onFiles called with the files that a person chose.
+ * @param onServer lists the logs of the page's server; null if it comes from none.
  * @param onSample opens the sample in this page; null if it has none.
  */
-internal class StartScreen(settings: HTMLElement, onFiles: (List<File>) -> Unit, onSample: (() -> Unit)?) {
+internal class StartScreen(settings: HTMLElement, onFiles: (List<File>) -> Unit, onServer: (() -> Unit)?, onSample: (() -> Unit)?) {
     val element: HTMLElement = element("div", "start") {
         add("header", "page-head") {
             add("h1", "", "badlog")
@@ -31,6 +32,7 @@ internal class StartScreen(settings: HTMLElement, onFiles: (List<File>) -> Unit,
                 "Drop logs or a folder here, or choose them. They stay on this device: this page sends nothing anywhere.",
             )
             add("div", "page-tools") {
+                onServer?.let { addButton("", "Logs on this robot", onClick = it).id = "open-server" }
                 addFilePicker("open-logs", Icon.OPEN, "Open logs…", isFolder = false, onFiles)
                 addFilePicker("open-folder", Icon.FOLDER, "Open a folder…", isFolder = true, onFiles)
                 onSample?.let { addButton("", "Try the sample", onClick = it).id = "try-sample" }

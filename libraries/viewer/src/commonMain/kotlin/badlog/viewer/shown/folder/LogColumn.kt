@@ -2,6 +2,7 @@ package badlog.viewer.shown.folder
 
 import badlog.core.recording.Severity
 import badlog.signals.match.NaturalOrder
+import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.text.bytesText
 import badlog.viewer.text.countText
@@ -50,7 +51,13 @@ enum class LogColumn(
         has = { it.summary.match.alliance != null },
         text = { it.summary.match.alliance },
     ),
-    DATE("Date", compareBy { it.summary.date.second }, beginsDescending = true, text = { dateText(it.summary.date.second) }),
+    DATE(
+        "Date",
+        compareBy { it.summary.date.second },
+        beginsDescending = true,
+        has = ::isDated,
+        text = { if (isDated(it)) dateText(it.summary.date.second) else null },
+    ),
     FINDINGS(
         "Findings",
         compareBy(
@@ -101,3 +108,6 @@ enum class LogColumn(
     ),
     FILE("File", compareBy(NaturalOrder) { it.path }, text = { it.fileName }),
 }
+
+// Some servers do not say when a file was written.
+private fun isDated(log: ListedLog) = log.modified != 0L || log.summary.date.source != DateSource.FILE_TIME

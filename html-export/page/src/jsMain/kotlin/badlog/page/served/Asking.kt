@@ -1,0 +1,29 @@
+package badlog.page.served
+
+import badlog.page.dom.json
+import kotlinx.browser.window
+import org.w3c.fetch.RequestInit
+import org.w3c.fetch.Response
+import kotlin.js.Promise
+
+/**
+ * Asks the page's own server for [address], which is relative to the page. The promise of its response is rejected with a sentence if the
+ * server refuses, or is gone. [signal] ends it.
+ */
+internal fun ask(address: String, signal: dynamic = undefined): Promise<Response> {
+    val options = json("signal" to signal).unsafeCast<RequestInit>()
+    return window.fetch(address, options).catch<Response> { throw IllegalStateException(LOST) }.then { response ->
+        if (response.ok) Promise.resolve(response) else response.text().then { refuse(it, response.status) }
+    }.unsafeCast<Promise<Response>>()
+}
+
+private fun refuse(text: String, status: Short): Response {
+    // A robot's server says why in one sentence; what another one says is a page.
+    val isSentence = text.length < MAX_SENTENCE && '<' !in text
+    throw IllegalStateException(if (isSentence) text.trim() else "The server answers $status.")
+}
+
+/** Why a download ended. */
+internal const val LOST = "The robot does not answer: stay in its Wi-Fi, and try again."
+
+private const val MAX_SENTENCE = 200

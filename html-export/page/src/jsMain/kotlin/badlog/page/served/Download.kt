@@ -1,0 +1,60 @@
+package badlog.page.served
+
+import badlog.page.dom.json
+import badlog.page.dom.place
+import org.khronos.webgl.Uint8Array
+import org.w3c.files.File
+import org.w3c.files.FilePropertyBag
+import kotlin.js.Promise
+
+/**
+ * Fetches the bytes of [files], which the page's server has, one after the other.
+ *
+ * @param onProgress receives the fraction that has arrived, 0 to 1.
+ */
+internal class Download(private val files: List<File>, private val onProgress: (Double) -> Unit) {
+    private val abort = js("new AbortController()")
+    private val size = files.sumOf { it.served?.size ?: 0.0 }
+    private var done = 0.0
+
+    /** Starts, and promises for each of the files one with its bytes; rejected with a sentence. */
+    fun start(): Promise<Map<File, File>> {
+        val fetched = LinkedHashMap<File, File>()
+        return files.fold(Promise.resolve(Unit)) { before, file ->
+            before.then { fetch(file) }.then { fetched[file] = it.unsafeCast<File>() }
+        }.then { fetched }
+    }
+
+    /** Stops it. */
+    fun cancel() {
+        abort.abort()
+    }
+
+    private fun fetch(file: File): Promise<File> = ask(checkNotNull(file.served).address, abort.signal).then { response ->
+        val parts = ArrayList<Uint8Array>()
+        read(response.body.getReader().unsafeCast<StreamReader>(), parts).then {
+            val bag = json("lastModified" to file.asDynamic().lastModified)
+            File(parts.toTypedArray(), file.name, bag.unsafeCast<FilePropertyBag>()).also { it.place = file.place }
+        }
+    }.unsafeCast<Promise<File>>()
+
+    private fun read(reader: StreamReader, parts: MutableList<Uint8Array>): Promise<Unit> =
+        reader.read().catch<StreamPart> { throw IllegalStateException(LOST) }.then { part ->
+            val bytes = part.value ?: return@then Promise.resolve(Unit)
+            parts += bytes
+            done += bytes.length
+            // A log that is being written has become longer since it was listed.
+            onProgress((done / size).coerceAtMost(1.0))
+            read(reader, parts)
+        }.unsafeCast<Promise<Unit>>()
+}
+
+/** The browser's reader of a body that arrives. */
+private external interface StreamReader {
+    fun read(): Promise<StreamPart>
+}
+
+/** A part of a body; without a value at its end. */
+private external interface StreamPart {
+    val value: Uint8Array?
+}

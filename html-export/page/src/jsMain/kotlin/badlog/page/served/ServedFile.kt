@@ -1,0 +1,24 @@
+package badlog.page.served
+
+import badlog.page.dom.json
+import badlog.page.dom.place
+import org.w3c.files.File
+import org.w3c.files.FilePropertyBag
+
+/**
+ * Where a server has a log of its list.
+ *
+ * @property address its address.
+ * @property size its number of bytes when it was listed.
+ */
+internal class ServedFile(val address: String, val size: Double)
+
+/** What stands in lists for a file that a server has; null for a file that is here. */
+internal val File.served: ServedFile? get() = asDynamic().served.unsafeCast<ServedFile?>()
+
+/** Returns an empty file that stands for [served], which is called [name] at [place], and was last written at [modified], in ms since 1970. */
+internal fun fileFor(served: ServedFile, name: String, place: String, modified: Double): File =
+    File(emptyArray(), name, json("lastModified" to modified).unsafeCast<FilePropertyBag>()).also {
+        it.place = place
+        it.asDynamic().served = served
+    }

@@ -1,0 +1,62 @@
+package badlog.page.served
+
+import kotlinx.browser.window
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * The logs that the page's own server has, where the page is and in the folders below. It asks as WPILib's web server expects it, whose answers
+ * have no times of change.
+ */
+internal class ServedFolder {
+    private var foldersLeft = MAX_FOLDERS
+
+    /** Asks for all of them; rejected with a sentence if the server lists nothing where the page is. */
+    fun files(): Promise<List<File>> = list("./", "Robot ${window.location.hostname}", MAX_DEPTH)
+
+    private fun list(folder: String, place: String, depth: Int): Promise<List<File>> =
+        ask("$folder?format=json").then { it.text() }.then { text ->
+            val listing = parsed(text.unsafeCast<String>())
+            val files = listing.files.orEmpty().filter(::isVisible).map {
+                val served = ServedFile(folder + encodeURIComponent(it.name), it.size ?: 0.0)
+                fileFor(served, it.name, "$place/${it.name}", it.modified ?: 0.0)
+            }
+            val below = listing.dirs.orEmpty().filter { depth > 0 && isVisible(it) && foldersLeft-- > 0 }
+                .map { list("$folder${encodeURIComponent(it.name)}/", "$place/${it.name}", depth - 1).catch { emptyList<File>() } }
+            Promise.all(below.toTypedArray()).then { files + it.toList().flatten() }
+        }.unsafeCast<Promise<List<File>>>()
+
+    // A hidden folder holds nothing that a robot logged.
+    private fun isVisible(entry: Entry) = !entry.name.startsWith('.')
+
+    private fun parsed(text: String): FolderListing = try {
+        JSON.parse(text)
+    } catch (_: Throwable) {
+        throw IllegalStateException("Its server answers with a page instead of a list: this page must not be called index.html there.")
+    }
+
+    private companion object {
+        /** Enough for logs of a season by event and day, and an end for whatever else a folder holds. */
+        const val MAX_DEPTH = 3
+        const val MAX_FOLDERS = 100
+    }
+}
+
+/** The answer of a server that lists a folder. */
+private external interface FolderListing {
+    val dirs: Array<Entry>?
+    val files: Array<Entry>?
+}
+
+/** A folder or a file in it. */
+private external interface Entry {
+    val name: String
+
+    /** The number of bytes of a file. */
+    val size: Double?
+
+    /** When a file was last written, in ms since 1970; null if the server does not say so. */
+    val modified: Double?
+}
+
+private external fun encodeURIComponent(text: String): String

@@ -1,0 +1,210 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.web.LogServer
+import badlog.web.LogServerOptions
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.net.ConnectException
+import java.net.HttpURLConnection
+import java.net.ServerSocket
+import java.net.URI
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.FileTime
+import java.util.function.BooleanSupplier
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.readText
+import kotlin.io.path.setLastModifiedTime
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+/** The page that a web server on a robot shows. */
+internal class ServedPageSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-served") }
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun folder(name: String, fill: (Path) -> Unit): Path = (temporary / name).createDirectories().also(fill)
+
+    fun logs(name: String) = folder("$name/logs") { folder ->
+        SAMPLES.resolve("qualification-42.bag").copyTo(folder / "FRC_20260307_140212_OHCL_Q42.bag")
+        SAMPLES.resolve("qualification-57.bag.gz").copyTo(folder / "FRC_20260307_163005_OHCL_Q57.bag.gz")
+        (folder / "bench.bag").writeBytes(bag)
+        (folder / "notes.txt").writeText("not a log")
+        (folder / "pit 2").createDirectories()
+        (folder / "pit 2" / "<img src=x onerror=alert(1)> #1%.bag").writeBytes(bag)
+        (folder / "pit 2" / "<img src=x onerror=alert(1)> #1%.bag").setLastModifiedTime(FileTime.fromMillis(1_772_700_000_000))
+        (folder / "bench.bag").setLastModifiedTime(FileTime.fromMillis(1_772_600_000_000))
+    }
+
+    fun OpenPage.column(name: String) = texts("[data-column='$name']")
+
+    fun OpenPage.awaitLog(title: String) {
+        await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
+        awaitState("ready")
+    }
+
+    fun OpenPage.awaitList() = await("the list") { elements(".log-table").isNotEmpty() }
+
+    /** Starts the robot's server of [folder], and does [test] with the address of its page. */
+    fun withRobot(folder: Path, options: LogServerOptions = LogServerOptions(), test: (String) -> Unit) {
+        options.folders = listOf(folder.toFile())
+        val port = ServerSocket(0).use { it.localPort }
+        LogServer.start(port, options).use {
+            val address = "http://127.0.0.1:$port/"
+            val end = System.nanoTime() + 60_000_000_000
+            while (System.nanoTime() < end) {
+                try {
+                    if ((URI(address).toURL().openConnection() as HttpURLConnection).responseCode > 0) break
+                } catch (_: ConnectException) {
+                    Thread.sleep(5)
+                }
+            }
+            test(address)
+        }
+    }
+
+    test("only the page for a server may ask its server, and that alone is the difference") {
+        val pages = folder("pages") {}
+        EmptyPage().write(pages / "badlog.html")
+        EmptyPage().write(pages / "logs.html", isServed = true)
+        val plain = (pages / "badlog.html").readText()
+        val served = (pages / "logs.html").readText()
+        plain.contains("connect-src") shouldBe false
+        served.replace(" connect-src 'self';", "").replace(",\"served\":true", "") shouldBe plain
+        served.length - plain.length shouldBe " connect-src 'self';,\"served\":true".length
+    }
+
+    browserTest("a phone in the robot's network lists its logs, newest first, and opens one with a tap, findings and all") {
+        withRobot(logs("robot")) { address ->
+            for (screen in listOf(Screen.PHONE, Screen.WIDE, Screen.WIDE.copy(isDark = true))) {
+                onServedPage(address, screen) {
+                    awaitList()
+                    texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
+                    column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
+                    column("FILE").size shouldBe 4
+                    column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
+                    column("FILE").last() shouldBe "bench.bag"
+                    texts(".log-tools [role=status]").single() shouldBe "4 logs"
+                    elements(".log-table img").size shouldBe 0
+                    seriousForReaders() shouldBe emptyList()
+                    (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                    keepScreenshot("served-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+                    if (!screen.isPhone) return@onServedPage
+                    elements("[data-column='FILE'] button")[1].click()
+                    awaitLog("Qualification 42")
+                    text shouldContain "Likely cause: the robot drew more than its battery gives."
+                    saved("FRC_20260307_140212_OHCL_Q42.bag") { element("#download").click() } shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
+                    element("#go-back").click()
+                    awaitList()
+                    await("what was opened to be read") { "6.73 V" in column("BATTERY") }
+                    elements("[data-column='FILE'] button").first { "img" in it.text }.click()
+                    awaitLog("<img src=x onerror=alert(1)> #1%.bag")
+                }
+            }
+        }
+    }
+
+    browserTest("checked logs are fetched and drawn over each other; the list is searched and sorted like a folder's") {
+        withRobot(logs("compared")) { address ->
+            onServedPage(address) {
+                awaitList()
+                element("#sort-SIZE").click()
+                settle()
+                column("FILE").first() shouldContain "Q42"
+                element("#search").sendKeys("q57")
+                settle()
+                column("FILE") shouldContainExactly listOf("FRC_20260307_163005_OHCL_Q57.bag.gz")
+                element("#search").clear()
+                element("#search").sendKeys("ohcl")
+                settle()
+                for (name in column("FILE")) element("[aria-label='Compare $name']").click()
+                element("#compare-logs").click()
+                awaitLog("Qualification 42")
+                await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
+            }
+        }
+    }
+
+    browserTest("while the robot is enabled, the page says why there is no log, and the way back leads to the list") {
+        val options = LogServerOptions()
+        withRobot(logs("enabled"), options) { address ->
+            onServedPage(address, says = listOf("503")) {
+                awaitList()
+                options.isEnabled = BooleanSupplier { true }
+                elements("[data-column='FILE'] button")[0].click()
+                awaitState("failed")
+                text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
+                text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
+                options.isEnabled = BooleanSupplier { false }
+                element("#go-back").click()
+                awaitList()
+                element("#go-back").click()
+                awaitState("empty")
+                text shouldContain "Open a robot’s log"
+                element("#open-server").click()
+                awaitList()
+            }
+        }
+    }
+
+    browserTest("a robot that is gone is said to be so, and one without logs, too") {
+        val empty = folder("none/logs") {}
+        withRobot(empty) { address ->
+            onServedPage(address, state = "failed") { text shouldContain "There are no logs on this robot" }
+        }
+        withRobot(logs("gone")) { address ->
+            onServedPage(address, says = listOf("ERR_")) {
+                awaitList()
+                script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
+                elements("[data-column='FILE'] button")[0].click()
+                awaitState("failed")
+                text shouldContain "The robot does not answer: stay in its Wi-Fi, and try again."
+            }
+        }
+    }
+
+    browserTest("where WPILib's own server serves the folder of the logs, the same page lists and opens them") {
+        val logs = logs("wpilib")
+        EmptyPage().write(logs / EmptyPage.SERVED_NAME, isServed = true)
+        WpilibServer(logs).use { server ->
+            onServedPage(server.addressOf(EmptyPage.SERVED_NAME), Screen.PHONE) {
+                awaitList()
+                column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
+                column("FILE").drop(2) shouldContainExactlyInAnyOrder listOf("bench.bag", "<img src=x onerror=alert(1)> #1%.bag")
+                // Nobody knows when they were written.
+                column("DATE").drop(2) shouldContainExactly listOf("", "")
+                keepScreenshot("served-wpilib-phone")
+                elements("[data-column='FILE'] button").first { "img" in it.text }.click()
+                awaitLog("<img src=x onerror=alert(1)> #1%.bag")
+            }
+        }
+    }
+
+    browserTest("a page that hides the list, because it is called index.html, says so") {
+        val logs = logs("hidden")
+        EmptyPage().write(logs / "index.html", isServed = true)
+        WpilibServer(logs).use { server ->
+            onServedPage(server.addressOf(""), state = "failed") { text shouldContain "this page must not be called index.html there" }
+        }
+    }
+
+    browserTest("opened from a disk, the page for a server asks nobody, and opens logs like the other one") {
+        val page = folder("disk") {} / EmptyPage.SERVED_NAME
+        EmptyPage().write(page, isServed = true)
+        onPage(page, state = "empty") {
+            drop("first.bag" to bag)
+            awaitLog("first.bag")
+            elements("#open-server").shouldBeEmpty()
+        }
+    }
+})
