@@ -13,22 +13,24 @@ class VersionsSpec : FunSpec({
         File(ROOT, "ports/python/src/badlog/_version.py").readText() shouldContain "\"$VERSION\""
     }
 
-    test("a vendordep names this version, one season, and the robot's logger") {
-        val seasons = mapOf("Badlog" to ("frcYear" to "2026"), "Badlog2027" to ("wpilibYear" to "2027"))
-        for ((name, season) in seasons) {
+    test("a vendordep names this version, one season, and one library: the robot's logger, or its server") {
+        val seasons = mapOf("" to ("frcYear" to "2026"), "2027" to ("wpilibYear" to "2027"))
+        val libraries = mapOf("Badlog" to "badlog-robot", "BadlogWeb" to "badlog-web")
+        for ((name, artifact, season) in libraries.flatMap { (name, artifact) -> seasons.map { (ending, season) -> Triple(name + ending, artifact, season) } }) {
             val json = ObjectMapper().readTree(File(ROOT, "vendordep/build/json/$name.json"))
             json["fileName"].asText() shouldBe "$name.json"
+            json["name"].asText() shouldBe name.removeSuffix("2027")
             json["version"].asText() shouldBe VERSION
             json.fieldNames().asSequence().filter { it.endsWith("Year") }.toList() shouldBe listOf(season.first)
             json[season.first].asText() shouldBe season.second
             val library = json["javaDependencies"].single()
-            listOf("groupId", "artifactId", "version").map { library[it].asText() } shouldBe listOf(property("badlog.group"), "badlog-robot", VERSION)
+            listOf("groupId", "artifactId", "version").map { library[it].asText() } shouldBe listOf(property("badlog.group"), artifact, VERSION)
         }
     }
 
     test("while the project has no address, vendordeps name none") {
         val home = property("badlog.home")
-        for (name in listOf("Badlog", "Badlog2027", "BadlogCpp", "BadlogCpp2027")) {
+        for (name in listOf("Badlog", "Badlog2027", "BadlogWeb", "BadlogWeb2027", "BadlogCpp", "BadlogCpp2027")) {
             val json = ObjectMapper().readTree(File(ROOT, "vendordep/build/json/$name.json"))
             json["mavenUrls"].isEmpty shouldBe home.isEmpty()
             json["jsonUrl"].asText() shouldBe if (home.isEmpty()) "" else "$home/releases/latest/download/$name.json"

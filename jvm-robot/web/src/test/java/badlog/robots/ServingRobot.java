@@ -2,20 +2,27 @@ package badlog.robots;
 
 import badlog.web.LogServer;
 import badlog.web.LogServerOptions;
+import java.io.File;
+import java.util.List;
 
-/** A robot whose program ends while it serves its logs; without an argument it serves where teams' programs do. */
+/** Robots that show their logs, as in docs/web.md; and one whose program ends meanwhile. */
 public final class ServingRobot {
     private ServingRobot() {
     }
 
-    public static void main(String[] args) throws InterruptedException {
-        if (args.length == 0) {
-            LogServer.start(5806);
-            return;
-        }
+    static void usual() {
+        LogServer.start(5806);
+    }
+
+    static void withOptions() {
         LogServerOptions options = new LogServerOptions();
+        options.setFolders(List.of(new File("/media/sda1/logs")));
         options.setAlwaysOpen(true);
-        LogServer.start(Integer.parseInt(args[0]), options);
+        LogServer.start(5806, options);
+    }
+
+    public static void main(String[] args) throws InterruptedException {
+        LogServer.start(Integer.parseInt(args[0]));
         Thread.sleep(Long.parseLong(args[1]));
     }
 }
