@@ -39,9 +39,9 @@ internal class Startup {
     private var hasOpened = false
     private val logs: LogShowing = LogShowing(root, source) { opening }
     private val opening: LogOpening =
-        LogOpening(root, {
-            AssignedSignals.over(findAdditions()?.rules ?: RuleSet.NONE)
-        }, { logs.theme.element }, ::goToStart, ::showOpened)
+        LogOpening(root, ::rules, { logs.theme.element }, ::goToStart, ::showOpened, ::showGrown)
+
+    private fun rules() = AssignedSignals.over(findAdditions()?.rules ?: RuleSet.NONE)
 
     /** Starts the page. */
     fun run() {
@@ -125,9 +125,14 @@ internal class Startup {
         // A link is about the log that is opened first, as whoever sent it said.
         if (hasOpened || document.getElementById("recording") != null) forgetAddress()
         hasOpened = true
+        logs.show(shownOf(log, read, compared), findAdditions()?.ofAnyLog(), showsWorst)
+    }
+
+    private fun showGrown(log: OpenedLog, read: Recording) = logs.showGrown(shownOf(log, read, emptyList()), findAdditions()?.ofAnyLog())
+
+    private fun shownOf(log: OpenedLog, read: Recording, compared: List<File>): ShownLog {
         val version = About.find()?.version.orEmpty()
-        val shown = ShownLog(read, About.of(log.files, version), log.bytes(version), compared = { Promise.resolve(compared) })
-        logs.show(shown, findAdditions()?.ofAnyLog(), showsWorst)
+        return ShownLog(read, About.of(log.files, version, log.key), log.bytes(version), compared = { Promise.resolve(compared) })
     }
 
     private fun forgetAddress() = try {

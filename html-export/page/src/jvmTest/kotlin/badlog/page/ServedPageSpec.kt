@@ -2,7 +2,6 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
-import badlog.web.LogServer
 import badlog.web.LogServerOptions
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -10,10 +9,6 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.net.ConnectException
-import java.net.HttpURLConnection
-import java.net.ServerSocket
-import java.net.URI
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
@@ -54,24 +49,6 @@ internal class ServedPageSpec : PageSpec({
     }
 
     fun OpenPage.awaitList() = await("the list") { elements(".log-table").isNotEmpty() }
-
-    /** Starts the robot's server of [folder], and does [test] with the address of its page. */
-    fun withRobot(folder: Path, options: LogServerOptions = LogServerOptions(), test: (String) -> Unit) {
-        options.folders = listOf(folder.toFile())
-        val port = ServerSocket(0).use { it.localPort }
-        LogServer.start(port, options).use {
-            val address = "http://127.0.0.1:$port/"
-            val end = System.nanoTime() + 60_000_000_000
-            while (System.nanoTime() < end) {
-                try {
-                    if ((URI(address).toURL().openConnection() as HttpURLConnection).responseCode > 0) break
-                } catch (_: ConnectException) {
-                    Thread.sleep(5)
-                }
-            }
-            test(address)
-        }
-    }
 
     test("only the page for a server may ask its server, and that alone is the difference") {
         val pages = folder("pages") {}

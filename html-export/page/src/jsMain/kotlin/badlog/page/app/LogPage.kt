@@ -57,6 +57,7 @@ import badlog.page.view.Scene
 import badlog.page.view.timelineOf
 import badlog.protocol.PageAdditions
 import badlog.rules.Finding
+import badlog.rules.LogFindings
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
@@ -147,6 +148,10 @@ internal class LogPage(
 
     private lateinit var content: HTMLElement
 
+    /** What the rules found so far. */
+    private var found: LogFindings? = null
+    private var ranAt = 0.0
+
     private val tools = listOfNotNull(
         opening.tools(),
         export.element,
@@ -209,12 +214,21 @@ internal class LogPage(
         Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, help, video, live)
     }
 
-    /** Goes to the place in the address, and then draws what is on the screen. Call it when [element] is on the page. */
-    fun start() {
-        link.start { asked ->
+    /** What stays of it when the log has grown. */
+    val left: LeftPage get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, found, ranAt)
+
+    /**
+     * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address, and then draws what is
+     * on the screen. Call it when [element] is on the page.
+     */
+    fun start(left: LeftPage? = null) {
+        left?.found?.let(::take)
+        ranAt = left?.ranAt ?: 0.0
+        link.start(left?.place) { asked ->
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
+        if (left != null) scene.goToNewest()
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -230,13 +244,20 @@ internal class LogPage(
         folders.layOut(Int.MAX_VALUE)
         compared.then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
-        findings.wait()
+        if (found == null) findings.wait()
+        // A log that is followed is drawn more often than rules run over it.
+        val pause = if (found == null) 0.0 else ranAt + RULES_PAUSE - window.performance.now()
+        if (pause <= 0) return runRules(logged, showsWorst)
+        setRulesState("done")
+        window.setTimeout({ if (element.isConnected) runRules(logged, showsWorst) }, pause.toInt())
+    }
+
+    private fun runRules(logged: LogView, showsWorst: Boolean) {
         RuleSearch(logged, additions.rules, about.name).start(
             onFindings = onFindings@{ found ->
                 if (!element.isConnected) return@onFindings
-                scene.findings = timelineOf(found.findings + embeddedFindings)
-                val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
-                findings.show(found.ran, found.skipped, incidents)
+                val incidents = take(found)
+                ranAt = window.performance.now()
                 if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
                 // `has:finding` now finds more.
                 search.followFindings()
@@ -253,6 +274,13 @@ internal class LogPage(
                 setRulesState("failed")
             },
         )
+    }
+
+    /** Lists what the rules [found], and returns the incidents in it. */
+    private fun take(found: LogFindings): List<Incident> {
+        this.found = found
+        scene.findings = timelineOf(found.findings + embeddedFindings)
+        return additions.rules.incidentsIn(found.findings, additions.differences).also { findings.show(found.ran, found.skipped, it) }
     }
 
     private fun redraw() {
@@ -357,6 +385,9 @@ internal class LogPage(
     }
 
     private companion object {
+        /** Milliseconds between two runs of the rules over a log that is followed. */
+        const val RULES_PAUSE = 400
+
         /** The number of pixels of a graph that are enough to see its cursor. */
         const val MIN_VISIBLE = 120
 

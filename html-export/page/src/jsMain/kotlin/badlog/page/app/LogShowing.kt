@@ -20,6 +20,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
 import badlog.viewer.choices.formula.joined
+import badlog.viewer.choices.note.Note
 import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -46,8 +47,21 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     /** The colors of all logs. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
 
-    /** Shows [log] with what the page was [given] for it; [showsWorst] to go to the worst finding when the rules have run. */
-    fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false) {
+    /** Shows [log], which has grown since it was shown, at its newest moment, and else as the reader has left it. */
+    fun showGrown(log: ShownLog, additions: PageAdditions?) {
+        val left = page?.left
+        val top = window.scrollY
+        show(log, additions, left = left) { window.scrollTo(0.0, top) }
+    }
+
+    /**
+     * Shows [log] with what the page was [given] for it.
+     *
+     * @param showsWorst whether to go to the worst finding when the rules have run.
+     * @param left what stays of the page that showed less of this log; null for a log that was not shown before.
+     * @param onLaidOut called each time when more of the page is laid out.
+     */
+    fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: LeftPage? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
         val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
@@ -63,21 +77,17 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, definitions, about.fileKey)
         setPageState("loading")
         root.clear()
-        val shown =
-            LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening()) {
-                    notes,
-                    board,
-                    compared,
-                    removed,
-                ->
-                val rules = additions?.rules?.takeIf { AssignedSignals.topics.isNotEmpty() }
-                source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
-            }
+        val copyWith = { notes: List<Note>, board: String, compared: List<File>, removed: List<File> ->
+            val rules = additions?.rules?.takeIf { AssignedSignals.topics.isNotEmpty() }
+            source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
+        }
+        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith)
         page = shown
         // Nothing may hold a log that is not shown.
         PageEvents.onEnd { page = null }
         root.show(shown.element)
-        shown.start()
+        shown.start(left)
+        onLaidOut()
         window.performance.asDynamic().mark("badlog-first-graphs")
         // After the browser's next frame.
         window.requestAnimationFrame {
@@ -86,6 +96,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
                 if (page === shown) {
                     root.guarded {
                         shown.complete(formulas.given, log.compared(), showsWorst)
+                        onLaidOut()
                         setPageState("ready")
                     }
                 }

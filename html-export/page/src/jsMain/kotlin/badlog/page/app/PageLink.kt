@@ -43,10 +43,10 @@ internal class PageLink(
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
-    /** Starts following the address; [begin] is called with the board in it. */
-    fun start(begin: (Board?) -> Unit) {
-        follow(begin)
-        PageEvents.on(window, "hashchange") { follow { asked -> asked?.let(scene.board::visit) } }
+    /** Starts following the address; [begin] is called with the board in it. If the reader comes from a [place], that comes first. */
+    fun start(place: PageAddress?, begin: (Board?) -> Unit) {
+        follow(place ?: pageAddressOf(window.location.hash), begin)
+        PageEvents.on(window, "hashchange") { follow(pageAddressOf(window.location.hash)) { asked -> asked?.let(scene.board::visit) } }
         scene.board.onKeep = ::leave
     }
 
@@ -67,8 +67,7 @@ internal class PageLink(
         if ((address.board == null || address.finding != null) && isThere) go(address)
     }
 
-    private fun follow(onBoard: (Board?) -> Unit) {
-        val address = pageAddressOf(window.location.hash)
+    private fun follow(address: PageAddress, onBoard: (Board?) -> Unit) {
         followed = address
         val problems = address.problems + onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
@@ -87,10 +86,11 @@ internal class PageLink(
     }
 
     /** The link to what is shown; null if others could not open it, because the page is on a disk. */
-    val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + addressNow() }
+    val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + now.toText() }
 
-    private fun addressNow(): String {
-        val address = PageAddress(
+    /** The address of what is shown. */
+    val now: PageAddress
+        get() = PageAddress(
             moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },
             finding = scene.visitedAt(scene.cursor.x),
             visible = scene.range.now.takeIf { scene.range.isZoomed },
@@ -100,11 +100,9 @@ internal class PageLink(
             second = scene.cursor.now.second,
             opened = opened(),
         )
-        return address.toText()
-    }
 
     private fun copy() {
-        val end = addressNow()
+        val end = now.toText()
         val link = window.location.href.substringBefore('#') + end
         val copied = try {
             window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()

@@ -15,6 +15,7 @@ import org.w3c.files.File
  * @property version the version of badlog that made the page.
  * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
  * @property isServed whether the page comes from a web server on a robot, whose logs it lists.
+ * @property fileKey identifies this file for what the browser remembers about it.
  */
 internal class About(
     val name: String,
@@ -26,13 +27,11 @@ internal class About(
     val second: String?,
     val firstBytes: Int?,
     val isServed: Boolean = false,
+    val fileKey: String = "$name:$inflatedBytes",
 ) {
-    /** Identifies this file for what the browser remembers about it. */
-    val fileKey: String get() = "$name:$inflatedBytes"
-
     companion object {
-        /** Returns what is known of [files], which a person opened on a page that [version] of badlog made. */
-        fun of(files: List<File>, version: String): About = About(
+        /** Returns what is known of [files], which a person opened on a page that [version] of badlog made, remembered under [fileKey]. */
+        fun of(files: List<File>, version: String, fileKey: String): About = About(
             name = files[0].name,
             isCompressed = false,
             inflatedBytes = files.sumOf { it.size.toDouble() },
@@ -41,6 +40,7 @@ internal class About(
             version = version,
             second = files.getOrNull(1)?.name,
             firstBytes = files[0].size.toInt(),
+            fileKey = fileKey,
         )
 
         /** Reads it from the page. Returns null if the page is incomplete. */

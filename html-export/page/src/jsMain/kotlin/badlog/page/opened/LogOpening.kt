@@ -31,6 +31,7 @@ import org.w3c.files.File
  * @param settings what can be changed on every page.
  * @param goToStart shows what was there before any log was opened.
  * @param show shows a log that was read, with others to compare.
+ * @param showGrown shows a log that is shown already, at its newest moment.
  */
 internal class LogOpening(
     private val root: PageRoot,
@@ -38,9 +39,11 @@ internal class LogOpening(
     private val settings: () -> HTMLElement,
     private val goToStart: () -> Unit,
     private val show: (OpenedLog, Recording, compared: List<File>, showsWorst: Boolean) -> Unit,
+    private val showGrown: (OpenedLog, Recording) -> Unit,
 ) {
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
+    private var following: Following? = null
 
     /** How often a person asked for something: what was asked for before is not shown any more. */
     private var request = 0
@@ -87,6 +90,7 @@ internal class LogOpening(
         val open = log ?: return null
         return element("div", "downloads") {
             addBack()
+            open.origin?.let { if (open.files.size == 1 && !open.fileName.endsWith(".gz")) addLive(it.address) }
             val logs = folder?.visible?.filter { it.isReadable }.orEmpty()
             val at = logs.indexOfFirst { it.path == open.path }
             if (at < 0) return@element
@@ -101,6 +105,28 @@ internal class LogOpening(
                 if (key.altKey && key.key == "PageDown") next()
             }
         }
+    }
+
+    private fun HTMLElement.addLive(address: String) =
+        addButton("", "Live", "Follow the log while the robot writes it; touching the page pauses") { follow(address) }.apply {
+            id = "live"
+            setAttribute("aria-pressed", (following != null).toString())
+        }
+
+    private fun follow(address: String) {
+        following?.let { return it.stop() }
+        val open = log ?: return
+        following = Following(open, address, { grown, read ->
+            log = grown
+            showGrown(grown, read)
+        }) { why ->
+            following = null
+            val button = document.getElementById("live") ?: return@Following
+            button.setAttribute("aria-pressed", "false")
+            if (why != null) button.textContent = "Live: $why"
+        }
+        document.getElementById("live")?.setAttribute("aria-pressed", "true")
+        following?.start()
     }
 
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
@@ -164,6 +190,7 @@ internal class LogOpening(
 
     /** Shows that the file [name] is being read; [cancel] ends that. */
     private fun wait(name: String, cancel: () -> Unit): Asked {
+        following?.stop()
         folder?.pause()
         val asked = Asked(
             LoadingScreen(name) {
@@ -202,6 +229,7 @@ internal class LogOpening(
 
     /** Shows the list from which the log was opened, or else what was there before. */
     private fun goBack() {
+        following?.stop()
         request++
         val left = log
         log = null

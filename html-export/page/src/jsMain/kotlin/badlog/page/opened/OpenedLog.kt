@@ -3,6 +3,7 @@ package badlog.page.opened
 import badlog.page.dom.place
 import badlog.page.embedded.LogBytes
 import badlog.page.embedded.markupOf
+import badlog.page.served.ServedFile
 import badlog.page.served.served
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogFound
@@ -16,11 +17,13 @@ import kotlin.js.Promise
  *
  * @property files its file, or both of a Driver Station log, in the order in which they are read; empty ones for what the server has.
  * @property summary what is known of it: at first, what its name says.
+ * @property origin where the page's server has it; null if it was opened from this device.
  */
 internal class OpenedLog(
     val files: List<File>,
     override val summary: LogSummary = LogSummary.named(files[0].name, modifiedOf(files[0])),
     override val found: LogFound? = null,
+    val origin: ServedFile? = files[0].served,
 ) : ListedLog {
     override val path: String get() = pathOf(files[0])
 
@@ -33,11 +36,17 @@ internal class OpenedLog(
 
     override val modified: Long get() = modifiedOf(files[0])
 
+    /** Identifies it for what the browser remembers: a log on a server is the same one when it has grown. */
+    val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"
+
     /** Returns the same log, of which more is known. */
-    fun with(summary: LogSummary, found: LogFound?): OpenedLog = OpenedLog(files, summary, found)
+    fun with(summary: LogSummary, found: LogFound?): OpenedLog = OpenedLog(files, summary, found, origin)
+
+    /** Returns the same log, of which [file] has more. */
+    fun growing(file: File): OpenedLog = OpenedLog(listOf(file), summary, found, origin)
 
     /** Returns the same log with those of its files that [fetched] has bytes for. */
-    fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found)
+    fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found, origin)
 
     /** Returns its bytes, on a page that [version] of badlog made. */
     fun bytes(version: String): LogBytes = object : LogBytes {

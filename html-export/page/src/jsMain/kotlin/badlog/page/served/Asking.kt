@@ -2,16 +2,25 @@ package badlog.page.served
 
 import badlog.page.dom.json
 import kotlinx.browser.window
+import org.w3c.fetch.NO_STORE
+import org.w3c.fetch.RequestCache
 import org.w3c.fetch.RequestInit
 import org.w3c.fetch.Response
 import kotlin.js.Promise
 
 /**
  * Asks the page's own server for [address], which is relative to the page. The promise of its response is rejected with a sentence if the
- * server refuses, or is gone. [signal] ends it.
+ * server refuses, or is gone.
+ *
+ * @param signal ends it.
+ * @param from the first byte to ask for, if the server can do that; null for all.
  */
-internal fun ask(address: String, signal: dynamic = undefined): Promise<Response> {
+internal fun ask(address: String, signal: dynamic = undefined, from: Double? = null): Promise<Response> {
     val options = json("signal" to signal).unsafeCast<RequestInit>()
+    if (from != null) {
+        options.headers = json("Range" to "bytes=$from-")
+        options.cache = RequestCache.NO_STORE
+    }
     return window.fetch(address, options).catch<Response> { throw IllegalStateException(LOST) }.then { response ->
         if (response.ok) Promise.resolve(response) else response.text().then { refuse(it, response.status) }
     }.unsafeCast<Promise<Response>>()

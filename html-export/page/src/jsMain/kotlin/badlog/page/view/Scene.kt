@@ -132,6 +132,14 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
         cursor.change { pinnedAt(place) }
     }
 
+    /** Moves the cursor to the end, and the visible range there, as wide as it is. */
+    fun goToNewest() {
+        val end = range.full.to
+        val width = range.now.width
+        if (range.isZoomed) range.change { showing(end - width, end) }
+        cursor.change { pinnedAt(end) }
+    }
+
     /** Shows the surroundings of [from] to [to], and moves the cursor to [from]. */
     fun zoomTo(from: Double, to: Double) {
         if (!from.isFinite()) return

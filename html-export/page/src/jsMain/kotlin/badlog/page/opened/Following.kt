@@ -1,0 +1,81 @@
+package badlog.page.opened
+
+import badlog.core.recording.Recording
+import badlog.page.reading.FileReading
+import badlog.page.reading.LogFileReader
+import badlog.page.served.GrowingFile
+import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.Element
+import org.w3c.dom.events.Event
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/**
+ * Follows [log], which is being written on the page's server, until a person touches the page.
+ *
+ * @param onGrown called with the log and what is in it now, when the page has done with what was there before.
+ * @param onEnd called when it has ended; with a sentence, if nobody asked for that.
+ */
+internal class Following(
+    private var log: OpenedLog,
+    address: String,
+    private val onGrown: (OpenedLog, Recording) -> Unit,
+    private val onEnd: (why: String?) -> Unit,
+) {
+    private val file = GrowingFile(log.files[0], address)
+    private var isOver = false
+    private val pauseAt = { event: Event -> if ((event.target as? Element)?.closest("#live") == null) stop() }
+
+    /** Starts. */
+    fun start() {
+        for (touch in TOUCHES) document.addEventListener(touch, pauseAt, true)
+        ask()
+    }
+
+    /** Ends it. */
+    fun stop(why: String? = null) {
+        if (isOver) return
+        isOver = true
+        for (touch in TOUCHES) document.removeEventListener(touch, pauseAt, true)
+        onEnd(why)
+    }
+
+    private fun ask() {
+        if (isOver) return
+        // The page still draws what was there before, or its rules are running over it.
+        if (document.documentElement?.getAttribute("data-rules") == null) return askIn(PAUSE)
+        file.more().then { grown ->
+            if (grown ==
+                null
+            ) {
+                askIn(file.pause)
+            } else {
+                read(grown).then { show(grown, it) }
+            }
+        }.catch { stop(it.message.orEmpty()) }
+    }
+
+    // A worker takes longer to start than a small log takes to read.
+    private fun read(grown: File): Promise<Recording> =
+        if (grown.size.toDouble() < SMALL) LogFileReader(listOf(grown)) {}.read() else FileReading(listOf(grown)) {}.start()
+
+    private fun show(grown: File, read: Recording) {
+        if (isOver) return
+        log = log.growing(grown)
+        onGrown(log, read)
+        askIn(file.pause)
+    }
+
+    private fun askIn(millis: Int) {
+        window.setTimeout({ ask() }, millis)
+    }
+
+    private companion object {
+        const val PAUSE = 10
+
+        /** Bytes that are read in a fraction of a frame's patience. */
+        const val SMALL = 4e6
+        val TOUCHES = listOf("pointerdown", "keydown")
+    }
+}

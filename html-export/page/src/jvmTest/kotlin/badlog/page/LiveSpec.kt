@@ -1,0 +1,197 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.web.LogServerOptions
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.RandomAccessFile
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.atomic.AtomicBoolean
+import java.util.function.BooleanSupplier
+import kotlin.concurrent.thread
+import kotlin.io.path.appendBytes
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+
+/** A log that is followed while a robot writes it. */
+internal class LiveSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-live") }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun logs(name: String): Path = (temporary / name / "logs").createDirectories()
+
+    /** Rows of 50 topics at 50 Hz, whose first one counts them, and whose second one is the battery's voltage. */
+    class Robot(val file: Path) {
+        private val topics = listOf(TIME, BagTopic("Count", "ul"), BagTopic("Battery Voltage", "V"), BagTopic("Enabled", "ul")) +
+            List(46) { BagTopic("Motor ${it + 1}/Current", "A") }
+        var rows = 0
+            private set
+        var volts = 12.4
+        private val times = LongArray(100_000)
+
+        /** When [row] was on the disk, in ns. */
+        fun writtenAt(row: Int) = times[row]
+
+        init {
+            file.writeBytes(bagOf(topics, 0) { _, _ -> null })
+        }
+
+        fun write(count: Int) {
+            val header = bagOf(topics, 0) { _, _ -> null }.size
+            val bytes = bagOf(topics, count) { row, column ->
+                when (column) {
+                    0 -> (rows + row) / 50.0
+                    1 -> rows + row
+                    2 -> volts
+                    3 -> 1
+                    else -> ((rows + row) * 7 + column * 13) % 40 / 3.0
+                }
+            }
+            file.appendBytes(bytes.copyOfRange(header, bytes.size))
+            times.fill(System.nanoTime(), rows, rows + count)
+            rows += count
+        }
+    }
+
+    fun OpenPage.isLive() = script("return document.querySelector('#live').getAttribute('aria-pressed') === 'true'") as Boolean
+
+    fun OpenPage.awaitReady() {
+        await("the log") { texts(".page-title h1").size == 1 && state == "ready" }
+        await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
+    }
+
+    fun OpenPage.openFirst() {
+        await("the list") { elements(".log-table").isNotEmpty() }
+        elements("[data-column='FILE'] button")[0].click()
+        awaitReady()
+    }
+
+    browserTest("a log that is being written is followed at its newest moment; a touch pauses, so that one can look back, and live again") {
+        val robot = Robot(logs("follow") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address, Screen.PHONE) {
+                openFirst()
+                visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
+                element("#live").click()
+                robot.write(250)
+                await("15 s") { visibleRange.endInclusive > 14.9 }
+                awaitReady()
+                graph("Count").value("Count") shouldBe "749"
+                keepScreenshot("live-phone")
+                isLive() shouldBe true
+                // A row of which only the beginning is there is waited for.
+                robot.file.appendBytes("20,99".encodeToByteArray())
+                script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))")
+                isLive() shouldBe false
+                RandomAccessFile(robot.file.toFile(), "rw").use { it.setLength(it.length() - 5) }
+                robot.write(250)
+                settle()
+                visibleRange.endInclusive shouldBe (14.98 plusOrMinus 0.02)
+                graph("Count").scrollTo()
+                press("+")
+                element("#live").click()
+                await("20 s") { visibleRange.endInclusive > 19.9 }
+                awaitReady()
+                // As far in as before.
+                visibleRange.start shouldBeGreaterThan 5.0
+            }
+        }
+    }
+
+    browserTest("what the rules find in a log that is followed is shown when it happens, and the board stays") {
+        val robot = Robot(logs("rules") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openFirst()
+                (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
+                script("return document.querySelector('.board')?.textContent.includes('Motor 7')") shouldBe false
+                element("#live").click()
+                robot.volts = 6.1
+                robot.write(100)
+                await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
+                // It stays while the page follows.
+                repeat(5) {
+                    robot.write(20)
+                    settle()
+                    (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
+                }
+            }
+        }
+    }
+
+    browserTest("where a server sends logs whole, they are asked for as seldom as their size allows, and followed all the same") {
+        val robot = Robot(logs("whole") / "running.bag").apply { write(500) }
+        EmptyPage().write(robot.file.parent / EmptyPage.SERVED_NAME, isServed = true)
+        WpilibServer(robot.file.parent).use { server ->
+            onServedPage(server.addressOf(EmptyPage.SERVED_NAME)) {
+                script("keepsTime = true")
+                openFirst()
+                element("#live").click()
+                robot.write(250)
+                await("15 s") { visibleRange.endInclusive > 14.9 }
+                awaitReady()
+                element("#live").click()
+                isLive() shouldBe false
+            }
+        }
+    }
+
+    browserTest("the end of following is said where it was asked for: the robot is on the field, or gone") {
+        val robot = Robot(logs("end") / "running.bag").apply { write(500) }
+        val options = LogServerOptions()
+        withRobot(robot.file.parent, options) { address ->
+            onServedPage(address, says = listOf("503")) {
+                openFirst()
+                element("#live").click()
+                options.isFieldAttached = BooleanSupplier { true }
+                await("the reason") { "connected to the field" in texts("#live").single() }
+                isLive() shouldBe false
+            }
+        }
+    }
+
+    browserTest("50 topics at 50 Hz: measured, and printed") {
+        val robot = Robot(logs("speed") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openFirst()
+                element("#live").click()
+                script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
+                val began = System.nanoTime()
+                val isOver = AtomicBoolean()
+                val writing = thread {
+                    while (!isOver.get()) {
+                        robot.write(1)
+                        Thread.sleep(20)
+                    }
+                }
+                // Each row's time from the disk to the screen.
+                val late = ArrayList<Double>()
+                var shown = robot.rows - 1
+                while (System.nanoTime() - began < 15_000_000_000) {
+                    val last = script("const m = document.querySelector('.range-readout')?.textContent.match(/– (-?[\\d.]+)/); return m ? Number(m[1]) : null")
+                        ?.let { Math.round((it as Number).toDouble() * 50).toInt() } ?: continue
+                    val now = System.nanoTime()
+                    while (shown < last) late += (now - robot.writtenAt(++shown)) / 1e9
+                }
+                isOver.set(true)
+                writing.join()
+                val seconds = (System.nanoTime() - began) / 1e9
+                // With all headers.
+                val bits = number("return performance.getEntriesByType('resource').reduce((sum, e) => sum + e.transferSize, 0)") * 8 / seconds / 1e6
+                late.sort()
+                println("Live: ${late.size} rows, median %.2f s, 90th percentile %.2f s, worst %.2f s; %.2f Mbit/s".format(late[late.size / 2], late[late.size * 9 / 10], late.last(), bits))
+                bits shouldBeLessThan 0.3
+                // On a quiet machine half a second; tests run beside others.
+                late[late.size / 2] shouldBeLessThan 3.0
+            }
+        }
+    }
+})
