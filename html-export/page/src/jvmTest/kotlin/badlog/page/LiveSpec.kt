@@ -143,13 +143,17 @@ internal class LiveSpec : PageSpec({
         }
     }
 
-    browserTest("the end of following is said where it was asked for: the robot is on the field, or gone") {
+    browserTest("an enabled robot is followed on; the end of following is said where it was asked for: the robot is on the field") {
         val robot = Robot(logs("end") / "running.bag").apply { write(500) }
         val options = LogServerOptions()
         withRobot(robot.file.parent, options) { address ->
-            onServedPage(address, says = listOf("503")) {
+            onServedPage(address, says = listOf("503", "ERR_")) {
                 openFirst()
                 element("#live").click()
+                options.isEnabled = BooleanSupplier { true }
+                robot.write(250)
+                await("15 s") { visibleRange.endInclusive > 14.9 }
+                awaitReady()
                 options.isFieldAttached = BooleanSupplier { true }
                 await("the reason") { "connected to the field" in texts("#live").single() }
                 isLive() shouldBe false

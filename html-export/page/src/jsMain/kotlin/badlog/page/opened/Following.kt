@@ -4,6 +4,7 @@ import badlog.core.recording.Recording
 import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
+import badlog.page.served.LOST
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -25,6 +26,7 @@ internal class Following(
 ) {
     private val file = GrowingFile(log.files[0], address)
     private var isOver = false
+    private var misses = 0
     private val pauseAt = { event: Event -> if ((event.target as? Element)?.closest("#live") == null) stop() }
 
     /** Starts. */
@@ -46,14 +48,12 @@ internal class Following(
         // The page still draws what was there before, or its rules are running over it.
         if (document.documentElement?.getAttribute("data-rules") == null) return askIn(PAUSE)
         file.more().then { grown ->
-            if (grown ==
-                null
-            ) {
-                askIn(file.pause)
-            } else {
-                read(grown).then { show(grown, it) }
-            }
-        }.catch { stop(it.message.orEmpty()) }
+            misses = 0
+            if (grown == null) askIn(file.pause) else read(grown).then { show(grown, it) }
+        }.catch {
+            // A Wi-Fi has gaps; and a server that ended an answer says why when it is asked again.
+            if (it.message == LOST && ++misses < MAX_MISSES) askIn(GAP) else stop(it.message.orEmpty())
+        }
     }
 
     // A worker takes longer to start than a small log takes to read.
@@ -73,6 +73,10 @@ internal class Following(
 
     private companion object {
         const val PAUSE = 10
+
+        /** Milliseconds after a question that was not answered, and how many such questions end it. */
+        const val GAP = 400
+        const val MAX_MISSES = 10
 
         /** Bytes that are read in a fraction of a frame's patience. */
         const val SMALL = 4e6
