@@ -1,7 +1,8 @@
 package badlog.files
 
 import badlog.core.recording.Problem
-import badlog.files.revlog.RevlogConversion
+import badlog.formats.revlog.RevlogConversion
+import badlog.formats.revlog.RevlogFormat
 import org.tukaani.xz.XZ
 import java.io.BufferedOutputStream
 import java.io.OutputStream
@@ -33,7 +34,7 @@ public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = 
     val make: (Path) -> List<Problem> = when {
         isXz -> { made -> writing(made) { outputOf(made).use { inflateXz(file, it, checkpoint) } } }
 
-        RevlogConversion.isRevlog(head) -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }
+        RevlogFormat.matches(head, head.size) -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }
 
         LogName.of(name).ending.equals(LogName.HOOT, ignoreCase = true) -> { made ->
             Owlet.convert(file, made, checkpoint)
@@ -53,13 +54,13 @@ public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = 
 private fun outputOf(file: Path): OutputStream = BufferedOutputStream(Files.newOutputStream(file), 1 shl 16)
 
 private fun convertRevlog(file: Path, out: OutputStream, checkpoint: () -> Unit): List<Problem> {
-    val conversion = RevlogConversion(out)
+    val conversion = RevlogConversion { bytes, size -> out.write(bytes, 0, size) }
     reading(file) { Files.newInputStream(file) }.use { stream ->
         val piece = ByteArray(1 shl 16)
         while (true) {
             val size = reading(file) { stream.read(piece) }
             if (size < 0) break
-            conversion.accept(piece, size)
+            conversion.accept(piece, 0, size)
             checkpoint()
         }
     }
@@ -67,4 +68,4 @@ private fun convertRevlog(file: Path, out: OutputStream, checkpoint: () -> Unit)
 }
 
 private const val WPILOG = ".wpilog"
-private const val SIGNATURE_SIZE = RevlogConversion.SIGNATURE_SIZE
+private val SIGNATURE_SIZE = maxOf(RevlogFormat.signatureSize, XZ.HEADER_MAGIC.size)

@@ -1,11 +1,10 @@
-package badlog.files.revlog
+package badlog.formats.revlog
 
+import badlog.core.bag.RecordingParser
 import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.core.recording.TopicKind
-import badlog.files.inFolder
-import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
@@ -17,52 +16,50 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import java.io.ByteArrayOutputStream
-import java.nio.ByteBuffer
-import java.nio.ByteOrder
-import java.nio.file.Files
 
 /** A `.revlog` byte by byte; knows nothing of the code that is tested. */
 private class TestRevlog {
-    val out = ByteArrayOutputStream()
+    var bytes = ByteArray(0)
+        private set
 
     fun record(kind: Int, vararg frames: ByteArray) = apply {
         val payload = frames.fold(ByteArray(0), ByteArray::plus)
         // One byte for the kind, two for the size.
-        out.write(byteArrayOf(0b0100, kind.toByte(), payload.size.toByte(), (payload.size shr 8).toByte()) + payload)
+        bytes += byteArrayOf(0b0100, kind.toByte(), payload.size.toByte(), (payload.size shr 8).toByte()) + payload
     }
 
-    fun raw(vararg bytes: Byte) = apply { out.write(bytes) }
+    fun raw(vararg more: Byte) = apply { bytes += more }
 }
 
-private fun words(vararg parts: Number): ByteArray = ByteBuffer.allocate(parts.sumOf { if (it is Int) 4L else 8L }.toInt()).order(ByteOrder.LITTLE_ENDIAN).run {
-    for (part in parts) if (part is Int) putInt(part) else putLong(part.toLong())
-    array()
+private fun words(vararg parts: Number): ByteArray = parts.fold(ByteArray(0)) { bytes, part ->
+    bytes + ByteArray(if (part is Int) 4 else 8) { (part.toLong() shr 8 * it).toByte() }
 }
 
 private fun can(type: Int, frame: Int, device: Int) = (type shl 24) or (5 shl 16) or (46 shl 10) or (frame shl 6) or device
 
-private fun status(millis: Int, type: Int, frame: Int, device: Int, bits: Long) = words(millis, can(type, frame, device), bits)
+private fun status(millis: Int, type: Int, frame: Int, device: Int, bits: Long): ByteArray = words(millis, can(type, frame, device)) + ByteArray(8) { (bits shr 8 * it).toByte() }
 
 private fun firmware(type: Int, device: Int, vararg bytes: Byte) = words((type shl 24) or (5 shl 16) or device) + bytes
 
 private fun convert(bytes: ByteArray, piece: Int = maxOf(1, bytes.size)): Pair<Recording, List<Problem>> {
-    val out = ByteArrayOutputStream()
-    val conversion = RevlogConversion(out)
-    for (at in bytes.indices step piece) bytes.copyOfRange(at, minOf(bytes.size, at + piece)).let { conversion.accept(it, it.size) }
+    var wpilog = ByteArray(0)
+    val conversion = RevlogConversion { made, size -> wpilog += made.copyOf(size) }
+    for (at in bytes.indices step piece) conversion.accept(bytes, at, minOf(bytes.size, at + piece))
     val problems = conversion.finish()
-    return parseLog(out.toByteArray()) to problems
+    return parseLog(wpilog) to problems
 }
 
 private fun Recording.first(topic: String) = topics.single { it.name == topic }.samples.first()
 
-internal class RevlogConversionSpec : FunSpec({
+private fun read(bytes: ByteArray) = RecordingParser(LOG_FORMATS, bytes.size.toLong()).apply { accept(bytes) }.finish()
+
+internal class RevlogFormatSpec : FunSpec({
     // Output -0.5, 12 V, 40 A, 35 °C, the forward limit switch: the bits as REV's description of STATUS_0 places them.
     val output = (-16221L) and 0xFFFF
     val spark = output or (1638L shl 16) or (1092L shl 28) or (35L shl 40) or (1L shl 48)
 
     test("what a Spark says of itself becomes topics with units, and its firmware a value") {
-        val log = TestRevlog().record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(1500, 2, 0, 3, spark), status(1520, 2, 0, 3, spark)).out.toByteArray()
+        val log = TestRevlog().record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(1500, 2, 0, 3, spark), status(1520, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(log)
         problems shouldBe emptyList()
         recording.values.map { it.name to it.text } shouldContainExactly listOf("REV/Spark-3/FIRMWARE" to "26.1.4")
@@ -88,7 +85,7 @@ internal class RevlogConversionSpec : FunSpec({
                 status(0, 12, 2, 9, 1500L shl 16 or (1L shl 49)),
                 status(0, 7, 2, 4, velocity),
                 status(0, 7, 4, 4, velocity),
-            ).out.toByteArray(),
+            ).bytes,
         )
         recording.first("REV/Spark-1/PRIMARY_ENCODER_VELOCITY") shouldBe 1234.5
         recording.first("REV/Spark-1/PRIMARY_ENCODER_POSITION") shouldBe -2.25
@@ -104,28 +101,28 @@ internal class RevlogConversionSpec : FunSpec({
     }
 
     test("frames of other kinds and of devices nobody knows are left out") {
-        val other = words(0, can(2, 0, 3) and (0x3F shl 10).inv() or (5 shl 10), 0L)
-        val (recording, problems) = convert(TestRevlog().record(2, other, status(0, 2, 15, 3, 0), status(0, 30, 0, 3, 0)).out.toByteArray())
+        val other = words(0, can(2, 0, 3) and (0x3F shl 10).inv() or (5 shl 10), 0, 0)
+        val (recording, problems) = convert(TestRevlog().record(2, other, status(0, 2, 15, 3, 0), status(0, 30, 0, 3, 0)).bytes)
         problems shouldBe emptyList()
         recording.topics shouldBe emptyList()
     }
 
     test("where bytes are damaged the next record is found, and the problem gives the place") {
-        val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).raw(9, 9, 9, 9, 9).record(2, status(20, 2, 0, 3, spark)).out.toByteArray()
+        val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).raw(9, 9, 9, 9, 9).record(2, status(20, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(whole)
         recording.topics.first().times?.toList() shouldBe listOf(0.01, 0.02)
         problems.single().run { kind to loss.bytes } shouldBe (ProblemKind.RECORDS_SKIPPED to 5L)
     }
 
     test("of a file that was cut all whole records are there") {
-        val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(2, status(20, 2, 0, 3, spark)).out.toByteArray()
+        val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(2, status(20, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(whole.copyOf(whole.size - 3))
         recording.topics.first().times?.toList() shouldBe listOf(0.01)
         problems.single().run { kind to loss.bytes } shouldBe (ProblemKind.RECORD_CUT to 17L)
     }
 
     test("whatever the bytes are, in whatever pieces they come, the result is the same, and a WPILOG without faults") {
-        val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(20, 2, 0, 3, spark)).out.toByteArray()
+        val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(20, 2, 0, 3, spark)).bytes
         checkAll(Arb.byteArray(Arb.int(0..8), Arb.byte()), Arb.int(0..log.size), Arb.int(1..40)) { damage, at, piece ->
             val bytes = log.copyOf(at) + damage + log.copyOfRange(minOf(log.size, at + damage.size / 2), log.size)
             val (recording, problems) = convert(bytes)
@@ -137,14 +134,12 @@ internal class RevlogConversionSpec : FunSpec({
     }
 
     test("it is known by its content, and no text, bag, WPILOG or Driver Station log is taken for it") {
-        val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).out.toByteArray()
-        RevlogConversion.isRevlog(log.copyOf(RevlogConversion.SIGNATURE_SIZE)) shouldBe true
+        val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).bytes
+        val whole = read(log + log.copyOf(7))
+        whole.topics.any { it.name == "REV/Spark-3/CURRENT" } shouldBe true
+        whole.problems.map { it.kind } shouldContainExactly listOf(ProblemKind.RECORD_CUT)
         for (other in listOf("{\"topics\":[]}", "Time,A\n0,1\n", "WPILOG\u0000\u0001", "\u0000\u0000\u0000\u0004\u0000\u0000\u0000\u0000", "", "\u0000")) {
-            RevlogConversion.isRevlog(other.encodeToByteArray()) shouldBe false
-        }
-        inFolder { folder ->
-            val file = Files.write(folder.resolve("rev.log"), log)
-            readRecording(file, LOG_FORMATS).topics.any { it.name == "REV/Spark-3/CURRENT" } shouldBe true
+            RevlogFormat.matches(other.encodeToByteArray(), other.length) shouldBe false
         }
     }
 })

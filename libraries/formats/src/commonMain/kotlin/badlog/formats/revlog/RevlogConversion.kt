@@ -1,21 +1,24 @@
-package badlog.files.revlog
+package badlog.formats.revlog
 
 import badlog.core.recording.Loss
 import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
-import java.io.OutputStream
+import badlog.formats.wpilog.RecordBuffer
 
 /**
- * Writes the `.revlog` that is pushed to it as a WPILOG to [out]: the status frames that REV's devices have sent on the CAN bus, and their
+ * Makes a WPILOG of the `.revlog` that is pushed to it: the status frames that REV's devices have sent on the CAN bus, and their
  * firmware versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
  *
  * The file is a sequence of records. Each has a byte whose lowest four bits are the widths of the next two numbers, a number for its kind,
  * and the size of what follows: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's program began, the
  * frame's identifier, eight bytes). It never throws because of the bytes: where no record follows, it searches for the next place at which
  * one does.
+ *
+ * @param sink receives the WPILOG in pieces, each `[0, size)` of the array, which is reused after the call.
  */
-internal class RevlogConversion(private val out: OutputStream) {
-    private val wpilog = WpilogOutput(out)
+public class RevlogConversion(private val sink: (bytes: ByteArray, size: Int) -> Unit) {
+    private val wpilog = RecordBuffer().apply { header(extra = "") }
+    private var entryCount = 0
     private val entries = HashMap<Long, IntArray>()
     private val problems = ArrayList<Problem>()
     private val known = HashSet<Int>()
@@ -29,8 +32,9 @@ internal class RevlogConversion(private val out: OutputStream) {
     /** The position after which no records have been found yet; below 0 if they continue. */
     private var lostFrom = -1L
 
-    /** Accepts the first [size] of [piece], which follow those of previous calls. */
-    fun accept(piece: ByteArray, size: Int) {
+    /** Accepts the bytes from [from] until [until] of [piece], which follow those of previous calls. */
+    public fun accept(piece: ByteArray, from: Int = 0, until: Int = piece.size) {
+        val size = until - from
         if (end + size > bytes.size) {
             val room = if (end - at + size > bytes.size / 2) ByteArray((end - at + size) * 2) else bytes
             bytes.copyInto(room, 0, at, end)
@@ -39,13 +43,14 @@ internal class RevlogConversion(private val out: OutputStream) {
             end -= at
             at = 0
         }
-        piece.copyInto(bytes, end, 0, size)
+        piece.copyInto(bytes, end, from, until)
         end += size
-        while (step()) continue
+        while (step()) if (wpilog.size > PIECE) flush()
+        flush()
     }
 
     /** Ends the bytes. Returns what was wrong in them. */
-    fun finish(): List<Problem> {
+    public fun finish(): List<Problem> {
         // A record with a damaged size may seem to extend beyond the end, with complete ones inside.
         val left = base + at
         while (at < end) {
@@ -63,8 +68,14 @@ internal class RevlogConversion(private val out: OutputStream) {
                 loss = Loss(bytes = total - lostFrom),
             )
         }
-        out.flush()
+        flush()
         return problems
+    }
+
+    private fun flush() {
+        if (wpilog.size == 0) return
+        sink(wpilog.bytes, wpilog.size)
+        wpilog.clear()
     }
 
     /** Advances by a record or a lost byte. Returns false if that needs more bytes. */
@@ -100,12 +111,12 @@ internal class RevlogConversion(private val out: OutputStream) {
         val id = wordAt(bytes, frame)
         val device = REV_DEVICES[typeOf(id)] ?: return
         if (!known.add(id and DEVICE)) return
-        val entry = wpilog.start("${nameOf(device, id)}/FIRMWARE", "string", VALUE)
-        wpilog.text(entry, 0, device.version(bytes, frame + Int.SIZE_BYTES))
+        val entry = start("${nameOf(device, id)}/FIRMWARE", "string", VALUE)
+        wpilog.string(entry, 0.0, device.version(bytes, frame + Int.SIZE_BYTES).encodeToByteArray())
     }
 
     private fun status(frame: Int) {
-        val millis = wordAt(bytes, frame).toUInt().toLong()
+        val micros = wordAt(bytes, frame).toUInt().toDouble() * MICROS
         val id = wordAt(bytes, frame + Int.SIZE_BYTES)
         if (id shr CLASS_BIT and CLASS_MASK != STATUS_CLASS) return
         val device = REV_DEVICES[typeOf(id)] ?: return
@@ -117,37 +128,38 @@ internal class RevlogConversion(private val out: OutputStream) {
         val bits = wordAt(bytes, frame + 8).toUInt().toLong() or (wordAt(bytes, frame + 12).toLong() shl Int.SIZE_BITS)
         for (i in signals.indices) {
             val number = signals[i].read(bits)
-            if (signals[i].isFlag) wpilog.truth(numbers[i], millis, number != 0.0) else wpilog.number(numbers[i], millis, number)
+            if (signals[i].isFlag) wpilog.boolean(numbers[i], micros, number != 0.0) else wpilog.double(numbers[i], micros, number)
         }
     }
 
     private fun start(device: String, signal: RevSignal): Int {
         val folder = listOf("FAULT", "WARNING").firstOrNull { signal.name.endsWith(it) }?.let { "/$it" }.orEmpty()
         val metadata = if (signal.unit.isEmpty()) "" else "{\"unit\":\"${signal.unit}\"}"
-        return wpilog.start("$device$folder/${signal.name}", if (signal.isFlag) "boolean" else "double", metadata)
+        return start("$device$folder/${signal.name}", if (signal.isFlag) "boolean" else "double", metadata)
+    }
+
+    private fun start(name: String, type: String, metadata: String): Int {
+        wpilog.start(++entryCount, name, type, metadata)
+        return entryCount
     }
 
     private fun nameOf(device: RevDevice, id: Int) = "REV/${device.name}-${id and NUMBER}"
 
-    companion object {
-        /** The number of bytes that [isRevlog] needs. */
-        const val SIGNATURE_SIZE: Int = 17
-
-        /** Returns whether a file that begins with [bytes] is a `.revlog`, which has no signature: its first record shows it. */
-        fun isRevlog(bytes: ByteArray): Boolean = RevlogHead.at(bytes, 0, bytes.size).let { it != null && it !== RevlogHead.MORE }
-
-        private const val CLASS_BIT = 10
-        private const val CLASS_MASK = 0x3F
+    private companion object {
+        const val CLASS_BIT = 10
+        const val CLASS_MASK = 0x3F
 
         /** The class of all status frames of REV's devices. */
-        private const val STATUS_CLASS = 46
-        private const val FRAME_BIT = 6
-        private const val FRAME_MASK = 0xF
-        private const val NUMBER = 0x3F
-        private const val DEVICE = 0x1F00003F
+        const val STATUS_CLASS = 46
+        const val FRAME_BIT = 6
+        const val FRAME_MASK = 0xF
+        const val NUMBER = 0x3F
+        const val DEVICE = 0x1F00003F
 
         /** The metadata that mark an entry as a value in badlog's WPILOG. */
-        private const val VALUE = "{\"badlog\":\"value\"}"
+        const val VALUE = "{\"badlog\":\"value\"}"
+        const val MICROS = 1000
+        const val PIECE = 1 shl 16
     }
 }
 

@@ -1,4 +1,4 @@
-package badlog.files.revlog
+package badlog.formats.revlog
 
 /**
  * A value in the eight bytes of a status frame.
