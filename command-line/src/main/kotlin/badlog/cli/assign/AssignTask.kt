@@ -12,6 +12,7 @@ import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.core.analysis.LogView
+import badlog.rules.SignalsFile
 import badlog.signals.withSignals
 import kotlinx.serialization.Serializable
 import java.nio.file.Files
@@ -30,13 +31,18 @@ internal class AssignTask(
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
+        val folder = log.toAbsolutePath().normalize().parent
+        val isNew = !Files.exists(folder.resolve(SignalsFile.NAME))
         val written = try {
             assign(console)
         } catch (e: Exception) {
             console.warn(if (e is NotALog) e.message else LogLoop.sentenceOf(e, log))
             return ExitCode.NOTHING
         }
-        val folder = log.toAbsolutePath().normalize().parent
+        val above = generateSequence(folder.parent) { it.parent }.map { it.resolve(SignalsFile.NAME) }.firstOrNull(Files::isRegularFile)
+        if (isNew && above != null) {
+            console.warn("$above names signals, too. The window uses the nearest file only: copy the names in it that you need.")
+        }
         console.say(
             if (isJson) {
                 Spelling.ascii("${jsonOf(AssignedJson("assign", "$log", "whole", "$written", signal, topic))}")

@@ -40,6 +40,15 @@ class AssignSpec : FunSpec({
         }
     }
 
+    test("a file above the new one, which the window will not use any more for this folder, is named") {
+        inFolder { folder ->
+            val above = folder.with("badlog-signals.toml", "[[signal]]\nname = \"hood\"\ntopics = \"Arm\"\n")
+            val log = folder.with("event/a.bag", LOG)
+            badlog("assign", log, "battery", "Power/My Volts").err shouldContain "$above names signals, too."
+            badlog("assign", log, "battery", "Power/My Volts").err shouldBe ""
+        }
+    }
+
     test("what a person wrote stays as it is; only the name comes first") {
         inFolder { folder ->
             val file = folder.with("badlog-signals.toml", "# ours\n[[signal]]\nname = \"battery\"\ntopics = \"Old\" # before\n")

@@ -46,7 +46,7 @@ internal class Site(private val root: Path, private val parts: Map<String, Path>
     /** Adds the parts that are not guides to the sections in which a reader looks for them. */
     private fun contentsWithParts(contents: Contents): Contents {
         val more = listOf(
-            Triple("Try it", "open", Contents.Entry("Open your own logs", "open/badlog.html")),
+            Triple("Try it", "open", Contents.Entry("Open your own logs", "open/index.html")),
             Triple("Try it", "samples", Contents.Entry("A match as a page", "samples/qualification-42.bag.html")),
             Triple("Try it", "report", Contents.Entry("A report on the samples", "report/index.html")),
             Triple("For developers", "api", Contents.Entry("API", "api/index.html")),

@@ -17,18 +17,17 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     /**
      * Writes the page to [output], whose folder is created if necessary.
      *
-     * @param isServed whether the page is for a web server on a robot: it lists the logs that this server has, and may ask it for them. Any
-     *   other page may not use a network at all.
+     * @param network what the page may ask.
      * @throws ExportException if it cannot be written.
      */
-    fun write(output: Path, isServed: Boolean = false) {
+    fun write(output: Path, network: PageNetwork = PageNetwork.NONE) {
         val page = output.toAbsolutePath().normalize()
         checkWritable(page, emptyList())
         writing(page) {
             Files.createDirectories(page.parent)
             AtomicFile(page).use { file ->
                 val writer = PageWriter(file.out, parts)
-                writer.begin("badlog", isServed = isServed)
+                writer.begin("badlog", network = network)
                 writer.program(PageAdditions(rules = RuleSet.BUILT_IN))
                 ExportThreads().use { threads ->
                     val sample = checkNotNull(EmptyPage::class.java.getResourceAsStream("/badlog/page/$SAMPLE")) {
@@ -36,7 +35,7 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
                     }
                     sample.use { writer.sample(SAMPLE) { out -> RawEmbedding(threads, out).embed(it) } }
                 }
-                writer.end(isServed)
+                writer.end(network)
                 file.commit()
             }
         }
@@ -48,6 +47,9 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
 
         /** The usual name of the page for a web server on a robot. Called `index.html`, it would hide the list of logs that it asks for. */
         const val SERVED_NAME: String = "logs.html"
+
+        /** The usual name of the page for a web site. */
+        const val WEB_NAME: String = "index.html"
 
         private const val SAMPLE = "brownout.bag"
     }

@@ -35,13 +35,14 @@ class PageParts private constructor(
 
     /**
      * Returns the Content-Security-Policy of a page with these parts: nothing from the network, and no other script or style. A video may
-     * be one that the reader opens or, if [hasVideo], one from the page's own location. If the page [isServed], it may ask its own server.
+     * be one that the reader opens or, if [hasVideo], one from the page's own location. [network] is what the page may ask.
      */
-    internal fun policy(hasVideo: Boolean, isServed: Boolean = false): String = "default-src 'none'; script-src '${hash(
-        UNPACKING,
-    )}' '${hash(program)}'; worker-src blob:; ${if (isServed) "connect-src 'self'; " else ""}" +
-        "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
-        "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
+    internal fun policy(hasVideo: Boolean, network: PageNetwork = PageNetwork.NONE): String {
+        val scripts = "script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; "
+        val others = "style-src '${hash(waitingStyle)}' '${hash(style)}'; " +
+            "img-src data: blob:; media-src blob:${if (hasVideo) " 'self'" else ""}; base-uri 'none'; form-action 'none'"
+        return "default-src 'none'; $scripts${network.policy}$others"
+    }
 
     companion object {
         /** Returns the parts that are built into this version of badlog. */

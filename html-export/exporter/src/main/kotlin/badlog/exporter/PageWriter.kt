@@ -8,15 +8,15 @@ import java.io.OutputStream
 
 /** Writes a page from beginning to end. Call the functions in the order in which they are declared. */
 internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
-    /** Writes everything before the recording. Its policy depends on whether there is a video beside the page, and whether the page [isServed]. */
-    fun begin(title: String, hasVideo: Boolean = false, isServed: Boolean = false) {
+    /** Writes everything before the recording. Its policy depends on whether there is a video beside the page, and on what it may ask of a [network]. */
+    fun begin(title: String, hasVideo: Boolean = false, network: PageNetwork = PageNetwork.NONE) {
         text(
             """
             $PAGE_START>
             <html lang="en">
             <head>
             <meta charset="utf-8">
-            <meta http-equiv="Content-Security-Policy" content="${parts.policy(hasVideo, isServed)}">
+            <meta http-equiv="Content-Security-Policy" content="${parts.policy(hasVideo, network)}">
             <meta name="viewport" content="width=device-width, initial-scale=1">
             <meta name="generator" content="badlog ${escapeHtml(BADLOG_VERSION)}">
             <title>
@@ -70,14 +70,11 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun sample(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("id=\"sample\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** Writes the end of a page without a recording, which lists the logs of its server if it [isServed]. */
-    fun end(isServed: Boolean) {
-        val served = if (isServed) ",\"served\":true" else ""
-        text(
-            "<script type=\"application/json\" id=\"about\">{\"version\":${quotedJson(
-                BADLOG_VERSION,
-            )}$served}</script>\n</body>\n</html>\n",
-        )
+    /** Writes the end of a page without a recording, which may ask [network]. */
+    fun end(network: PageNetwork) {
+        val word = network.word?.let { ",\"network\":\"$it\"" }.orEmpty()
+        val about = "{\"version\":${quotedJson(BADLOG_VERSION)}$word}"
+        text("<script type=\"application/json\" id=\"about\">$about</script>\n</body>\n</html>\n")
     }
 
     /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */

@@ -11,6 +11,8 @@ import badlog.page.embedded.EmbeddedLog
 import badlog.page.embedded.PageSource
 import badlog.page.embedded.comparedFiles
 import badlog.page.embedded.findAdditions
+import badlog.page.linked.HandedFile
+import badlog.page.linked.LinkedFile
 import badlog.page.opened.LogOpening
 import badlog.page.opened.OpenedLog
 import badlog.page.opened.StartScreen
@@ -109,11 +111,23 @@ internal class Startup {
         if (document.getElementById("recording") != null) return window.location.reload()
         val sample = document.getElementById("sample")
         val server = if (About.find()?.isServed == true) opening::openServer else null
-        val start = StartScreen(logs.theme.element, opening::open, server, sample?.let { { openSample(it) } })
+        val start = StartScreen(logs.theme.element, opening::open, opening::open, server, sample?.let { { openSample(it) } })
         root.showAlone(start.element)
         acceptFiles(opening::open)
+        if (About.find()?.isOnWeb == true) awaitFromWeb(start)
         document.title = "badlog"
         setPageState("empty")
+    }
+
+    private fun awaitFromWeb(start: StartScreen) {
+        LinkedFile.inAddress()?.let { linked ->
+            val question = "A link wants to open “${linked.name}” from ${linked.host}. " +
+                "That site is asked for it, without cookies, and any that it forwards to."
+            start.offer(question, "Fetch it from ${linked.host}") { opening.open(linked) }
+        }
+        HandedFile.await { handed ->
+            start.offer("${handed.origin} wants to open “${handed.name}” here.", "Open it") { opening.open(listOf(handed.file())) }
+        }
     }
 
     private fun openSample(sample: Element) {

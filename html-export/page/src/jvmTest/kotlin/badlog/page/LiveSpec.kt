@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
 import badlog.web.LogServerOptions
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
@@ -128,7 +129,7 @@ internal class LiveSpec : PageSpec({
 
     browserTest("where a server sends logs whole, they are asked for as seldom as their size allows, and followed all the same") {
         val robot = Robot(logs("whole") / "running.bag").apply { write(500) }
-        EmptyPage().write(robot.file.parent / EmptyPage.SERVED_NAME, isServed = true)
+        EmptyPage().write(robot.file.parent / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
         WpilibServer(robot.file.parent).use { server ->
             onServedPage(server.addressOf(EmptyPage.SERVED_NAME)) {
                 script("keepsTime = true")

@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
 import badlog.web.LogServerOptions
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -53,12 +54,12 @@ internal class ServedPageSpec : PageSpec({
     test("only the page for a server may ask its server, and that alone is the difference") {
         val pages = folder("pages") {}
         EmptyPage().write(pages / "badlog.html")
-        EmptyPage().write(pages / "logs.html", isServed = true)
+        EmptyPage().write(pages / "logs.html", PageNetwork.ROBOT)
         val plain = (pages / "badlog.html").readText()
         val served = (pages / "logs.html").readText()
         plain.contains("connect-src") shouldBe false
-        served.replace(" connect-src 'self';", "").replace(",\"served\":true", "") shouldBe plain
-        served.length - plain.length shouldBe " connect-src 'self';,\"served\":true".length
+        served.replace(" connect-src 'self';", "").replace(",\"network\":\"robot\"", "") shouldBe plain
+        served.length - plain.length shouldBe " connect-src 'self';,\"network\":\"robot\"".length
     }
 
     browserTest("a phone in the robot's network lists its logs, newest first, and opens one with a tap, findings and all") {
@@ -152,7 +153,7 @@ internal class ServedPageSpec : PageSpec({
 
     browserTest("where WPILib's own server serves the folder of the logs, the same page lists and opens them") {
         val logs = logs("wpilib")
-        EmptyPage().write(logs / EmptyPage.SERVED_NAME, isServed = true)
+        EmptyPage().write(logs / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
         WpilibServer(logs).use { server ->
             onServedPage(server.addressOf(EmptyPage.SERVED_NAME), Screen.PHONE) {
                 awaitList()
@@ -169,7 +170,7 @@ internal class ServedPageSpec : PageSpec({
 
     browserTest("a page that hides the list, because it is called index.html, says so") {
         val logs = logs("hidden")
-        EmptyPage().write(logs / "index.html", isServed = true)
+        EmptyPage().write(logs / "index.html", PageNetwork.ROBOT)
         WpilibServer(logs).use { server ->
             onServedPage(server.addressOf(""), state = "failed") { text shouldContain "this page must not be called index.html there" }
         }
@@ -177,7 +178,7 @@ internal class ServedPageSpec : PageSpec({
 
     browserTest("opened from a disk, the page for a server asks nobody, and opens logs like the other one") {
         val page = folder("disk") {} / EmptyPage.SERVED_NAME
-        EmptyPage().write(page, isServed = true)
+        EmptyPage().write(page, PageNetwork.ROBOT)
         onPage(page, state = "empty") {
             drop("first.bag" to bag)
             awaitLog("first.bag")

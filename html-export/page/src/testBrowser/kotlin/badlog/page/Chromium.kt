@@ -43,7 +43,7 @@ internal object Chromium {
             addArguments(
                 "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
                 "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                "--user-data-dir=$profile",
+                "--user-data-dir=$profile", "--ignore-certificate-errors-spki-list=${TestCertificate.fingerprint}",
             )
             setCapability("goog:loggingPrefs", mapOf("browser" to "ALL", "performance" to "ALL"))
             setExperimentalOption("perfLoggingPrefs", mapOf("enableNetwork" to true, "enablePage" to false))

@@ -31,7 +31,7 @@ class LogServerSpec : FunSpec({
             val text = GZIPInputStream(page.body.inputStream()).readBytes().decodeToString()
             text shouldContain "default-src 'none'"
             text shouldContain "connect-src 'self';"
-            text shouldContain "\"served\":true"
+            text shouldContain "\"network\":\"robot\""
             val again = server.get("/", "If-None-Match: ${page.headers["etag"]}")
             again.status to again.body.size shouldBe (304 to 0)
         }

@@ -2,6 +2,7 @@ package badlog.exporter.program
 
 import badlog.exporter.BADLOG_VERSION
 import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
 import badlog.files.ResultPlace
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -65,6 +66,8 @@ internal class ArgumentParser {
             .help("Also make ${EmptyPage.NAME}, a page without a log that opens others.")
         private val withServed by option("--served").flag()
             .help("Also make ${EmptyPage.SERVED_NAME}, the same page for a web server on a robot: it lists the logs of its folder.")
+        private val withWeb by option("--web").flag()
+            .help("Also make ${EmptyPage.WEB_NAME}, the same page for a web site: it opens logs by https that a link names.")
         private val opensPage by option("-o", "--open").flag()
             .help("Open the page in the default browser; of several, the page of the newest log.")
 
@@ -92,10 +95,16 @@ internal class ArgumentParser {
             "Exit code: 0 success, 3 some data was lost or left out, 1 no page was made, 2 wrong usage."
 
         override fun run() {
-            if (paths.isEmpty() && !withEmpty && !withServed) throw MissingArgument(registeredArguments()[0])
+            if (paths.isEmpty() && !withEmpty && !withServed && !withWeb) throw MissingArgument(registeredArguments()[0])
         }
 
-        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, withEmpty, withServed, opensPage)
+        fun result() = Arguments(paths, out, attachments, compared, !isWithoutRules, field, video, emptyPages(), opensPage)
+
+        private fun emptyPages() = buildMap {
+            if (withEmpty) put(EmptyPage.NAME, PageNetwork.NONE)
+            if (withServed) put(EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
+            if (withWeb) put(EmptyPage.WEB_NAME, PageNetwork.WEB)
+        }
     }
 
     private companion object {

@@ -1,6 +1,6 @@
 package badlog.exporter.program
 
-import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
 import badlog.files.ResultPlace
 import java.nio.file.Path
 
@@ -15,8 +15,7 @@ import java.nio.file.Path
  * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
  * logs.
  * @property video a video of the match for the only page; null for none.
- * @property withEmpty whether to make a page without a log as well.
- * @property withServed whether to make such a page for a web server on a robot, too.
+ * @property emptyPages the pages without a log to make as well, by their names.
  * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
@@ -27,8 +26,7 @@ internal class Arguments(
     val hasRules: Boolean,
     val field: Path?,
     val video: Path?,
-    val withEmpty: Boolean,
-    val withServed: Boolean,
+    val emptyPages: Map<String, PageNetwork>,
     val opensPage: Boolean,
 ) {
     /** Returns where the page without a log goes that is called [name]. */

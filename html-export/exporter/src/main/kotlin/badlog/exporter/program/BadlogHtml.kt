@@ -5,6 +5,7 @@ import badlog.exporter.EmptyPage
 import badlog.exporter.ExportException
 import badlog.exporter.ExportReport
 import badlog.exporter.HtmlExporter
+import badlog.exporter.PageNetwork
 import badlog.exporter.checkReadable
 import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
@@ -71,8 +72,7 @@ internal class BadlogHtml(
             err.println("--video shows one match; name its log only.")
             return ExitCode.USAGE
         }
-        if (arguments.withEmpty && !makeEmpty(arguments.emptyPage(EmptyPage.NAME), isServed = false)) return ExitCode.NOTHING
-        if (arguments.withServed && !makeEmpty(arguments.emptyPage(EmptyPage.SERVED_NAME), isServed = true)) return ExitCode.NOTHING
+        for ((name, network) in arguments.emptyPages) if (!makeEmpty(arguments.emptyPage(name), network)) return ExitCode.NOTHING
         if (arguments.paths.isEmpty()) return ExitCode.WHOLE
         val export = exporterOf(arguments.attachments, arguments.compared)
         jobs.forEachIndexed { index, job ->
@@ -91,8 +91,8 @@ internal class BadlogHtml(
         }
     }
 
-    private fun makeEmpty(page: Path, isServed: Boolean): Boolean = try {
-        EmptyPage().write(page, isServed)
+    private fun makeEmpty(page: Path, network: PageNetwork): Boolean = try {
+        EmptyPage().write(page, network)
         out.println(page)
         true
     } catch (e: ExportException) {

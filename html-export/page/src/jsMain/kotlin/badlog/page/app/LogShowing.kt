@@ -66,7 +66,8 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
         val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) return root.fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
-        val additions = given?.let { it.with(AssignedSignals.over(it.rules)) }
+        val named = AssignedSignals.of(log.read)
+        val additions = given?.let { it.with(AssignedSignals.over(it.rules, named)) }
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
         val definitions = joined(layout.formulas, additions?.virtualTopics.orEmpty())
@@ -78,7 +79,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         setPageState("loading")
         root.clear()
         val copyWith = { notes: List<Note>, board: String, compared: List<File>, removed: List<File> ->
-            val rules = additions?.rules?.takeIf { AssignedSignals.topics.isNotEmpty() }
+            val rules = additions?.rules?.takeIf { named.isNotEmpty() }
             source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
         }
         val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith)

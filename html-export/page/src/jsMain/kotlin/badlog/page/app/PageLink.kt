@@ -86,7 +86,18 @@ internal class PageLink(
     }
 
     /** The link to what is shown; null if others could not open it, because the page is on a disk. */
-    val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + now.toText() }
+    val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + textNow() }
+
+    /** What a link ends with: the log, if a link named it, and what is shown of it. */
+    private fun textNow(): String {
+        val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith("url=") }
+        return listOfNotNull(
+            named,
+            now.toText().removePrefix("#").ifEmpty {
+                null
+            },
+        ).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
+    }
 
     /** The address of what is shown. */
     val now: PageAddress
@@ -102,7 +113,7 @@ internal class PageLink(
         )
 
     private fun copy() {
-        val end = now.toText()
+        val end = textNow()
         val link = window.location.href.substringBefore('#') + end
         val copied = try {
             window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()

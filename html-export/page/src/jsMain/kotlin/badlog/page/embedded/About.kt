@@ -15,6 +15,7 @@ import org.w3c.files.File
  * @property version the version of badlog that made the page.
  * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
  * @property isServed whether the page comes from a web server on a robot, whose logs it lists.
+ * @property isOnWeb whether it comes from a web site: it opens logs that links name, and those that other programs hand over.
  * @property fileKey identifies this file for what the browser remembers about it.
  */
 internal class About(
@@ -27,6 +28,7 @@ internal class About(
     val second: String?,
     val firstBytes: Int?,
     val isServed: Boolean = false,
+    val isOnWeb: Boolean = false,
     val fileKey: String = "$name:$inflatedBytes",
 ) {
     companion object {
@@ -60,7 +62,8 @@ internal class About(
                 version = json.version as? String ?: "",
                 second = json.second as? String,
                 firstBytes = json.firstBytes as? Int,
-                isServed = json.served == true && window.location.protocol != "file:",
+                isServed = json.network == "robot" && window.location.protocol != "file:",
+                isOnWeb = json.network == "web" && window.location.protocol != "file:",
             )
         }
     }

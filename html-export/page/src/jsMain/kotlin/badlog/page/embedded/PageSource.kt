@@ -58,7 +58,8 @@ internal class PageSource(root: Element) {
         copy.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n")
         // The program and its style follow the style that the page has from the beginning.
         val head = checkNotNull(document.head).children.asList()
-        for (element in head.take(head.indexOfFirst { it.tagName == "STYLE" } + 1)) copy.add(element.outerHTML + "\n")
+        // A copy is a file, which asks nothing of a network, wherever the page came from.
+        for (element in head.take(head.indexOfFirst { it.tagName == "STYLE" } + 1)) copy.add(element.outerHTML.replace(NETWORK, "") + "\n")
         copy.add("</head>\n<body>\n")
         for (element in checkNotNull(document.body).children.asList()) {
             when {
@@ -105,6 +106,9 @@ internal class PageSource(root: Element) {
     private companion object {
         /** The scripts of a page that are not about its log. */
         val PROGRAM = setOf("packed", "unpacking")
+
+        /** What a policy allows a page that a server has. */
+        val NETWORK = Regex("connect-src [^;]*; ")
 
         const val NO_ADDITIONS = """{"virtual":[],"findings":[],"hooks":[]}"""
     }

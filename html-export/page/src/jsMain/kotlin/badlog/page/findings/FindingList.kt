@@ -120,6 +120,10 @@ internal class FindingList(
         haystacks = all.map { it.searchedText }
         element.classList.toggle("has-spans", all.any { it.end > it.time })
         val (wrong, lacking) = skippedRules.partition { it.isMistake }
+        mistakes.textContent = ""
+        mistakes.isHidden = true
+        skipped.textContent = ""
+        skipped.isHidden = true
         for (rule in wrong) addProblem("The rule “${rule.rule}” is wrong. ${rule.message.substringBefore('\n')}", rule.message)
         if (notLookedAt != null && lacking.isNotEmpty()) {
             skipped.isHidden = false

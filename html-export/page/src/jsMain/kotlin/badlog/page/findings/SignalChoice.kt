@@ -32,7 +32,7 @@ internal class SignalChoice(
 
     /** What was said before, and how to take it back. */
     val chosen: HTMLElement = element("p", "signals-chosen") {
-        val ofThisLog = AssignedSignals.topics.entries.filter { it.value in topics }
+        val ofThisLog = AssignedSignals.of(log.recording)
         for ((signal, topic) in ofThisLog) {
             add("span", "", "“$signal” is “$topic” in this browser.")
             addButton("text-button", "Forget “$signal”") {

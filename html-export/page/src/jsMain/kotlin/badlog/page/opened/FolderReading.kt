@@ -13,31 +13,38 @@ import kotlin.js.Promise
  * Reads the logs of a folder and runs [rules] over them: in workers if the browser allows them, otherwise on the page, one log after the
  * other.
  *
+ * @param cache keeps what was learned.
  * @param next returns the log to read next; null when all have been read.
  * @param onKnown called with a log of which more is known.
  * @param onLost called with a log that was not read after all.
  */
 internal class FolderReading(
     private val rules: RuleSet,
+    private val cache: SummaryCache,
     private val next: () -> OpenedLog?,
     private val onKnown: (OpenedLog) -> Unit,
     private val onLost: (OpenedLog) -> Unit,
 ) {
     private val workers = ArrayList<Worker>()
 
-    /** How often it was started or stopped: what was begun before is over. */
+    /** How often it was stopped: what was begun before is over. */
     private var turn = 0
+    private var isReadingHere = false
 
-    /** Starts, or goes on after [stop]. */
+    /** Starts, or goes on, because there is more to read, or after [stop]. */
     fun start() {
-        stop()
-        repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS)) { startWorker() }
-        if (workers.isEmpty()) readHere(turn)
+        repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS) - workers.size) { startWorker() }
+        readHereIfAlone()
+    }
+
+    private fun readHereIfAlone() {
+        if (workers.isEmpty() && !isReadingHere) readHere(turn)
     }
 
     /** Stops reading; logs that are being read are read again after the next [start]. */
     fun stop() {
         turn++
+        isReadingHere = false
         for (worker in workers) worker.terminate()
         workers.clear()
     }
@@ -47,6 +54,7 @@ internal class FolderReading(
         val worker = SummaryWorker.start(rules.toJson()) ?: return onLost(log)
         workers += worker
         var hasAnswered = false
+        var hasRead = false
         worker.onerror = {
             worker.terminate()
             if (workers.remove(worker)) {
@@ -56,17 +64,26 @@ internal class FolderReading(
                 } else {
                     // Some browsers forbid the worker only after its constructor has returned.
                     onLost(log)
-                    if (workers.isEmpty()) readHere(turn)
+                    readHereIfAlone()
                 }
             }
         }
-        worker.onmessage = { event: MessageEvent ->
+        worker.onmessage = onmessage@{ event: MessageEvent ->
             hasAnswered = true
             val message: dynamic = event.data
             if (message.failure == undefined && message.match != undefined) {
+                hasRead = true
+                if (message.found != null) cache.keep(log, message)
                 log = SummaryMessage.read(message, log)
                 onKnown(log)
             } else {
+                if (message.failure != null && !hasRead) {
+                    // On pages from a disk, WebKit's workers cannot read files.
+                    workers -= worker
+                    worker.terminate()
+                    onLost(log)
+                    return@onmessage readHereIfAlone()
+                }
                 if (message.failure != null) onKnown(unreadable(log, message.failure as String))
                 val following = next()
                 if (following == null) {
@@ -82,7 +99,7 @@ internal class FolderReading(
     }
 
     private fun readHere(begun: Int) {
-        var log = next() ?: return
+        var log = next().also { isReadingHere = it != null } ?: return
         LogExamination(rules).of(log) {
             log = it
             if (turn == begun) onKnown(it)

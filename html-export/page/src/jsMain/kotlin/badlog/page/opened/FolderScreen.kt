@@ -9,11 +9,14 @@ import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.rules.RuleSet
+import badlog.rules.toJson
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
+import org.w3c.files.File
+import kotlin.js.Promise
 
 /**
  * The logs of a folder: what their names say at once, the rest as they are read.
@@ -21,32 +24,44 @@ import org.w3c.dom.HTMLInputElement
  * @param logs the logs; those that turn out to be none are not listed.
  * @param rules those that run over each.
  * @param settings returns what can be changed on every page.
+ * @param again promises the files that are in the folder now, see [WatchedFolder]; null for a folder that can be looked into once.
  * @param onLeave called when a person wants something else.
  * @param onOpen called with the log to open, those to compare with it, and whether to show the worst that was found.
  */
 internal class FolderScreen(
     logs: List<OpenedLog>,
+    name: String,
     rules: RuleSet,
+    private val again: (() -> Promise<List<File>>)?,
     private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
     private val onOpen: (OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) -> Unit,
 ) {
     private val known = logs.associateByTo(LinkedHashMap()) { it.path }
-    private var listing = Listing(logs, folder = folderOf(logs) + "/")
+    private var listing = Listing(logs, folder = "$name/")
     private val unread = logs.filter { it.isHere }.mapTo(HashSet()) { it.path }
     private val checked = LinkedHashSet<String>()
-    private val reading = FolderReading(rules, ::nextToRead, ::take) { unread += it.path }
+    private val cache = SummaryCache(rules.toJson())
+    private val reading = FolderReading(rules, cache, ::nextToRead, ::take) { unread += it.path }
+    private val statistics = LogStatistics()
     private var timer = 0
+    private var isShown = false
+    private var isCacheRead = false
+    private var lookTimer = 0
+
+    /** The logs that had changed when the folder was last looked into. */
+    private val growing = HashSet<String>()
     private lateinit var tools: HTMLElement
     private lateinit var progress: HTMLElement
     private lateinit var compare: HTMLElement
+    private lateinit var groups: HTMLElement
     private lateinit var nothing: HTMLElement
     private val table =
         LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(log, emptyList(), showsWorst) }
 
     val element: HTMLElement = element("div", "start folder-logs") {
         add("header", "page-head") {
-            add("h1", "", folderOf(logs))
+            add("h1", "", name)
             tools = add("div", "page-tools") {
                 addButton("", "", "Open something else", onLeave).apply {
                     id = "go-back"
@@ -62,15 +77,25 @@ internal class FolderScreen(
             }
             compare = addButton("", "Compare", "Draw the checked logs over each other") { compareChecked() }
             compare.id = "compare-logs"
-            addHidingOfEmpty()
+            addBox("hide-empty", "Hide idle logs") { list(listing.copy(hidesEmpty = it)) }
+            groups = addBox("group-events", "Group by event") { list(listing.copy(groupsEvents = it)) }
             progress = add("p", "unit") { setAttribute("role", "status") }
         }
         appendChild(table.element)
         nothing = add("p", "nothing-found")
+        appendChild(statistics.element)
     }
 
     init {
         show()
+        cache.find(logs, { log, message ->
+            val known = SummaryMessage.read(message, log)
+            unread -= log.path
+            take(known)
+        }) {
+            isCacheRead = true
+            if (isShown) reading.start()
+        }
     }
 
     /** The listed logs, in order. */
@@ -79,7 +104,9 @@ internal class FolderScreen(
     /** Goes on reading: it is shown again. */
     fun resume() {
         tools.appendChild(settings())
-        reading.start()
+        isShown = true
+        if (isCacheRead) reading.start()
+        lookAgain()
     }
 
     /** Returns whether [log] is one of its logs. */
@@ -94,6 +121,8 @@ internal class FolderScreen(
 
     /** Stops reading, because a log is being read that a person wants to see. */
     fun pause() {
+        isShown = false
+        window.clearTimeout(lookTimer)
         reading.stop()
         for (log in known.values) if (log.isUnread) unread += log.path
     }
@@ -107,12 +136,40 @@ internal class FolderScreen(
         input.addEventListener("input", { list(listing.copy(filter = input.value)) })
     }
 
-    private fun HTMLElement.addHidingOfEmpty() = add("label") {
+    private fun HTMLElement.addBox(id: String, label: String, onChange: (Boolean) -> Unit) = add("label") {
         val box = add("input").unsafeCast<HTMLInputElement>()
         box.type = "checkbox"
-        box.id = "hide-empty"
-        box.addEventListener("change", { list(listing.copy(hidesEmpty = box.checked)) })
-        add("span", "", "Hide idle logs")
+        box.id = id
+        box.addEventListener("change", { onChange(box.checked) })
+        add("span", "", label)
+    }
+
+    /** Looks for new logs and for those that have grown, from time to time while the list is shown. */
+    private fun lookAgain() {
+        val look = again ?: return
+        window.clearTimeout(lookTimer)
+        lookTimer = window.setTimeout({
+            // What cannot be listed now is looked for again later.
+            look().then({ if (isShown) renew(OpenedLog.logsIn(it)) }, {}).then { if (isShown) lookAgain() }
+        }, LOOK_PAUSE)
+    }
+
+    private fun renew(logs: List<OpenedLog>) {
+        val others = logs.filter { log -> known[log.path].let { it == null || it.size != log.size || it.modified != log.modified } }
+        val gone = known.keys - logs.mapTo(HashSet()) { it.path }
+        // A browser does not read a file that is written meanwhile: a log is read when it has stopped growing.
+        val grown = growing - others.mapTo(HashSet()) { it.path } - gone
+        growing.clear()
+        others.mapTo(growing) { it.path }
+        if (others.isEmpty() && gone.isEmpty() && grown.isEmpty()) return
+        known -= gone
+        unread -= gone
+        checked -= gone
+        for (log in others) known[log.path] = log
+        unread -= growing
+        unread += grown
+        reading.start()
+        showLater()
     }
 
     /** What is seen first is read first. */
@@ -156,15 +213,10 @@ internal class FolderScreen(
     private fun show() {
         table.show(listing, checked)
         val left = listing.entries.count { it.isUnread }
-        progress.showText(
-            if (left ==
-                0
-            ) {
-                countText(listing.size, "log")
-            } else {
-                "${listing.size - left} of ${countText(listing.size, "log")} read"
-            },
-        )
+        val all = countText(listing.size, "log")
+        progress.showText(if (left == 0) all else "${listing.size - left} of $all read")
+        groups.isHidden = listing.events < 2
+        statistics.show(checked.mapNotNull(known::get))
         compare.isDisabled = checked.size < 2
         nothing.isHidden = listing.visible.isNotEmpty()
         nothing.showText(if (listing.size == 0) "There are no logs in this folder." else "No log matches.")
@@ -176,7 +228,7 @@ internal class FolderScreen(
         /** Milliseconds between two updates of the table. */
         const val PAUSE = 200
 
-        /** Returns the name of the folder of [logs]. */
-        fun folderOf(logs: List<OpenedLog>): String = logs.first().path.substringBefore('/', "Logs")
+        /** Milliseconds between two looks into the folder. */
+        const val LOOK_PAUSE = 3000
     }
 }

@@ -9,6 +9,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.embedded.logIn
+import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
@@ -23,6 +24,7 @@ import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.KeyboardEvent
 import org.w3c.files.File
+import kotlin.js.Promise
 
 /**
  * Opens what a person drops or chooses, instead of what is shown.
@@ -61,8 +63,16 @@ internal class LogOpening(
             logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "Pages of badlog are opened one at a time.")
             logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
             logs.size == 1 -> open(logs[0])
-            else -> list(logs)
+            else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null)
         }
+    }
+
+    /** Opens [linked], which a link names; its reader has agreed. */
+    fun open(linked: LinkedFile) {
+        val asked = wait(linked.name, linked::cancel)
+        linked.fetch(asked.screen::show).then({ if (asked.isLatest) open(listOf(it)) }, {
+            if (asked.isLatest) fail("${linked.name} cannot be opened", it.message.orEmpty())
+        }).catch { root.failUnexpectedly(it, back()) }
     }
 
     /** Lists the logs of the page's server. */
@@ -78,7 +88,7 @@ internal class LogOpening(
                     "It writes one when a driver station is connected: look again then.",
                 )
 
-                else -> list(logs)
+                else -> list(logs, ServedFolder.NAME, again = null)
             }
         }, {
             if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
@@ -215,9 +225,14 @@ internal class LogOpening(
         acceptFiles(::open)
     }
 
-    private fun list(logs: List<OpenedLog>) {
+    /** Lists the logs in [watched], also those that are not there yet. */
+    fun open(watched: WatchedFolder) {
+        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched::files) }.catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun list(logs: List<OpenedLog>, name: String, again: (() -> Promise<List<File>>)?) {
         folder?.pause()
-        folder = FolderScreen(logs, rules(), settings, ::leaveFolder, ::open)
+        folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, ::open)
         goBack()
     }
 
@@ -244,26 +259,19 @@ internal class LogOpening(
 
     private fun back() = element("div", "page-tools") { addBack() }
 
-    private fun HTMLElement.addBack() = addButton(
-        "",
-        "",
-        if (folder ==
-            null
-        ) {
-            "Open something else"
-        } else {
-            "Back to the list of logs"
-        },
-    ) { goBack() }.apply {
-        id = "go-back"
-        appendChild(Icon.BACK.draw())
-        add("span", "", if (folder == null) "Open…" else "Logs")
+    private fun HTMLElement.addBack() {
+        val (label, hint) = if (folder == null) "Open…" to "Open something else" else "Logs" to "Back to the list of logs"
+        addButton("", "", hint) { goBack() }.apply {
+            id = "go-back"
+            appendChild(Icon.BACK.draw())
+            add("span", "", label)
+        }
     }
 
     /** Returns what to do with a file called [name], which holds a log that only other programs can read; null for any other. */
     private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
         "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
-        "revlog", "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
+        "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
         "zip" -> "Unpack it first, then open what was in it."
         else -> null
     }

@@ -57,7 +57,13 @@ internal class LogTable(
         head.add("th") { add("span", "spoken", "Compare") }
         for (column in columns) head.addTitle(column, listing)
         body.textContent = ""
-        for (log in listing.visible.take(limit)) body.addRow(log, columns, log.path in checked)
+        var event: String? = null
+        listing.visible.take(limit).forEachIndexed { i, log ->
+            val own = log.summary.match.event
+            if (listing.groupsEvents && (i == 0 || own != event)) body.addEvent(own, listing, columns.size + 1)
+            event = own
+            body.addRow(log, columns, log.path in checked)
+        }
         more.isHidden = listing.visible.size <= limit
         more.textContent = "Show more (${countText(listing.visible.size - limit)} left)"
         focused?.let { document.getElementById(it) }?.asDynamic()?.focus(json("preventScroll" to true))
@@ -70,6 +76,14 @@ internal class LogTable(
         val arrow = if (listing.isDescending) " ↓" else " ↑"
         addButton("text-button", column.title + if (isSorted) arrow else "", "Sort by ${column.title}") { onSort(column) }.id =
             "sort-${column.name}"
+    }
+
+    private fun HTMLElement.addEvent(event: String?, listing: Listing<OpenedLog>, columns: Int) = add("tr", "event-group").add("th") {
+        setAttribute("colspan", "$columns")
+        setAttribute("scope", "rowgroup")
+        val logs = listing.visible.count { it.summary.match.event == event }
+        add("span", "", event ?: "No event")
+        add("span", "unit", " ${countText(logs, "log")}")
     }
 
     private fun HTMLElement.addRow(log: OpenedLog, columns: List<LogColumn>, isChecked: Boolean) =

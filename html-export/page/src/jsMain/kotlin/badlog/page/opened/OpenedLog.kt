@@ -63,7 +63,7 @@ internal class OpenedLog(
         private const val SECOND = ".dsevents"
 
         /** The endings of logs that a page can read. */
-        private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog", FIRST, SECOND)
+        private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog", ".revlog", FIRST, SECOND)
 
         /** Returns the logs in [files], of which some may be no logs, in order. */
         fun logsIn(files: List<File>): List<OpenedLog> {
@@ -80,10 +80,13 @@ internal class OpenedLog(
         }
 
         /** Returns whether [file] has the name of a log. */
-        fun isNamedLikeLog(file: File): Boolean {
-            val name = file.name.removeSuffix(".gz").lowercase()
+        fun isNamedLikeLog(file: File): Boolean = isNamedLikeLog(pathOf(file))
+
+        /** Returns whether the file at [path] has the name of a log. */
+        fun isNamedLikeLog(path: String): Boolean {
+            val name = path.removeSuffix(".gz").lowercase()
             // Systems keep data of their own in files and folders with such names.
-            val isHidden = pathOf(file).split('/').any { it.startsWith('.') || it.startsWith('$') }
+            val isHidden = path.split('/').any { it.startsWith('.') || it.startsWith('$') }
             return !isHidden && ENDINGS.any(name::endsWith)
         }
 

@@ -15,10 +15,17 @@ import org.w3c.files.File
  *
  * @param settings what can be changed on every page.
  * @param onFiles called with the files that a person chose.
+ * @param onFolder called with the folder that a person chose, if the page may look into it again.
  * @param onServer lists the logs of the page's server; null if it comes from none.
  * @param onSample opens the sample in this page; null if it has none.
  */
-internal class StartScreen(settings: HTMLElement, onFiles: (List<File>) -> Unit, onServer: (() -> Unit)?, onSample: (() -> Unit)?) {
+internal class StartScreen(
+    settings: HTMLElement,
+    onFiles: (List<File>) -> Unit,
+    onFolder: (WatchedFolder) -> Unit,
+    onServer: (() -> Unit)?,
+    onSample: (() -> Unit)?,
+) {
     val element: HTMLElement = element("div", "start") {
         add("header", "page-head") {
             add("h1", "", "badlog")
@@ -34,22 +41,43 @@ internal class StartScreen(settings: HTMLElement, onFiles: (List<File>) -> Unit,
             add("div", "page-tools") {
                 onServer?.let { addButton("", "Logs on this robot", onClick = it).id = "open-server" }
                 addFilePicker("open-logs", Icon.OPEN, "Open logs…", isFolder = false, onFiles)
-                addFilePicker("open-folder", Icon.FOLDER, "Open a folder…", isFolder = true, onFiles)
+                addFilePicker("open-folder", Icon.FOLDER, "Open a folder…", isFolder = true, onFiles, onFolder)
                 onSample?.let { addButton("", "Try the sample", onClick = it).id = "try-sample" }
             }
         }
         add("p", "screen-text", READABLE)
     }
 
+    /** Asks [question] above everything else, with a button [label] that calls [onAccept]; nothing while another question waits. */
+    fun offer(question: String, label: String, onAccept: () -> Unit) {
+        // Nobody may change what a click means while it is being made.
+        if (element.querySelector(".start-offer") != null) return
+        val offer = element("div", "start-offer card") {
+            add("p", "screen-text", question)
+            add("div", "page-tools") {
+                addButton("", label, onClick = onAccept).id = "accept-offer"
+                addButton("", "No") { parentElement?.remove() }
+            }
+        }
+        element.insertBefore(offer, element.querySelector(".start-drop"))
+    }
+
     private companion object {
         const val READABLE =
-            "It reads bags of badlog, WPILOG (WPILib, AdvantageKit), logs of the Driver Station (.dslog with .dsevents), CSV, each " +
-                "also gzipped, and pages of badlog."
+            "It reads bags of badlog, WPILOG (WPILib, AdvantageKit), logs of the Driver Station (.dslog with .dsevents), CSV, " +
+                ".revlog of REV's devices, each also gzipped, and pages of badlog."
     }
 }
 
-/** Adds a button that lets a person choose files, or a folder. */
-internal fun HTMLElement.addFilePicker(id: String, icon: Icon, label: String, isFolder: Boolean, onFiles: (List<File>) -> Unit) {
+/** Adds a button that lets a person choose files, or a folder, which is passed to [onFolder] if the browser lets the page look into it again. */
+internal fun HTMLElement.addFilePicker(
+    id: String,
+    icon: Icon,
+    label: String,
+    isFolder: Boolean,
+    onFiles: (List<File>) -> Unit,
+    onFolder: ((WatchedFolder) -> Unit)? = null,
+) {
     val input = add("input").unsafeCast<HTMLInputElement>()
     input.type = "file"
     input.multiple = true
@@ -62,7 +90,11 @@ internal fun HTMLElement.addFilePicker(id: String, icon: Icon, label: String, is
         input.value = ""
         onFiles(chosen)
     })
-    addButton("", "", "") { input.click() }.apply {
+    fun choose() {
+        if (onFolder == null || !WatchedFolder.areThere) return input.click()
+        WatchedFolder.choose().then(onFolder).catch { if (it.asDynamic().name != CHANGED_MIND) input.click() }
+    }
+    addButton("", "", "") { choose() }.apply {
         this.id = id
         appendChild(icon.draw())
         add("span", "", label)
@@ -70,3 +102,6 @@ internal fun HTMLElement.addFilePicker(id: String, icon: Icon, label: String, is
         isHidden = isFolder && input.asDynamic().webkitdirectory == undefined
     }
 }
+
+/** How a browser calls it if a person closes the dialog without choosing. */
+private const val CHANGED_MIND = "AbortError"

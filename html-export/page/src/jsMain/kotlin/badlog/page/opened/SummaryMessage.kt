@@ -1,6 +1,8 @@
 package badlog.page.opened
 
+import badlog.core.analysis.SeriesStatistics
 import badlog.core.recording.Severity
+import badlog.core.recording.TopicKind
 import badlog.page.dom.json
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
@@ -9,7 +11,9 @@ import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.ProblemCounts
+import badlog.viewer.catalog.TopicSummary
 
 /** What a worker learned of a log, as a message: what lists show, in plain arrays. */
 internal object SummaryMessage {
@@ -25,6 +29,10 @@ internal object SummaryMessage {
         "content" to summary.content.ordinal,
         "trouble" to summary.trouble,
         "battery" to summary.batteryMinimum,
+        "topics" to summary.topics.map { it.name }.toTypedArray(),
+        "units" to summary.topics.map { it.unit }.toTypedArray(),
+        "kinds" to summary.topics.map { it.kind.ordinal }.toTypedArray(),
+        "numbers" to numbersOf(summary.topics),
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
     )
@@ -45,7 +53,32 @@ internal object SummaryMessage {
             content = Content.entries[message.content as Int],
             trouble = message.trouble as String?,
             batteryMinimum = message.battery as Double?,
+            topics = topicsIn(message),
         )
         return log.with(summary, if (message.hasRun as Boolean) LogFound(0, rules) else null)
     }
+
+    private fun numbersOf(topics: List<TopicSummary>) = DoubleArray(topics.size * NUMBERS).also { numbers ->
+        topics.forEachIndexed { i, topic ->
+            val spread = with(topic.statistics) { doubleArrayOf(min, max, mean, standardDeviation, percentile5, median, percentile95) }
+            val others = with(topic.statistics) { doubleArrayOf(count.toDouble(), gaps.toDouble(), first, last, integral) }
+            (spread + others).copyInto(numbers, i * NUMBERS)
+        }
+    }
+
+    private fun topicsIn(message: dynamic): List<TopicSummary> {
+        val units = message.units.unsafeCast<Array<String>>()
+        val kinds = message.kinds.unsafeCast<Array<Int>>()
+        val all = message.numbers.unsafeCast<DoubleArray>()
+        return message.topics.unsafeCast<Array<String>>().mapIndexed { i, name ->
+            val n = all.copyOfRange(i * NUMBERS, (i + 1) * NUMBERS)
+            val (min, max, mean, standardDeviation, percentile5) = n.asList()
+            val statistics =
+                SeriesStatistics(n[7].toInt(), n[8].toInt(), min, max, mean, standardDeviation, percentile5, n[5], n[6], n[9], n[10], n[11])
+            TopicSummary(name, units[i], TopicKind.entries[kinds[i]], statistics, PreviewLine.NONE)
+        }
+    }
+
+    /** How many numbers there are of each topic. */
+    private const val NUMBERS = 12
 }

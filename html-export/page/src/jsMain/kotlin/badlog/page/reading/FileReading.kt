@@ -19,13 +19,24 @@ internal class FileReading(private val files: List<File>, private val onProgress
     fun start(): Promise<Recording> = Promise { resolve, reject ->
         val finish = { read: Recording -> if (!isCancelled) resolve(read) }
         val fail = { problem: Throwable -> if (!isCancelled) reject(problem) }
+        var hasRead = false
         val readHere = { LogFileReader(files, ::advance).read().then(finish, fail) }
         val started = startWorker().also { worker = it } ?: return@Promise readHere().unsafeCast<Unit>()
         started.receive(
             WorkerAnswers(
-                onProgress = ::advance,
+                onProgress = {
+                    hasRead = true
+                    advance(it)
+                },
                 onRead = { finish(it.recording) },
-                onFailure = fail,
+                // On pages from a disk, WebKit's workers cannot read files.
+                onFailure = {
+                    if (hasRead) {
+                        fail(it)
+                    } else if (!isCancelled) {
+                        readHere()
+                    }
+                },
                 onRefusal = { readHere() },
             ),
         )

@@ -1,6 +1,8 @@
 package badlog.page.rules
 
 import badlog.core.json.quotedJson
+import badlog.core.recording.Recording
+import badlog.core.recording.TopicKind
 import badlog.page.dom.LocalStorage
 import badlog.rules.RuleSet
 import badlog.signals.assigning
@@ -22,11 +24,17 @@ internal object AssignedSignals {
     /** Makes the signal [signal] what it was before. */
     fun forget(signal: String) = change { it - signal }
 
-    /** Returns [rules] with these names of signals. */
-    fun over(rules: RuleSet): RuleSet = if (topics.isEmpty()) {
+    /** Returns those whose topics [log] has. */
+    fun of(log: Recording): List<Map.Entry<String, String>> {
+        val names = log.topics.filter { it.kind != TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+        return topics.entries.filter { it.value in names }
+    }
+
+    /** Returns [rules] with [named], signals and their topics. */
+    fun over(rules: RuleSet, named: Collection<Map.Entry<String, String>> = topics.entries): RuleSet = if (named.isEmpty()) {
         rules
     } else {
-        rules.with(topics.entries.fold(rules.signals) { names, (signal, topic) -> names.assigning(signal, topic) })
+        rules.with(named.fold(rules.signals) { names, (signal, topic) -> names.assigning(signal, topic) })
     }
 
     /** Returns [chosen], signals and their topics, as a file that the other programs of badlog read. */

@@ -1,8 +1,8 @@
 package badlog.page.served
 
 import badlog.page.dom.json
+import badlog.page.dom.partsOf
 import badlog.page.dom.place
-import org.khronos.webgl.Uint8Array
 import org.w3c.files.File
 import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
@@ -31,30 +31,13 @@ internal class Download(private val files: List<File>, private val onProgress: (
     }
 
     private fun fetch(file: File): Promise<File> = ask(checkNotNull(file.served).address, abort.signal).then { response ->
-        val parts = ArrayList<Uint8Array>()
-        read(response.body.getReader().unsafeCast<StreamReader>(), parts).then {
-            val bag = json("lastModified" to file.asDynamic().lastModified)
-            File(parts.toTypedArray(), file.name, bag.unsafeCast<FilePropertyBag>()).also { it.place = file.place }
-        }
-    }.unsafeCast<Promise<File>>()
-
-    private fun read(reader: StreamReader, parts: MutableList<Uint8Array>): Promise<Unit> =
-        reader.read().catch<StreamPart> { throw IllegalStateException(LOST) }.then { part ->
-            val bytes = part.value ?: return@then Promise.resolve(Unit)
-            parts += bytes
-            done += bytes.length
+        partsOf(response) {
+            done += it.length
             // A log that is being written has become longer since it was listed.
             onProgress((done / size).coerceAtMost(1.0))
-            read(reader, parts)
-        }.unsafeCast<Promise<Unit>>()
-}
-
-/** The browser's reader of a body that arrives. */
-private external interface StreamReader {
-    fun read(): Promise<StreamPart>
-}
-
-/** A part of a body; without a value at its end. */
-private external interface StreamPart {
-    val value: Uint8Array?
+        }.then({ parts ->
+            val bag = json("lastModified" to file.asDynamic().lastModified)
+            File(parts.toTypedArray(), file.name, bag.unsafeCast<FilePropertyBag>()).also { it.place = file.place }
+        }, { throw IllegalStateException(LOST) })
+    }.unsafeCast<Promise<File>>()
 }

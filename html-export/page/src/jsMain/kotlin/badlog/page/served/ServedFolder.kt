@@ -12,7 +12,7 @@ internal class ServedFolder {
     private var foldersLeft = MAX_FOLDERS
 
     /** Asks for all of them; rejected with a sentence if the server lists nothing where the page is. */
-    fun files(): Promise<List<File>> = list("./", "Robot ${window.location.hostname}", MAX_DEPTH)
+    fun files(): Promise<List<File>> = list("./", NAME, MAX_DEPTH)
 
     private fun list(folder: String, place: String, depth: Int): Promise<List<File>> =
         ask("$folder?format=json").then { it.text() }.then { text ->
@@ -35,10 +35,13 @@ internal class ServedFolder {
         throw IllegalStateException("Its server answers with a page instead of a list: this page must not be called index.html there.")
     }
 
-    private companion object {
+    companion object {
+        /** What its list is called. */
+        val NAME: String = "Robot ${window.location.hostname}"
+
         /** Enough for logs of a season by event and day, and an end for whatever else a folder holds. */
-        const val MAX_DEPTH = 3
-        const val MAX_FOLDERS = 100
+        private const val MAX_DEPTH = 3
+        private const val MAX_FOLDERS = 100
     }
 }
 

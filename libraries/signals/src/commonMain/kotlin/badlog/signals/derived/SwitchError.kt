@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves within
- * [MOVE_SECONDS] while the switch stays [pressed] (a sensor may drift farther in minutes), or how much farther it jumps than it moved
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
+ * the switch stays [pressed], counted anew every [MOVE_SECONDS], since a sensor may drift farther in minutes, or how much farther it jumps than it moved
  * before at the moment at which the switch closes, which code does that takes this for the end of the way. 0 while nothing contradicts.
  * [times] are those of both arrays.
  */

@@ -17,6 +17,7 @@ import badlog.viewer.text.isoText
  * @property filter words that must all be found in a listed log, regardless of case.
  * @property hidesEmpty whether idle logs are hidden.
  * @property onlyErrors whether only logs are listed in which a rule found an error.
+ * @property groupsEvents whether the logs of each event come together: first the event whose first log is sorted first.
  * @property folder their folder, whose own name is not searched.
  */
 data class Listing<E : ListedLog>(
@@ -26,6 +27,7 @@ data class Listing<E : ListedLog>(
     val filter: String = "",
     val hidesEmpty: Boolean = false,
     val onlyErrors: Boolean = false,
+    val groupsEvents: Boolean = false,
     val folder: String? = null,
 ) {
     /** The listed logs, in order. */
@@ -35,7 +37,11 @@ data class Listing<E : ListedLog>(
             .filter { it.summary.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
             .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
             .sortedWith(order())
+            .let { sorted -> if (groupsEvents) sorted.groupBy { it.summary.match.event }.values.flatten() else sorted }
     }
+
+    /** The number of events that the logs are of. */
+    val events: Int by lazy { entries.mapNotNullTo(HashSet()) { it.summary.match.event }.size }
 
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }

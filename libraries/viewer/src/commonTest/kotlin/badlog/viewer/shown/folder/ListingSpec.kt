@@ -65,6 +65,14 @@ class ListingSpec : FunSpec({
         names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
     }
 
+    test("logs of one event come together, in the order of the first of each") {
+        val other = log("logs/c.bag", MatchOfLog("Beta District", "Qualification", "1", "Red"), 250)
+        val all = Listing(listOf(match10, other, match9, bench), folder = "logs")
+        names(all) shouldContainExactly listOf("a.bag", "c.bag", "b.bag", "bench.csv")
+        names(all.copy(groupsEvents = true)) shouldContainExactly listOf("a.bag", "b.bag", "c.bag", "bench.csv")
+        all.events shouldBe 2
+    }
+
     test("all words must be found, anywhere but in the folder's own name, in whatever case; a finding's name, too") {
         names(listing.copy(filter = "qual RED")) shouldContainExactly listOf("a.bag")
         names(listing.copy(filter = "mill 10")) shouldContainExactly listOf("b.bag")

@@ -1,0 +1,65 @@
+package badlog.page.opened
+
+import badlog.page.dom.json
+import badlog.protocol.Crc32
+import kotlinx.browser.document
+import kotlinx.browser.window
+import kotlin.js.Promise
+
+/**
+ * What was learned of logs, kept by the browser so that a folder need not be read again: the last that was learned of each place, for a file
+ * of the same size and time, the same [rules], and the same program. Where a browser keeps nothing, logs are read each time.
+ */
+internal class SummaryCache(rules: String) {
+    // The end of the packed program has its checksum.
+    private val version = Crc32().apply {
+        update((rules + document.getElementById("packed")?.textContent?.takeLast(END)).encodeToByteArray())
+    }.value
+    private val database: Promise<Any> = Promise { resolve, reject ->
+        val request: dynamic = window.asDynamic().indexedDB.open("badlog", 1)
+        request.onupgradeneeded = { request.result.createObjectStore(STORE) }
+        request.onsuccess = { resolve(request.result.unsafeCast<Any>()) }
+        request.onerror = { reject(Throwable()) }
+        request.onblocked = request.onerror
+    }
+
+    /** Passes each of [logs] of which something is known to [onKnown], with the message of its worker; then calls [onEnd]. */
+    fun find(logs: List<OpenedLog>, onKnown: (OpenedLog, message: dynamic) -> Unit, onEnd: () -> Unit) {
+        var isOver = false
+        fun end() {
+            if (!isOver) onEnd()
+            isOver = true
+        }
+        // Some browsers never answer when they may not keep anything.
+        window.setTimeout({ end() }, PATIENCE)
+        database.then { opened ->
+            val kept: dynamic = opened.asDynamic().transaction(STORE).objectStore(STORE)
+            for (log in logs) {
+                val request: dynamic = kept.get(log.path)
+                request.onsuccess = {
+                    val found = request.result
+                    if (found != undefined && found.of == of(log) && !isOver) onKnown(log, found.message)
+                }
+            }
+            kept.transaction.oncomplete = ::end
+            kept.transaction.onabort = ::end
+        }.catch { end() }
+    }
+
+    /** Keeps what [message], from a worker, says of [log]. */
+    fun keep(log: OpenedLog, message: dynamic) {
+        database.then<Unit> { opened ->
+            opened.asDynamic().transaction(STORE, "readwrite").objectStore(STORE).put(json("of" to of(log), "message" to message), log.path)
+        }.catch {}
+    }
+
+    private fun of(log: OpenedLog) = "${log.size} ${log.modified} $version"
+
+    private companion object {
+        const val STORE = "logs"
+        const val END = 16
+
+        /** Milliseconds after which logs are read instead. */
+        const val PATIENCE = 1000
+    }
+}

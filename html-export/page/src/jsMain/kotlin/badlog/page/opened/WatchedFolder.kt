@@ -1,0 +1,53 @@
+package badlog.page.opened
+
+import badlog.page.dom.place
+import kotlinx.browser.window
+import org.w3c.files.File
+import kotlin.js.Promise
+
+/** A folder that a person chose and into which the page may look again: new logs appear in it, and others grow. */
+internal class WatchedFolder private constructor(private val handle: dynamic) {
+    val name: String get() = handle.name as String
+
+    /** Promises the files in it now that are named like logs, and those in its folders, of which some may not be readable; rejected if it cannot be listed. */
+    fun files(): Promise<List<File>> = filesIn(handle, name)
+
+    private fun filesIn(folder: dynamic, path: String): Promise<List<File>> = Promise { resolve, reject ->
+        val entries = folder.values()
+        val found = ArrayList<File>()
+        fun next() {
+            entries.next().then({ step: dynamic ->
+                if (step.done as Boolean) {
+                    resolve(found)
+                } else {
+                    filesOf(step.value, "$path/${step.value.name}").then({ more ->
+                        found += more
+                        next()
+                    }, { next() })
+                }
+            }, { problem: dynamic -> reject(problem.unsafeCast<Throwable>()) })
+        }
+        next()
+    }
+
+    private fun filesOf(entry: dynamic, place: String): Promise<List<File>> = when {
+        entry.kind == "directory" -> filesIn(entry, place)
+
+        !OpenedLog.isNamedLikeLog(place) -> Promise.resolve(emptyList())
+
+        else -> entry.getFile().then { file: File ->
+            file.place = place
+            listOf(file)
+        }.unsafeCast<Promise<List<File>>>()
+    }
+
+    companion object {
+        /** Whether this browser has such folders. */
+        val areThere: Boolean get() = window.asDynamic().showDirectoryPicker != undefined
+
+        /** Lets a person choose one. Rejected if the person does not, or the browser forbids it. */
+        fun choose(): Promise<WatchedFolder> =
+            window.asDynamic().showDirectoryPicker(js("({id: 'logs'})")).then { handle: dynamic -> WatchedFolder(handle) }
+                .unsafeCast<Promise<WatchedFolder>>()
+    }
+}

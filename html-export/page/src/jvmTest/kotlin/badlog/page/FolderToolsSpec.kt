@@ -1,0 +1,148 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.Base64
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+
+/** What a page does with the logs of a folder besides opening them. */
+internal class FolderToolsSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-folder") }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun log(volts: Int, event: String? = null, match: Int = 1): ByteArray {
+        val text = bagOf(listOf(TIME, BagTopic("Volts", "V"), BagTopic("Arm", "m")), rows = 21) { row, column ->
+            if (column == 0) row / 10.0 else volts + row % 2
+        }.decodeToString()
+        if (event == null) return text.encodeToByteArray()
+        val values = "\"values\":[{\"name\":\"Event\",\"value\":\"$event\"},{\"name\":\"Match Type\",\"value\":\"Qualification\"},{\"name\":\"Match Number\",\"value\":\"$match\"}]"
+        return text.replaceFirst("\"values\":[]", values).encodeToByteArray()
+    }
+
+    fun season(): Path = (temporary / "season").createDirectories().also { folder ->
+        for ((name, bytes) in listOf(
+            "a1.bag" to log(11, "Alpha Regional", 1),
+            "b1.bag" to log(12, "Beta District", 1),
+            "a2.bag" to log(13, "Alpha Regional", 2),
+            "pit.bag" to log(14),
+        )) {
+            (folder / name).writeBytes(bytes)
+        }
+    }
+
+    fun OpenPage.choose(folder: Path) {
+        elements("input[type=file]").last().sendKeys("$folder")
+        await("the list") { elements(".log-table").isNotEmpty() }
+        await("all logs") { texts(".log-tools [role=status]").single().let { "read" !in it } }
+    }
+
+    fun OpenPage.check(name: String) = element("[aria-label='Compare $name']").click()
+
+    browserTest("logs are grouped by event, each with the number of its logs, if there are several events") {
+        onPage(page, state = "empty") {
+            choose(season())
+            element("#sort-FILE").click()
+            element("#group-events").click()
+            settle()
+            texts(".event-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
+            texts("[data-column='FILE']") shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
+            seriousForReaders() shouldBe emptyList()
+            keepScreenshot("folder-events")
+        }
+    }
+
+    browserTest("statistics of the checked logs stand beside each other, topic by topic, and are searched") {
+        onPage(page, state = "empty") {
+            choose(season())
+            element(".log-statistics").isDisplayed shouldBe false
+            check("a1.bag")
+            check("b1.bag")
+            settle()
+            element("#statistic").sendKeys("max")
+            settle()
+            texts(".log-statistics tbody th") shouldContainExactly listOf("Time [s]", "Volts [V]", "Arm [m]")
+            texts(".log-statistics tbody tr:nth-child(2) td") shouldContainExactly listOf("12", "13")
+            element("#statistics-search").sendKeys("arm")
+            settle()
+            texts(".log-statistics tbody th") shouldContainExactly listOf("Arm [m]")
+            seriousForReaders() shouldBe emptyList()
+            keepScreenshot("folder-statistics")
+        }
+        onPage(page, Screen.PHONE, state = "empty") {
+            choose(season())
+            check("a1.bag")
+            settle()
+            (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+            keepScreenshot("phone-folder-statistics")
+        }
+    }
+
+    val counting = "window.started = 0; const Original = Worker; window.Worker = function (...all) { window.started++; return new Original(...all) }"
+
+    browserTest("what was learned of a folder is known when the page is opened again, without reading the logs") {
+        val folder = season()
+        onPage(page, state = "empty", script = counting) {
+            choose(folder)
+            number("return window.started").toInt() shouldBeGreaterThan 0
+            val before = texts("[data-column='FINDINGS'], [data-column='NUMBER']")
+            Chromium.driver.navigate().refresh()
+            awaitState("empty")
+            choose(folder)
+            number("return window.started") shouldBe 0.0
+            texts("[data-column='FINDINGS'], [data-column='NUMBER']") shouldBe before
+            // A log that was written again is read again.
+            (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
+            Chromium.driver.navigate().refresh()
+            awaitState("empty")
+            choose(folder)
+            number("return window.started").toInt() shouldBeGreaterThan 0
+        }
+    }
+
+    browserTest("a browser that keeps nothing reads the logs each time") {
+        onPage(page, state = "empty", script = "Object.defineProperty(window, 'indexedDB', {get() { throw new Error('forbidden') }})") {
+            choose(season())
+            texts("[data-column='FILE']").size shouldBe 4
+        }
+    }
+
+    fun fake(files: Map<String, ByteArray>) = "window.folder = {${files.entries.joinToString { (name, bytes) ->
+        "'$name': new File([Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bytes)}'), c => c.charCodeAt(0))], '$name', {lastModified: 1})"
+    }}};"
+
+    browserTest("a folder that the browser lets the page look into again shows new logs, those that grew, and none that is gone") {
+        val picker = "window.keepsTime = true; window.showDirectoryPicker = async () => ({name: 'pit', values: async function* () {" +
+            "for (const [name, file] of Object.entries(window.folder)) yield {kind: 'file', name, getFile: async () => file} }})"
+        onPage(page, state = "empty", script = fake(mapOf("one.bag" to log(11))) + picker) {
+            element("#open-folder").click()
+            await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
+            texts(".page-head h1") shouldContainExactly listOf("pit")
+            script(fake(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
+            await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
+            // It is read when it has stopped growing, so not at the first look.
+            await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
+            script(fake(mapOf("two.bag" to log(12))))
+            await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
+        }
+    }
+
+    browserTest("a person who closes the folder dialog without choosing is where they were") {
+        val picker = "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
+        onPage(page, state = "empty", script = picker) {
+            element("#open-folder").click()
+            settle()
+            text shouldContain "Open a robot’s log"
+            consoleMessages() shouldBe emptyList()
+        }
+    }
+})

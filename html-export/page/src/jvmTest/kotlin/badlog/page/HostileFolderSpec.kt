@@ -1,0 +1,85 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
+import java.nio.channels.FileChannel
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+
+/** Folders and files that are not as they should be. */
+internal class HostileFolderSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-hostile") }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun folder(name: String, fill: (Path) -> Unit): Path = (temporary / name).createDirectories().also(fill)
+
+    fun OpenPage.choose(folder: Path) {
+        elements("input[type=file]").last().sendKeys("$folder")
+        await("the list") { elements(".log-table").isNotEmpty() }
+    }
+
+    fun OpenPage.status() = texts(".log-tools [role=status]").single()
+
+    browserTest("a folder of 10,000 files is listed at once and can be searched while its logs are read") {
+        val many = folder("many") { folder -> repeat(10_000) { Files.write(folder / "practice-$it.bag", bag) } }
+        onPage(page, state = "empty") {
+            choose(many)
+            status() shouldMatch Regex("\\d+ of 10.000 logs read")
+            texts("[data-column='FILE']").size shouldBe 300
+            element("#search").sendKeys("practice-9999")
+            await("the one") { texts("[data-column='FILE']") == listOf("practice-9999.bag") }
+            // Rows are made anew while logs are read.
+            script("document.querySelector(\"[data-column='FILE'] button\").click()")
+            awaitState("ready")
+            element("#go-back").click()
+            awaitState("empty")
+        }
+    }
+
+    browserTest("logs of a folder that vanishes are said to be unreadable, and the page goes on") {
+        val gone = folder("gone") { folder -> repeat(40) { Files.write(folder / "$it.bag", bag) } }
+        onPage(page, state = "empty", script = "window.Worker = class { constructor() { throw new Error() } }") {
+            choose(gone)
+            gone.toFile().deleteRecursively()
+            await("all logs") { "read" !in status() }
+            elements("[data-column='FILE'] button").last().click()
+            awaitState("failed")
+            text shouldContain "cannot be read"
+            element("#go-back").click()
+            awaitState("empty")
+            status() shouldBe "40 logs"
+        }
+    }
+
+    browserTest("a log that shrinks after it was chosen is said to be unreadable") {
+        val file = (temporary / "shrinks.bag").also { it.writeBytes(bag) }
+        onPage(page, state = "empty") {
+            element("input[type=file]").sendKeys("$file")
+            awaitState("ready")
+            element("#go-back").click()
+            awaitState("empty")
+            // The dialog gives the page the file as it is; it becomes shorter before it is read.
+            script(
+                "window.Worker = class { constructor() { throw new Error() } }; window.waits = true; const read = Blob.prototype.arrayBuffer;" +
+                    "Blob.prototype.arrayBuffer = async function () { while (window.waits) await new Promise(d => setTimeout(d)); return read.call(this) }",
+            )
+            element("input[type=file]").sendKeys("$file")
+            FileChannel.open(file, StandardOpenOption.WRITE).use { it.truncate(40) }
+            script("window.waits = false")
+            awaitState("failed")
+            text shouldContain "shrinks.bag cannot be read"
+            element("#go-back").click()
+            awaitState("empty")
+        }
+    }
+})

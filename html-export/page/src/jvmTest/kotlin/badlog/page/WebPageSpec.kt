@@ -1,0 +1,209 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
+import com.sun.net.httpserver.HttpExchange
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import java.io.IOException
+import java.net.URLEncoder
+import java.nio.file.Files
+import java.util.Base64
+import kotlin.io.path.div
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+
+/** The page on a web site: links name logs, and other programs hand them over. */
+internal class WebPageSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-web") }
+    val page by lazy { (temporary / EmptyPage.WEB_NAME).also { EmptyPage().write(it, PageNetwork.WEB) } }
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun HttpExchange.send(bytes: ByteArray, type: String = "application/octet-stream", length: Long = bytes.size.toLong(), code: Int = 200) {
+        responseHeaders.set("Content-Type", type)
+        sendResponseHeaders(code, length)
+        responseBody.write(bytes)
+    }
+
+    fun site() = WebServer { it.send(page.readBytes(), "text/html") }
+
+    /** A host of logs that lets any site read them, without cookies. */
+    fun logs(length: Long? = null, code: Int = 200, isOpen: Boolean = true) = WebServer {
+        if (isOpen) it.responseHeaders.set("Access-Control-Allow-Origin", "*")
+        try {
+            it.send(bag, length = length ?: bag.size.toLong(), code = code)
+        } catch (_: IOException) {
+            // The page has stopped reading.
+        }
+    }
+
+    fun linkTo(address: String) = "#url=" + URLEncoder.encode(address, Charsets.UTF_8).replace("+", "%20")
+
+    fun OpenPage.offers() = texts(".start-offer p")
+
+    /** Opens the page on [site] with [fragment]. */
+    fun onWeb(site: WebServer, fragment: String = "", test: OpenPage.() -> Unit) {
+        OpenPage.open("https://${site.host}/index.html$fragment", Screen.WIDE, script = null).use { open ->
+            open.awaitState("empty")
+            open.test()
+        }
+    }
+
+    test("only the page for a web site may ask others, by https alone; a saved copy of any page asks nothing") {
+        val plain = (temporary / EmptyPage.NAME).also { EmptyPage().write(it) }.readText()
+        val web = page.readText()
+        web.replace("connect-src 'self' https:; ", "").replace(",\"network\":\"web\"", "") shouldBe plain
+        plain shouldNotContain "connect-src"
+    }
+
+    browserTest("a log that a link names is fetched after a click that names its host, without cookies or the address of the page") {
+        site().use { site ->
+            logs().use { host ->
+                onWeb(site, linkTo("https://${host.host}/day 1/match.bag?key=1")) {
+                    offers() shouldContainExactly listOf(
+                        "A link wants to open “match.bag” from ${host.host}. That site is asked for it, without cookies, and any that it forwards to.",
+                    )
+                    keepScreenshot("web-offer")
+                    seriousForReaders().shouldBeEmpty()
+                    host.asked.shouldBeEmpty()
+                    script("document.cookie = 'secret=1'")
+                    element("#accept-offer").click()
+                    awaitState("ready")
+                    text shouldContain "match.bag"
+                    texts(".notice p").single() shouldBe ""
+                    script("navigator.clipboard.writeText = async text => { window.copied = text }")
+                    element("#copy-link").click()
+                    settle()
+                    (script("return window.copied") as String) shouldContain "#url=https%3A%2F%2F"
+                    host.asked.map { Triple(it.path, it.cookies, it.referrer) } shouldContainExactly listOf(Triple("/day 1/match.bag", null, null))
+                    val copy = temporary / "copy.html"
+                    copy.writeBytes(exported("A copy of this page, with your notes and board", "match.html"))
+                    copy.readText() shouldNotContain "connect-src"
+                    onPage(copy) { text shouldContain "match.bag" }
+                }
+            }
+        }
+    }
+
+    browserTest("what cannot be fetched is said in words: no such file, refused, too large, other sites may not read it, gone") {
+        site().use { site ->
+            for ((host, said) in listOf(
+                logs(code = 404) to "has no such file",
+                logs(code = 403) to "refuses to send it (403)",
+                logs(length = 600_000_000) to "larger than 500 MB",
+                logs(isOpen = false) to "does not let other sites read its files (CORS)",
+                logs().also { it.close() } to "does not answer",
+            )) {
+                onWeb(site, linkTo("https://${host.host}/match.bag")) {
+                    element("#accept-offer").click()
+                    awaitState("failed")
+                    text shouldContain said
+                    element("#go-back").click()
+                    awaitState("empty")
+                }
+                host.close()
+            }
+        }
+    }
+
+    browserTest("addresses that are not https are not offered") {
+        site().use { site ->
+            for (address in listOf(
+                "http://example.org/a.bag", "javascript:alert(1)", "data:text/plain,a", "file:///etc/passwd", "blob:https://a/b", "//", "", "%",
+                "ftp://example.org/a.bag", "https:",
+            )) {
+                onWeb(site, "#url=$address") { offers().shouldBeEmpty() }
+            }
+        }
+    }
+
+    browserTest("a name in a link never becomes markup") {
+        site().use { site ->
+            onWeb(site, linkTo("https://example.org/%3Cimg%20src=x%20onerror=alert(1)%3E.bag")) {
+                offers().single() shouldContain "“<img src=x onerror=alert(1)>.bag” from example.org"
+                elements(".start-offer img").shouldBeEmpty()
+            }
+        }
+    }
+
+    /** Sends [data], an expression, as if another program had; returns what it was answered. */
+    fun OpenPage.hand(data: String, origin: String = "https://scout.example"): List<*> {
+        script(
+            "window.frame ??= document.body.appendChild(document.createElement('iframe'));" +
+                "window.answers ??= (frame.contentWindow.addEventListener('message', e => answers.push(e.data)), []);" +
+                "window.dispatchEvent(new MessageEvent('message', {data: $data, origin: '$origin', source: frame.contentWindow}))",
+        )
+        settle()
+        return script("return window.answers") as List<*>
+    }
+
+    val bytes = "Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bag)}'), c => c.charCodeAt(0)).buffer"
+
+    browserTest("a log that another program hands over is read after a click that names where the program is from; it gets PONG and nothing else") {
+        site().use { site ->
+            onWeb(site) {
+                hand("{badlog: {buffer: $bytes, fileName: 'q1.bag'}}")
+                offers() shouldContainExactly listOf("https://scout.example wants to open “q1.bag” here.")
+                hand("{badlog: {buffer: $bytes, fileName: 'other.bag'}}", "https://evil.example")
+                offers() shouldContainExactly listOf("https://scout.example wants to open “q1.bag” here.")
+                element("#accept-offer").click()
+                awaitState("ready")
+                text shouldContain "q1.bag"
+                // A page with a log does not answer.
+                hand("'PING'").shouldBeEmpty()
+            }
+        }
+    }
+
+    browserTest("hostile programs get nothing and show nothing: data of all kinds is no offer, and names are no markup") {
+        site().use { site ->
+            onWeb(site) {
+                for (data in listOf(
+                    "null", "undefined", "0", "'PONG'", "[]", "{}", "{badlog: null}", "{badlog: 'x'}", "{badlog: {}}", "{badlog: {buffer: null}}",
+                    "{badlog: {buffer: 'text'}}", "{badlog: {buffer: [1, 2, 3]}}", "{badlog: {buffer: {byteLength: 9}}}", "{perfetto: {buffer: $bytes}}",
+                    "{badlog: {buffer: new Uint8Array(4)}}", "'PING '", "['PING']",
+                )) {
+                    hand(data)
+                    offers().shouldBeEmpty()
+                }
+                hand("{badlog: {buffer: $bytes, fileName: '<img src=x onerror=alert(1)>'.repeat(1000)}}", "null")
+                offers().single().length shouldBe "null wants to open “” here.".length + 100
+                elements(".start-offer img").shouldBeEmpty()
+                consoleMessages().shouldBeEmpty()
+            }
+        }
+    }
+
+    browserTest("a real program on another site asks, is answered, and hands over") {
+        site().use { site ->
+            WebServer {
+                val html = "<iframe width=900 height=700 src='https://${site.host}/index.html'></iframe><script>" +
+                    "const frame = document.querySelector('iframe').contentWindow;" +
+                    "addEventListener('message', e => { if (e.data === 'PONG' && e.origin === 'https://${site.host}') { window.heard = true;" +
+                    "frame.postMessage({badlog: {buffer: $bytes, fileName: 'q7.bag'}}, e.origin) } });" +
+                    "setInterval(() => window.heard || frame.postMessage('PING', 'https://${site.host}'), 50)</script>"
+                it.send(html.encodeToByteArray(), "text/html")
+            }.use { other ->
+                OpenPage.open("https://${other.host}/", Screen.WIDE, script = null).use { open ->
+                    val driver = Chromium.driver
+                    driver.switchTo().frame(0)
+                    try {
+                        open.await("the offer") { open.offers().isNotEmpty() }
+                        open.offers().single() shouldBe "https://${other.host} wants to open “q7.bag” here."
+                        open.element("#accept-offer").click()
+                        open.await("the log") { "q7.bag" in open.text }
+                    } finally {
+                        driver.switchTo().defaultContent()
+                    }
+                }
+            }
+        }
+    }
+})

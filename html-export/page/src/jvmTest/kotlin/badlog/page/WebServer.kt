@@ -1,0 +1,39 @@
+package badlog.page
+
+import com.sun.net.httpserver.HttpExchange
+import com.sun.net.httpserver.HttpsConfigurator
+import com.sun.net.httpserver.HttpsServer
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.Executors
+
+/** What the browser asked of a [WebServer]. */
+internal class Asked(val path: String, val cookies: String?, val referrer: String?)
+
+/** A web site with https on this machine: [answer] answers. */
+internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoCloseable {
+    private val threads = Executors.newCachedThreadPool()
+    private val server = HttpsServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0).apply {
+        httpsConfigurator = HttpsConfigurator(TestCertificate.context())
+        createContext("/") { exchange ->
+            exchange.use {
+                val headers = it.requestHeaders
+                asked += Asked(it.requestURI.path, headers.getFirst("Cookie"), headers.getFirst("Referer"))
+                answer(it)
+            }
+        }
+        executor = threads
+        start()
+    }
+
+    /** Everything that was asked, in order. */
+    val asked = CopyOnWriteArrayList<Asked>()
+
+    val host: String get() = "127.0.0.1:${server.address.port}"
+
+    override fun close() {
+        server.stop(0)
+        threads.shutdownNow()
+    }
+}

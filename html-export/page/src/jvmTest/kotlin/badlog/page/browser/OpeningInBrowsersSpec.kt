@@ -1,0 +1,96 @@
+package badlog.page.browser
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.exporter.PageNetwork
+import badlog.page.SAMPLES
+import badlog.page.TIME
+import badlog.page.WpilibServer
+import badlog.page.bagOf
+import badlog.page.withRobot
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.util.Base64
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+
+/** The page without a log, from wherever it may come, in each browser. */
+internal class OpeningInBrowsersSpec : FunSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-opening") }
+    val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    /** Chooses files with these names and bytes, as a person does in the browser's dialog. */
+    fun BrowserTab.choose(vararg files: Pair<String, ByteArray>) {
+        val made = files.joinToString { (name, bytes) ->
+            "new File([Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bytes)}'), c => c.charCodeAt(0))], '$name')"
+        }
+        evaluate(
+            "(() => { const data = new DataTransfer(); for (const file of [$made]) data.items.add(file);" +
+                "const input = document.querySelector('input[type=file]'); input.files = data.files; input.dispatchEvent(new Event('change')) })()",
+        )
+    }
+
+    fun BrowserTab.awaitState(state: String) = await("document.documentElement.dataset.state == '$state'")
+
+    fun BrowserTab.click(selector: String) = evaluate("document.querySelector('$selector').click()")
+
+    fun logs() = (temporary / "logs").createDirectories().also { folder ->
+        SAMPLES.resolve("qualification-42.bag").copyTo(folder / "FRC_20260307_140212_OHCL_Q42.bag", overwrite = true)
+        (folder / "bench.bag").writeBytes(bag)
+    }
+
+    for (browser in Browser.entries) {
+        fun browserTest(name: String, test: BrowserTab.() -> Unit) {
+            test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
+        }
+
+        browserTest("from disk, it opens its sample, a log, and several logs as a list with their findings") {
+            open("${page.toUri()}")
+            awaitState("empty")
+            click("#try-sample")
+            awaitState("ready")
+            await("document.querySelector('.graph canvas') != null && document.documentElement.dataset.rules == 'done'")
+            evaluate("document.querySelector('.incident') != null") shouldBe "true"
+            click("#go-back")
+            awaitState("empty")
+            choose("one.bag" to bag)
+            awaitState("ready")
+            evaluate("document.querySelector('.page-title').textContent") shouldContain "one.bag"
+            click("#go-back")
+            awaitState("empty")
+            choose("one.bag" to bag, "q42.bag" to Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")))
+            await("document.querySelector('.log-table') != null")
+            await("document.querySelector('.log-table')?.textContent.includes('Browned out')")
+            evaluate("document.querySelectorAll('.log-table tbody tr').length") shouldBe "2"
+        }
+
+        browserTest("from a robot's server, it lists the robot's logs and opens one") {
+            withRobot(logs()) { address ->
+                open(address)
+                await("document.querySelectorAll('.log-table tbody tr').length == 2")
+                evaluate("[...document.querySelectorAll('[data-column=FILE] button')].find(b => b.textContent == 'bench.bag').click()")
+                awaitState("ready")
+                evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
+            }
+        }
+
+        browserTest("from WPILib's server, it does the same") {
+            val folder = logs()
+            EmptyPage().write(folder / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
+            WpilibServer(folder).use { server ->
+                open(server.addressOf(EmptyPage.SERVED_NAME))
+                await("document.querySelectorAll('.log-table tbody tr').length == 2")
+                evaluate("[...document.querySelectorAll('[data-column=FILE] button')].find(b => b.textContent == 'bench.bag').click()")
+                awaitState("ready")
+                evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
+            }
+        }
+    }
+})
