@@ -15,26 +15,29 @@ import kotlin.io.path.name
  * The logs that may be seen: those in some folders and in the folders below. Links are not followed, hidden names do not exist, and nor
  * does anything that is not called like a log.
  */
-internal class LogFolders(folders: List<File>) {
-    /** Each folder by the name that it has in addresses. */
-    private val roots: Map<String, Path>
+internal class LogFolders(private val folders: List<File>) {
+    /** The name in addresses that each folder got when it was first seen; it keeps it, so that addresses lead to the same logs. */
+    private val names = HashMap<Path, String>()
 
-    init {
+    /** Returns each folder that there is now by its name: the logs' own may be made later, and sticks come and go. */
+    @Synchronized
+    private fun roots(): Map<String, Path> {
         // Two names of one folder, such as a stick's and its link, are one.
         val found = folders.mapNotNull { folder -> if (folder.isDirectory) realPath(folder) else null }.distinct()
-        roots = LinkedHashMap()
-        for (folder in found) {
-            val name = folder.fileName?.toString()?.takeIf(::isVisible) ?: "logs"
-            var free = name
-            var number = 1
-            while (free in roots) free = "$name-${++number}"
-            roots[free] = folder
-        }
+        return found.associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
+    }
+
+    private fun freeName(folder: Path): String {
+        val name = folder.fileName?.toString()?.takeIf(::isVisible) ?: "logs"
+        var free = name
+        var number = 1
+        while (free in names.values) free = "$name-${++number}"
+        return free
     }
 
     /** Returns what is in the folder that [address] names, which begins and ends with `/`; null if there is no such folder. */
     fun list(address: String): Listing? {
-        if (address == "/") return Listing(roots.keys.toList(), emptyList())
+        if (address == "/") return Listing(roots().keys.toList(), emptyList())
         val folder = resolve(address.removeSuffix("/")) ?: return null
         if (attributesOf(folder)?.isDirectory != true) return null
         val folders = ArrayList<String>()
@@ -70,7 +73,7 @@ internal class LogFolders(folders: List<File>) {
     private fun resolve(address: String): Path? {
         val names = address.removePrefix("/").split('/').map { decoded(it) ?: return null }
         if (!names.all(::isVisible)) return null
-        var path = roots[names[0]] ?: return null
+        var path = roots()[names[0]] ?: return null
         for ((i, name) in names.withIndex().drop(1)) {
             path = try {
                 path.resolve(name)

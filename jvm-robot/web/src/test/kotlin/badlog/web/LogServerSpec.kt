@@ -65,6 +65,23 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
+    test("a folder that is made after the start, or on a stick that is plugged in later, is seen, and the others keep their addresses") {
+        val above = Files.createTempDirectory("badlog-web")
+        val stick = above.resolve("stick/logs")
+        val own = above.resolve("own/logs")
+        val folders = LogFolders(listOf(stick, own).map { it.toFile() })
+        folders.list("/")?.toJson() shouldBe """{"dirs":[],"files":[]}"""
+        own.createDirectories().resolve("x.bag").writeText("x")
+        folders.log("/logs/x.bag")?.size shouldBe 1
+        stick.createDirectories().resolve("x.bag").writeText("stick")
+        folders.list("/")?.toJson() shouldBe """{"dirs":[{"name":"logs"},{"name":"logs-2"}],"files":[]}"""
+        folders.log("/logs/x.bag")?.size shouldBe 1
+        folders.log("/logs-2/x.bag")?.size shouldBe 5
+        stick.toFile().deleteRecursively()
+        folders.list("/")?.toJson() shouldBe """{"dirs":[{"name":"logs"}],"files":[]}"""
+        above.toFile().deleteRecursively()
+    }
+
     test("a part of a log is sent as it was asked for") {
         withServer { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
