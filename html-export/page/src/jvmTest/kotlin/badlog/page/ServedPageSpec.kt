@@ -135,6 +135,25 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
+    browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
+        val options = LogServerOptions()
+        val folder = folder("broken/logs") {
+            // Three seconds, as the server sends it.
+            val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 300_000) { row, column -> if (column == 0) row / 10.0 else row }
+            (it / "long.bag").writeBytes(long)
+        }
+        withRobot(folder, options) { address ->
+            onServedPage(address, says = listOf("503", "ERR_")) {
+                awaitList()
+                elements("[data-column='FILE'] button")[0].click()
+                await("a part") { script("return parseFloat(document.querySelector('.progress-bar')?.style.width || '0') > 0") as Boolean }
+                options.isEnabled = BooleanSupplier { true }
+                awaitState("failed")
+                text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
+            }
+        }
+    }
+
     browserTest("a robot that is gone is said to be so, and one without logs, too") {
         val empty = folder("none/logs") {}
         withRobot(empty) { address ->

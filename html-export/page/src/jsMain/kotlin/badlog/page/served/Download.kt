@@ -30,7 +30,9 @@ internal class Download(private val files: List<File>, private val onProgress: (
         abort.abort()
     }
 
-    private fun fetch(file: File): Promise<File> = ask(checkNotNull(file.served).address, abort.signal).then { response ->
+    private fun fetch(file: File): Promise<File> = fetch(file, checkNotNull(file.served).address)
+
+    private fun fetch(file: File, address: String): Promise<File> = ask(address, abort.signal).then { response ->
         partsOf(response) {
             done += it.length
             // A log that is being written has become longer since it was listed.
@@ -38,6 +40,12 @@ internal class Download(private val files: List<File>, private val onProgress: (
         }.then({ parts ->
             val bag = json("lastModified" to file.asDynamic().lastModified)
             File(parts.toTypedArray(), file.name, bag.unsafeCast<FilePropertyBag>()).also { it.place = file.place }
-        }, { throw IllegalStateException(LOST) })
+        }, {
+            // A server that ended it on purpose says why when it is asked again.
+            ask(address, abort.signal, from = 0.0).then {
+                cancel()
+                throw IllegalStateException(LOST)
+            }
+        })
     }.unsafeCast<Promise<File>>()
 }
