@@ -3,22 +3,24 @@ package badlog.page
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
+import badlog.formats.driverstation.TestDslog
 import badlog.web.LogServerOptions
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.io.RandomAccessFile
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.function.BooleanSupplier
 import kotlin.concurrent.thread
 import kotlin.io.path.appendBytes
+import kotlin.io.path.appendText
 import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 
 /** A log that is followed while a robot writes it. */
 internal class LiveSpec : PageSpec({
@@ -61,6 +63,14 @@ internal class LiveSpec : PageSpec({
         }
     }
 
+    /** Waits until the page has asked for what is new in the log, and got something, since [clearAsked]; and has asked [more] times since then. */
+    fun OpenPage.awaitFetched(more: Int) = await("what is new to be fetched") {
+        val sizes = "performance.getEntriesByType('resource').map(e => e.decodedBodySize)"
+        number("const all = $sizes; const at = all.findIndex(size => size > 1); return at < 0 ? -1 : all.length - at - 1") >= more
+    }
+
+    fun OpenPage.clearAsked() = script("performance.clearResourceTimings()")
+
     fun OpenPage.isLive() = script("return document.querySelector('#live').getAttribute('aria-pressed') === 'true'") as Boolean
 
     fun OpenPage.awaitReady() {
@@ -87,11 +97,8 @@ internal class LiveSpec : PageSpec({
                 graph("Count").value("Count") shouldBe "749"
                 keepScreenshot("live-phone")
                 isLive() shouldBe true
-                // A row of which only the beginning is there is waited for.
-                robot.file.appendBytes("20,99".encodeToByteArray())
                 script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))")
                 isLive() shouldBe false
-                RandomAccessFile(robot.file.toFile(), "rw").use { it.setLength(it.length() - 5) }
                 robot.write(250)
                 settle()
                 visibleRange.endInclusive shouldBe (14.98 plusOrMinus 0.02)
@@ -106,13 +113,76 @@ internal class LiveSpec : PageSpec({
         }
     }
 
+    browserTest("a row that arrives in parts is shown when it is whole, so that 12.4 is never read as 1") {
+        // In a table, whose x axis is the number of the row, a last row needs no end of its line.
+        val file = logs("parts") / "running.csv"
+        file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
+        withRobot(file.parent) { address ->
+            onServedPage(address) {
+                openFirst()
+                element("#live").click()
+                for (part in listOf("10,", "12", ".4")) {
+                    clearAsked()
+                    file.appendText(part)
+                    awaitFetched(more = 2)
+                    visibleRange.endInclusive shouldBe 499.0
+                }
+                file.appendText("\n")
+                await("the row") { visibleRange.endInclusive == 500.0 }
+                awaitReady()
+                graph("Volts").value("Volts") shouldBe "12.4"
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("a log that is no text is followed wherever its parts end") {
+        val file = logs("binary") / "running.dslog"
+        val bytes = TestDslog().records(750).bytes
+        val written = TestDslog().records(500).bytes.size
+        file.writeBytes(bytes.copyOf(written))
+        withRobot(file.parent) { address ->
+            onServedPage(address) {
+                openFirst()
+                val end = visibleRange.endInclusive
+                element("#live").click()
+                file.appendBytes(bytes.copyOfRange(written, bytes.size))
+                await("5 s more") { visibleRange.endInclusive > end + 4.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("Live is stopped by a click that is as slow as a person's, while the log grows") {
+        val robot = Robot(logs("click") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openFirst()
+                element("#live").click()
+                awaitReady()
+                val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
+                clearAsked()
+                act { mouseTo(x, y).mouseDown() }
+                robot.write(250)
+                awaitFetched(more = 0)
+                // What is not shown cannot be waited for.
+                Thread.sleep(300)
+                settle()
+                act { mouseUp() }
+                isLive() shouldBe false
+            }
+        }
+    }
+
     browserTest("what the rules find in a log that is followed is shown when it happens, and the board stays") {
         val robot = Robot(logs("rules") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address) {
                 openFirst()
                 (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
-                script("return document.querySelector('.board')?.textContent.includes('Motor 7')") shouldBe false
+                script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
+                settle()
+                texts("#board .graph-title") shouldBe listOf("Battery Voltage")
                 element("#live").click()
                 robot.volts = 6.1
                 robot.write(100)
@@ -122,7 +192,9 @@ internal class LiveSpec : PageSpec({
                     robot.write(20)
                     settle()
                     (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
+                    texts("#board .graph-title") shouldBe listOf("Battery Voltage")
                 }
+                (visibleRange.endInclusive > 10.0) shouldBe true
             }
         }
     }

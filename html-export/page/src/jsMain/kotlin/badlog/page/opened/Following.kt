@@ -62,6 +62,11 @@ internal class Following(
 
     private fun show(grown: File, read: Recording) {
         if (isOver) return
+        if (document.querySelector("#live:active") != null) {
+            // The next page's button would be another one, which was not pressed.
+            window.setTimeout({ show(grown, read) }, PAUSE)
+            return
+        }
         log = log.growing(grown)
         onGrown(log, read)
         askIn(file.pause)

@@ -18,6 +18,12 @@ import kotlin.js.Promise
 internal class GrowingFile(private val file: File, private val address: String) {
     private var bytes: Blob = file
 
+    /** Where the last whole row ends: a part may have no end of a row. */
+    private var whole = file.size.toInt()
+
+    // Bytes that are no text may be line feeds anywhere.
+    private val isText = TEXTS.any { file.name.endsWith(it, ignoreCase = true) }
+
     /** How long to wait before the next [more], in ms: whole logs are asked for seldom. */
     var pause = PAUSE
         private set
@@ -29,19 +35,21 @@ internal class GrowingFile(private val file: File, private val address: String) 
 
     private fun take(buffer: ArrayBuffer, isPart: Boolean): File? {
         pause = if (isPart) PAUSE else maxOf(PAUSE, buffer.byteLength / WHOLE_BYTES_PER_MILLI)
-        val known = if (isPart) KNOWN_BYTES else bytes.size.toInt()
-        if (buffer.byteLength <= known) return null
+        val begin = if (isPart) bytes.size.toInt() - KNOWN_BYTES else 0
+        if (begin + buffer.byteLength <= bytes.size.toInt()) return null
         bytes = Blob(if (isPart) arrayOf(bytes, buffer.slice(KNOWN_BYTES)) else arrayOf(buffer))
-        val cut = if (file.name.endsWith(".wpilog", ignoreCase = true)) 0 else afterLastLine(Uint8Array(buffer))
+        val end = if (isText) endOfLines(Uint8Array(buffer), begin) else bytes.size.toInt()
+        if (end <= whole) return null
+        whole = end
         val options = json("lastModified" to file.asDynamic().lastModified).unsafeCast<FilePropertyBag>()
-        return File(arrayOf(bytes.slice(0, bytes.size.toInt() - cut)), file.name, options).also { it.place = file.place }
+        return File(arrayOf(bytes.slice(0, end)), file.name, options).also { it.place = file.place }
     }
 
-    /** Returns how many bytes of [part] are behind its last line, whose row is not whole yet. */
-    private fun afterLastLine(part: Uint8Array): Int {
+    /** Returns where the last line ends when [part], which is at [begin], is there: behind it is a row that is not whole yet. */
+    private fun endOfLines(part: Uint8Array, begin: Int): Int {
         var end = part.length
         while (end > 0 && part[end - 1] != LINE_FEED) end--
-        return part.length - end
+        return if (end > 0) begin + end else whole
     }
 
     private companion object {
@@ -52,6 +60,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
 
         /** 2 Mbit/s, half of what a robot has on a field. */
         const val WHOLE_BYTES_PER_MILLI = 250
+        val TEXTS = listOf(".bag", ".badbag", ".csv")
         const val LINE_FEED: Byte = 10
         const val PART: Short = 206
     }
