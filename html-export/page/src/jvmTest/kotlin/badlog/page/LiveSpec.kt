@@ -10,6 +10,7 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.net.URI
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
@@ -78,9 +79,9 @@ internal class LiveSpec : PageSpec({
         await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
     }
 
-    fun OpenPage.openFirst() {
+    fun OpenPage.openRunning() {
         await("the list") { elements(".log-table").isNotEmpty() }
-        elements("[data-column='FILE'] button")[0].click()
+        elements("[data-column='FILE'] button").first { "running" in it.text }.click()
         awaitReady()
     }
 
@@ -88,7 +89,7 @@ internal class LiveSpec : PageSpec({
         val robot = Robot(logs("follow") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address, Screen.PHONE) {
-                openFirst()
+                openRunning()
                 visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
                 element("#live").click()
                 robot.write(250)
@@ -119,7 +120,7 @@ internal class LiveSpec : PageSpec({
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
         withRobot(file.parent) { address ->
             onServedPage(address) {
-                openFirst()
+                openRunning()
                 element("#live").click()
                 for (part in listOf("10,", "12", ".4")) {
                     clearAsked()
@@ -143,7 +144,7 @@ internal class LiveSpec : PageSpec({
         file.writeBytes(bytes.copyOf(written))
         withRobot(file.parent) { address ->
             onServedPage(address) {
-                openFirst()
+                openRunning()
                 val end = visibleRange.endInclusive
                 element("#live").click()
                 file.appendBytes(bytes.copyOfRange(written, bytes.size))
@@ -157,7 +158,7 @@ internal class LiveSpec : PageSpec({
         val robot = Robot(logs("click") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address) {
-                openFirst()
+                openRunning()
                 element("#live").click()
                 awaitReady()
                 val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
@@ -178,7 +179,7 @@ internal class LiveSpec : PageSpec({
         val robot = Robot(logs("rules") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address) {
-                openFirst()
+                openRunning()
                 (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
                 script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
                 settle()
@@ -205,7 +206,7 @@ internal class LiveSpec : PageSpec({
         WpilibServer(robot.file.parent).use { server ->
             onServedPage(server.addressOf(EmptyPage.SERVED_NAME)) {
                 script("keepsTime = true")
-                openFirst()
+                openRunning()
                 element("#live").click()
                 robot.write(250)
                 await("15 s") { visibleRange.endInclusive > 14.9 }
@@ -221,7 +222,7 @@ internal class LiveSpec : PageSpec({
         val options = LogServerOptions()
         withRobot(robot.file.parent, options) { address ->
             onServedPage(address, says = listOf("503", "ERR_")) {
-                openFirst()
+                openRunning()
                 element("#live").click()
                 options.isEnabled = BooleanSupplier { true }
                 robot.write(250)
@@ -234,11 +235,51 @@ internal class LiveSpec : PageSpec({
         }
     }
 
+    browserTest("Live that fell too far behind an enabled robot says so, and goes on at the newest moment once the robot is disabled") {
+        val robot = Robot(logs("behind") / "running.bag").apply { write(500) }
+        val options = LogServerOptions()
+        withRobot(robot.file.parent, options) { address ->
+            onServedPage(address, says = listOf("503")) {
+                openRunning()
+                options.isEnabled = BooleanSupplier { true }
+                robot.write(5000)
+                element("#live").click()
+                await("the reason") { "Live is more than a megabyte behind" in texts("#live").single() }
+                isLive() shouldBe false
+                options.isEnabled = BooleanSupplier { false }
+                element("#live").click()
+                // What was wrong is not said any more.
+                texts("#live") shouldBe listOf("Live")
+                await("110 s") { visibleRange.endInclusive > 109.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("following waits for a place while others download, as long as that takes some seconds") {
+        val robot = Robot(logs("busy") / "running.bag").apply { write(500) }
+        (robot.file.parent / "long.bag").writeBytes(ByteArray(20_000_000))
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address, says = listOf("503")) {
+                script("keepsTime = true")
+                openRunning()
+                element("#live").click()
+                val others = List(2) { URI("${address}logs/long.bag").toURL().openStream().apply { read() } }
+                robot.write(250)
+                await("a refusal") { script("return performance.getEntriesByType('resource').some(e => e.responseStatus === 503)") as Boolean }
+                isLive() shouldBe true
+                others.forEach { it.close() }
+                await("15 s") { visibleRange.endInclusive > 14.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
     browserTest("50 topics at 50 Hz: measured, and printed") {
         val robot = Robot(logs("speed") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address) {
-                openFirst()
+                openRunning()
                 element("#live").click()
                 script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
                 val began = System.nanoTime()

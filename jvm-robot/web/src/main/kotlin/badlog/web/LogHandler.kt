@@ -92,7 +92,7 @@ internal class LogHandler(
         val range = rangeOf(exchange, log)
         val isFollowed = closed != null && isEnd(log, range)
         when {
-            closed != null && !isFollowed -> refuse(exchange, closed)
+            closed != null && !isFollowed -> refuse(exchange, if (isRunning(log) && (range?.from ?: 0) > 0) Refusal.BEHIND else closed)
 
             range == null && isKnown(exchange, log.tag) -> Unit
 
@@ -112,7 +112,9 @@ internal class LogHandler(
 
     /** Returns whether [range] is at the end of a log that is being written. */
     private fun isEnd(log: ListedFile, range: ByteRange?) =
-        range != null && log.size - range.from <= TAIL_BYTES && System.currentTimeMillis() - log.modified < RUNNING_MILLIS
+        range != null && log.size - range.from <= TAIL_BYTES && isRunning(log)
+
+    private fun isRunning(log: ListedFile) = System.currentTimeMillis() - log.modified < RUNNING_MILLIS
 
     private fun send(exchange: HttpExchange, log: ListedFile, range: ByteRange?, mayGoOn: () -> Boolean) {
         val from = range?.from ?: 0
@@ -145,6 +147,7 @@ internal class LogHandler(
 
     private fun refuse(exchange: HttpExchange, why: Refusal) {
         if (why == Refusal.METHOD) exchange.responseHeaders["Allow"] = "GET"
+        if (why == Refusal.BUSY) exchange.responseHeaders["Retry-After"] = "1"
         exchange.responseHeaders["Content-Type"] = "text/plain; charset=utf-8"
         exchange.responseHeaders["Cache-Control"] = "no-store"
         val bytes = (why.text + "\n").encodeToByteArray()

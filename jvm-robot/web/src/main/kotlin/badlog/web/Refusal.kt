@@ -13,6 +13,7 @@ internal enum class Refusal(val status: Int, val text: String) {
     RANGE(416, "The log has no bytes there."),
     FIELD(503, "The robot is connected to the field: its logs can be opened after the match."),
     ENABLED(503, "The robot is enabled: its logs can be opened once it is disabled."),
+    BEHIND(503, "The robot is enabled, and Live is more than a megabyte behind: press Live again once it is disabled."),
     BUSY(503, "Two downloads are running already: try again when one has ended."),
     UNREADABLE(500, "The log cannot be read: its disk may have been removed."),
 }

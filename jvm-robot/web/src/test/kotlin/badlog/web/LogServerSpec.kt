@@ -148,6 +148,8 @@ class LogServerSpec : FunSpec({
             val third = server.get("/logs/a.bag")
             third.status shouldBe 503
             third.text shouldStartWith "Two downloads are running already"
+            // That it passes is told to pages that follow.
+            third.headers["retry-after"] shouldBe "1"
             // Short answers need no place.
             server.get("/logs/?format=json").status shouldBe 200
             for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
@@ -175,6 +177,8 @@ class LogServerSpec : FunSpec({
                 server.get("/logs/old.bag", "Range: bytes=-3").status shouldBe 503
                 server.get("/logs/running.bag", "Range: bytes=0-").status shouldBe 503
                 server.get("/logs/running.bag", "Range: bytes=2000000-").text shouldBe "end"
+                server.get("/logs/running.bag", "Range: bytes=500-").text shouldStartWith
+                    "The robot is enabled, and Live is more than a megabyte behind: press Live again once it is disabled."
                 server.get("/logs/running.bag", "Range: bytes=2000003-").status shouldBe 416
                 DriverStation.attached = true
                 server.get("/logs/running.bag", "Range: bytes=2000000-").text shouldStartWith "The robot is connected to the field"

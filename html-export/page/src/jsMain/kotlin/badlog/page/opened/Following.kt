@@ -4,7 +4,7 @@ import badlog.core.recording.Recording
 import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
-import badlog.page.served.LOST
+import badlog.page.served.NotNow
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -51,8 +51,8 @@ internal class Following(
             misses = 0
             if (grown == null) askIn(file.pause) else read(grown).then { show(grown, it) }
         }.catch {
-            // A Wi-Fi has gaps; and a server that ended an answer says why when it is asked again.
-            if (it.message == LOST && ++misses < MAX_MISSES) askIn(GAP) else stop(it.message.orEmpty())
+            // A Wi-Fi has gaps, and others' downloads end; and a server that ended an answer says why when it is asked again.
+            if (it is NotNow && ++misses < MAX_MISSES) askIn(misses * GAP) else stop(it.message.orEmpty())
         }
     }
 
@@ -79,8 +79,8 @@ internal class Following(
     private companion object {
         const val PAUSE = 10
 
-        /** Milliseconds after a question that was not answered, and how many such questions end it. */
-        const val GAP = 400
+        /** By how many ms the pause grows with each question that was not answered, and how many such questions end it: after 7 s. */
+        const val GAP = 150
         const val MAX_MISSES = 10
 
         /** Bytes that are read in a fraction of a frame's patience. */

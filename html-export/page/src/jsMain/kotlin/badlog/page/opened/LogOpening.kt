@@ -135,7 +135,11 @@ internal class LogOpening(
             button.setAttribute("aria-pressed", "false")
             if (why != null) button.textContent = "Live: $why"
         }
-        document.getElementById("live")?.setAttribute("aria-pressed", "true")
+        document.getElementById("live")?.apply {
+            setAttribute("aria-pressed", "true")
+            // Not what was wrong the last time.
+            textContent = "Live"
+        }
         following?.start()
     }
 

@@ -21,16 +21,20 @@ internal fun ask(address: String, signal: dynamic = undefined, from: Double? = n
         options.headers = json("Range" to "bytes=$from-")
         options.cache = RequestCache.NO_STORE
     }
-    return window.fetch(address, options).catch<Response> { throw IllegalStateException(LOST) }.then { response ->
-        if (response.ok) Promise.resolve(response) else response.text().then { refuse(it, response.status) }
+    return window.fetch(address, options).catch<Response> { throw NotNow(LOST) }.then { response ->
+        if (response.ok) Promise.resolve(response) else response.text().then { refuse(it, response) }
     }.unsafeCast<Promise<Response>>()
 }
 
-private fun refuse(text: String, status: Short): Response {
+private fun refuse(text: String, response: Response): Response {
     // A robot's server says why in one sentence; what another one says is a page.
     val isSentence = text.length < MAX_SENTENCE && '<' !in text
-    throw IllegalStateException(if (isSentence) text.trim() else "The server answers $status.")
+    val sentence = if (isSentence) text.trim() else "The server answers ${response.status}."
+    throw if (response.headers.has("Retry-After")) NotNow(sentence) else IllegalStateException(sentence)
 }
+
+/** Why there is no answer now, though there may be one in some seconds. */
+internal class NotNow(sentence: String) : IllegalStateException(sentence)
 
 /** Why a download ended. */
 internal const val LOST = "The robot does not answer: stay in its Wi-Fi, and try again."

@@ -30,7 +30,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
 
     /** Returns the log with what is new in it, up to its last whole row; null if nothing is. Rejected with a sentence. */
     fun more(): Promise<File?> = ask(address, from = bytes.size.toDouble() - KNOWN_BYTES).then { response ->
-        response.arrayBuffer().catch<ArrayBuffer> { throw IllegalStateException(LOST) }.then { take(it, response.status == PART) }
+        response.arrayBuffer().catch<ArrayBuffer> { throw NotNow(LOST) }.then { take(it, response.status == PART) }
     }.unsafeCast<Promise<File?>>()
 
     private fun take(buffer: ArrayBuffer, isPart: Boolean): File? {
