@@ -256,6 +256,21 @@ internal class LiveSpec : PageSpec({
         }
     }
 
+    browserTest("a gap in the Wi-Fi of a second is waited for") {
+        val robot = Robot(logs("gap") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                element("#live").click()
+                val lost = "Promise.reject(new TypeError('Failed to fetch'))"
+                script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
+                robot.write(250)
+                await("15 s") { visibleRange.endInclusive > 14.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
     browserTest("following waits for a place while others download, as long as that takes some seconds") {
         val robot = Robot(logs("busy") / "running.bag").apply { write(500) }
         (robot.file.parent / "long.bag").writeBytes(ByteArray(20_000_000))

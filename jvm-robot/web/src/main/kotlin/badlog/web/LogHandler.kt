@@ -111,8 +111,7 @@ internal class LogHandler(
     }
 
     /** Returns whether [range] is at the end of a log that is being written. */
-    private fun isEnd(log: ListedFile, range: ByteRange?) =
-        range != null && log.size - range.from <= TAIL_BYTES && isRunning(log)
+    private fun isEnd(log: ListedFile, range: ByteRange?) = range != null && log.size - range.from <= TAIL_BYTES && isRunning(log)
 
     private fun isRunning(log: ListedFile) = System.currentTimeMillis() - log.modified < RUNNING_MILLIS
 

@@ -9,8 +9,8 @@ public class LogServerOptions {
 
     /**
      * The folders whose logs are shown, with the folders in them. Default: empty, which means those where badlog and WPILib log: the USB
-     * stick's, the robot's own, and `logs` in the working directory. Folders that do not exist yet are shown
-     * once they do.
+     * stick's, the robot's own, and `logs` in the working directory. Folders that do not exist yet are shown once
+     * they do.
      */
     public var folders: List<File> = emptyList()
 
