@@ -3,7 +3,6 @@ package badlog.page
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
-import com.sun.net.httpserver.HttpExchange
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -25,12 +24,6 @@ internal class WebPageSpec : PageSpec({
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
 
     afterSpec { temporary.toFile().deleteRecursively() }
-
-    fun HttpExchange.send(bytes: ByteArray, type: String = "application/octet-stream", length: Long = bytes.size.toLong(), code: Int = 200) {
-        responseHeaders.set("Content-Type", type)
-        sendResponseHeaders(code, length)
-        responseBody.write(bytes)
-    }
 
     fun site() = WebServer { it.send(page.readBytes(), "text/html") }
 

@@ -37,3 +37,10 @@ internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoClose
         threads.shutdownNow()
     }
 }
+
+/** Answers with [bytes], as if they were [length] in number. */
+internal fun HttpExchange.send(bytes: ByteArray, type: String = "application/octet-stream", length: Long = bytes.size.toLong(), code: Int = 200) {
+    responseHeaders.set("Content-Type", type)
+    sendResponseHeaders(code, length)
+    responseBody.write(bytes)
+}

@@ -11,6 +11,7 @@ import badlog.page.dom.element
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
+import badlog.page.reading.WantedTopics
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
@@ -164,10 +165,30 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
+    /** Reads [opened], after a question if that may take more memory than there is. */
     private fun read(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
+        val asked = wait(opened.fileName) {}
+        fun readAll() = read(opened, compared, showsWorst, wanted = null)
+        LogNeed.of(opened.files, rules()).then({ need ->
+            if (!asked.isLatest) return@then
+            if (need?.isTooMuch != true) return@then readAll()
+            folder?.pause()
+            val tools = element("div", "page-tools") {
+                addButton("", "Open the ${countText(need.few.names.size, "topic")} that rules look at: ${memoryText(need.fewBytes)}") {
+                    read(opened, compared, showsWorst, need.few)
+                }.id = "open-few"
+                addButton("", "Open all of it") { readAll() }.id = "open-all"
+                addBack()
+            }
+            val why = "This browser may not have that much, and then closes the page. badlog's window opens it, too."
+            root.fail("${opened.fileName} needs about ${memoryText(need.bytes)} of memory", why, tools)
+        }, { if (asked.isLatest) readAll() }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun read(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean, wanted: WantedTopics?) {
         lateinit var reading: FileReading
         val asked = wait(opened.fileName) { reading.cancel() }
-        reading = FileReading(opened.files, asked.screen::show)
+        reading = FileReading(opened.files, wanted, asked.screen::show)
         reading.start().then({ read -> if (asked.isLatest) accept(opened, read, compared, showsWorst) }, { failure ->
             if (asked.isLatest) fail("${opened.fileName} cannot be read", "${failure.message}. Open it again.")
         }).catch { root.failUnexpectedly(it, back()) }

@@ -9,9 +9,14 @@ import kotlin.js.Promise
 /**
  * Reads a log from [files] that a person opened, in a worker if the browser allows one. They stay on the person's computer.
  *
+ * @param wanted the only topics to keep; null for all.
  * @param onProgress receives the fraction of the bytes that has been read, 0 to 1.
  */
-internal class FileReading(private val files: List<File>, private val onProgress: (Double) -> Unit) {
+internal class FileReading(
+    private val files: List<File>,
+    private val wanted: WantedTopics? = null,
+    private val onProgress: (Double) -> Unit,
+) {
     private var worker: Worker? = null
     private var isCancelled = false
 
@@ -20,7 +25,7 @@ internal class FileReading(private val files: List<File>, private val onProgress
         val finish = { read: Recording -> if (!isCancelled) resolve(read) }
         val fail = { problem: Throwable -> if (!isCancelled) reject(problem) }
         var hasRead = false
-        val readHere = { LogFileReader(files, ::advance).read().then(finish, fail) }
+        val readHere = { LogFileReader(files, wanted, ::advance).read().then(finish, fail) }
         val started = startWorker().also { worker = it } ?: return@Promise readHere().unsafeCast<Unit>()
         started.receive(
             WorkerAnswers(
@@ -40,7 +45,7 @@ internal class FileReading(private val files: List<File>, private val onProgress
                 onRefusal = { readHere() },
             ),
         )
-        started.postMessage(ReadingWorker.greeting(files))
+        started.postMessage(ReadingWorker.greeting(files, wanted))
     }
 
     /** Stops it. */

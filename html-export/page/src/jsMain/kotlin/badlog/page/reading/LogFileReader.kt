@@ -16,18 +16,26 @@ import kotlin.js.Promise
  * Reads a log from the files that a person opened, one after the other: a Driver Station log has two. Used in the worker, or on the page if
  * there is none. Only a gzipped file is held whole.
  *
+ * @param wanted the only topics to keep; null for all.
  * @param onProgress receives the fraction of the bytes that has been read.
  */
-internal class LogFileReader(private val files: List<File>, private val onProgress: (Double) -> Unit) {
+internal class LogFileReader(
+    private val files: List<File>,
+    private val wanted: WantedTopics? = null,
+    private val onProgress: (Double) -> Unit,
+) {
     private val size = files.sumOf { it.size.toDouble() }
-    private val parser = RecordingParser(LOG_FORMATS, size.toLong())
+    private val parser = wanted?.parser(size.toLong()) ?: RecordingParser(LOG_FORMATS, size.toLong())
     private var done = 0.0
     private var cut: Problem? = null
 
     /** Reads all, and promises the recording; rejected if a file cannot be read, for example since it was removed. */
     fun read(): Promise<Recording> {
         val all = files.fold(Promise.resolve(Unit)) { before, file -> before.then { begin(file) }.unsafeCast<Promise<Unit>>() }
-        return all.then { parser.finish().let { read -> cut?.let { read + it } ?: read } }
+        return all.then {
+            val read = parser.finish().let { wanted?.of(it) ?: it }
+            cut?.let { read + it } ?: read
+        }
     }
 
     private fun begin(file: File): Promise<Unit> = bytesOf(file, 0.0, GZIP.size.toDouble()).then { head ->

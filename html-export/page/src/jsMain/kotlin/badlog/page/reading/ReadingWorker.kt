@@ -25,10 +25,11 @@ internal object ReadingWorker {
         return message
     }
 
-    /** Returns what the page sends instead to have [files] read. */
-    fun greeting(files: List<File>): dynamic {
+    /** Returns what the page sends instead to have [files] read, and of them only the [wanted] topics unless that is null. */
+    fun greeting(files: List<File>, wanted: WantedTopics?): dynamic {
         val message = js("({})")
         message.files = files.toTypedArray()
+        message.wanted = wanted?.names?.toTypedArray()
         return message
     }
 
@@ -41,7 +42,7 @@ internal object ReadingWorker {
             val current = reader
             when {
                 PartMessage.isPart(message) -> PartMessage.answer(page, message)
-                message != null && message.files != undefined -> readFiles(page, message.files.unsafeCast<Array<File>>().toList())
+                message != null && message.files != undefined -> readFiles(page, message)
                 current == null -> reader = open(page, message)
                 message == null -> current.end()
                 else -> current.accept(message as String).then({ page.postMessage(MORE) }, { answerFailure(page, it) })
@@ -60,8 +61,9 @@ internal object ReadingWorker {
         return reader
     }
 
-    private fun readFiles(page: DedicatedWorkerGlobalScope, files: List<File>) {
-        val reader = LogFileReader(files) { page.postMessage(it) }
+    private fun readFiles(page: DedicatedWorkerGlobalScope, message: dynamic) {
+        val wanted = message.wanted.unsafeCast<Array<String>?>()?.let { WantedTopics(it.toSet()) }
+        val reader = LogFileReader(message.files.unsafeCast<Array<File>>().toList(), wanted) { page.postMessage(it) }
         reader.read().then({ read -> answer(page, ReadLog(read, isDamaged = false)) }).catch { answerFailure(page, it) }
     }
 

@@ -11,7 +11,8 @@ internal class BidiTab(private val connection: Connection, private val onClose: 
     private val context: String
 
     init {
-        send("session.new", "capabilities" to emptyMap<String, Any>())
+        // The tests have servers with certificates of their own.
+        send("session.new", "capabilities" to mapOf("alwaysMatch" to mapOf("acceptInsecureCerts" to true)))
         context = send("browsingContext.create", "type" to "tab")["context"] as String
         send("browsingContext.setViewport", "context" to context, "viewport" to mapOf("width" to 1280, "height" to 900))
     }

@@ -5,8 +5,10 @@ import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
 import badlog.page.SAMPLES
 import badlog.page.TIME
+import badlog.page.WebServer
 import badlog.page.WpilibServer
 import badlog.page.bagOf
+import badlog.page.send
 import badlog.page.withRobot
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -78,6 +80,25 @@ internal class OpeningInBrowsersSpec : FunSpec({
                 evaluate("[...document.querySelectorAll('[data-column=FILE] button')].find(b => b.textContent == 'bench.bag').click()")
                 awaitState("ready")
                 evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
+            }
+        }
+
+        browserTest("from a web site, it fetches a log that a link names, after a click") {
+            val web = (temporary / EmptyPage.WEB_NAME).also { EmptyPage().write(it, PageNetwork.WEB) }
+            WebServer { it.send(Files.readAllBytes(web), "text/html") }.use { site ->
+                val host = WebServer {
+                    it.responseHeaders.set("Access-Control-Allow-Origin", "*")
+                    it.send(bag, "application/octet-stream")
+                }
+                host.use {
+                    open("https://${site.host}/#url=https%3A%2F%2F${host.host}%2Ffar.bag")
+                    awaitState("empty")
+                    evaluate("document.querySelector('.start-offer').textContent") shouldContain host.host
+                    host.asked.size shouldBe 0
+                    click("#accept-offer")
+                    awaitState("ready")
+                    evaluate("document.querySelector('.page-title').textContent") shouldContain "far.bag"
+                }
             }
         }
 

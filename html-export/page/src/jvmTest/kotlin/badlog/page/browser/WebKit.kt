@@ -27,7 +27,9 @@ internal fun webKitTab(downloads: Path): BrowserTab {
         check(service.isAlive) { "$WEBKIT_PROGRAM ended by itself, with code ${service.exitValue()}." }
         Thread.sleep(POLL_MILLISECONDS)
     }
-    val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), ImmutableCapabilities("browserName", "MiniBrowser"), false)
+    // The tests have servers with certificates of their own.
+    val wanted = ImmutableCapabilities("browserName", "MiniBrowser", "acceptInsecureCerts", true)
+    val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), wanted, false)
     driver.manage().timeouts().scriptTimeout(Duration.ofMinutes(2))
     driver.manage().window().size = Dimension(1280, 940)
     return WebDriverTab(driver) {

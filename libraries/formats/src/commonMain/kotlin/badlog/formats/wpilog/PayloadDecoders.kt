@@ -83,6 +83,14 @@ internal class NoDecoder : PayloadDecoder() {
     }
 }
 
+/** Payloads that nobody wants. */
+internal class UnwantedDecoder : PayloadDecoder() {
+    override val timestamps = Timestamps(false)
+    override val blocks get() = emptyList<SampleBlock>()
+
+    override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) = Unit
+}
+
 /** Payloads with any number of values, each with its own block; elements beyond the maximum are dropped. */
 internal abstract class ArrayDecoder(private val source: ColumnSource, private val leafPaths: List<String>) : PayloadDecoder() {
     protected val elements = ElementBlocks(source.keepsSamples, ::newBlock)

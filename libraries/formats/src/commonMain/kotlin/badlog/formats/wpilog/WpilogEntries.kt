@@ -7,8 +7,16 @@ import badlog.formats.column.addSkipped
 import badlog.formats.protobuf.MessageLayout
 import badlog.formats.protobuf.MessageTypes
 
-/** The entries of a file: which were started, and the samples of their records. */
-internal class WpilogEntries(private val source: ColumnSource, private val problems: ProblemList) : RecordSink {
+/**
+ * The entries of a file: which were started, and the samples of their records.
+ *
+ * @param isWanted whether the samples of an entry with this name are wanted.
+ */
+internal class WpilogEntries(
+    private val source: ColumnSource,
+    private val problems: ProblemList,
+    private val isWanted: (String) -> Boolean = { true },
+) : RecordSink {
     private val decoder = TextDecoder()
     private val structs = StructSchemas()
     private val messages = MessageTypes()
@@ -167,6 +175,7 @@ internal class WpilogEntries(private val source: ColumnSource, private val probl
     }
 
     private fun decoderFor(name: String, type: String): PayloadDecoder {
+        if (!isWanted(name)) return UnwantedDecoder()
         if (!source.hasRoomFor(1)) return NoDecoder()
         val isArray = type.endsWith("[]")
         val single = type.removeSuffix("[]")

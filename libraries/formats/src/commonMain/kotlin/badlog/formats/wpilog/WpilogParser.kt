@@ -32,10 +32,11 @@ public object WpilogFormat : LogFormat {
  * never the whole file. Compressed files must be inflated first. Not thread-safe.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
+ * @param isWanted returns whether the samples of the entry with this name are wanted; others are left out as if there were none.
  */
-public class WpilogParser(keepSamples: Boolean = true) : LogParser {
+public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boolean = { true }) : LogParser {
     private val problems = ProblemList()
-    private val entries = WpilogEntries(ColumnSource(keepSamples), problems)
+    private val entries = WpilogEntries(ColumnSource(keepSamples), problems, isWanted)
     private val splitter = RecordSplitter(entries)
 
     /** The number of records of all kinds read so far. */

@@ -1,0 +1,37 @@
+package badlog.page.reading
+
+import badlog.core.bag.BagParser
+import badlog.core.bag.RecordingParser
+import badlog.core.recording.LogFormat
+import badlog.core.recording.LogParser
+import badlog.core.recording.NumberSink
+import badlog.core.recording.NumberSinks
+import badlog.core.recording.Recording
+import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.WpilogFormat
+import badlog.formats.wpilog.WpilogParser
+
+/** The only topics called [names] of a log that is too large to be read whole. */
+internal class WantedTopics(val names: Set<String>) {
+    /** Returns a parser that keeps the samples of these alone, for a log of [bytes]. */
+    fun parser(bytes: Long): RecordingParser {
+        val sinks = NumberSinks { name, _ -> if (name in names) null else NumberSink.NONE }
+        return RecordingParser(LOG_FORMATS.map { if (it === WpilogFormat) wpilog else it }, keepSamples = true) {
+            BagParser(bytes, keepSamples = true, sinks)
+        }
+    }
+
+    /** Returns [read] without the others. */
+    fun of(read: Recording): Recording = read.copy(topics = read.topics.filter { it.name in names })
+
+    private val wpilog = object : LogFormat {
+        override val signatureSize get() = WpilogFormat.signatureSize
+
+        override fun matches(bytes: ByteArray, size: Int) = WpilogFormat.matches(bytes, size)
+
+        override fun parser(keepSamples: Boolean): LogParser = WpilogParser(keepSamples) { entry ->
+            // An entry of a struct or an array has several topics.
+            names.any { it.startsWith(entry) && (it.length == entry.length || it[entry.length] in "/[") }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.WpilogWriter
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
+import io.kotest.matchers.string.shouldNotContain
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.div
+import kotlin.io.path.outputStream
+import kotlin.io.path.writeBytes
+
+/** Logs that may need more memory than a browser has. */
+internal class LogNeedSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-need") }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+
+    // 24 MB of rows, two topics of which are signals.
+    val bag by lazy {
+        val topics = listOf(TIME, BagTopic("System/Battery Voltage", "V"), BagTopic("System/Enabled")) + List(37) { BagTopic("Arm/Joint $it", "deg") }
+        (temporary / "large.bag").also {
+            it.writeBytes(
+                bagOf(topics, rows = 75_000) { row, column ->
+                    when (column) {
+                        0 -> row / 50.0
+                        1 -> if (row in 5000..5200) 6 else 12
+                        2 -> 1
+                        else -> 1_000_000 + row * column
+                    }
+                },
+            )
+        }
+    }
+    val wpilog by lazy {
+        (temporary / "large.wpilog").also { file ->
+            file.outputStream().buffered().use { out -> WpilogWriter(readRecording(bag, LOG_FORMATS)).write { bytes, size -> out.write(bytes, 0, size) } }
+        }
+    }
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    /** A device that says that it has [gigabytes] of memory. */
+    fun device(gigabytes: String) = "Object.defineProperty(Navigator.prototype, 'deviceMemory', {get: () => $gigabytes})"
+
+    fun OpenPage.choose(file: Path) = element("input[type=file]").sendKeys("$file")
+
+    for ((name, file) in listOf("bag" to { bag }, "WPILOG" to { wpilog })) {
+        browserTest("before a $name that is too large for the device, the page asks, and offers the topics that rules look at") {
+            onPage(page, state = "empty", script = device("0.25")) {
+                choose(file())
+                awaitState("failed")
+                text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
+                keepScreenshot("large-log-asks")
+                element("#open-few").click()
+                awaitState("ready")
+                text shouldContain "Battery Voltage"
+                text shouldContain "Low battery"
+                text shouldNotContain "Joint"
+                element("#go-back").click()
+                awaitState("empty")
+                choose(file())
+                awaitState("failed")
+                element("#open-all").click()
+                awaitState("ready")
+                text shouldContain "40 topics"
+            }
+        }
+    }
+
+    browserTest("a device with enough memory opens the same log without a question") {
+        onPage(page, state = "empty", script = device("8")) {
+            choose(bag)
+            awaitState("ready")
+            elements("#open-few").size shouldBe 0
+        }
+    }
+})
