@@ -4,7 +4,7 @@ package badlog.exporter
  * What a page may ask of a network. Pages with a log, and files on a disk, may ask nothing.
  *
  * @property policy the part of the page's policy that allows it.
- * @property word how the page itself is told; null for nothing.
+ * @property word what the facts in the page call it, for the page's program; null for nothing.
  */
 enum class PageNetwork(internal val policy: String, internal val word: String?) {
     /** Nothing, ever. */

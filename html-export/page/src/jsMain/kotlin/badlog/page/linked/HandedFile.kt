@@ -27,20 +27,14 @@ internal class HandedFile private constructor(val origin: String, private val by
                 sender == null || sender == window -> Unit
 
                 // An array of it equals it, too.
-                jsTypeOf(handed) == "string" && handed == "PING" -> sender.postMessage(
-                    "PONG",
-                    if (message.origin ==
-                        "null"
-                    ) {
-                        "*"
-                    } else {
-                        message.origin
-                    },
-                )
+                jsTypeOf(handed) == "string" && handed == "PING" -> sender.postMessage("PONG", addressOf(message.origin))
 
                 else -> read(message.origin, handed?.badlog)?.let(onHanded)
             }
         }
+
+        /** A program without an origin, such as a file's, can only be addressed as anybody; it learns no more than that this is a page. */
+        private fun addressOf(origin: String) = if (origin == "null") "*" else origin
 
         private fun read(origin: String, handed: dynamic): HandedFile? {
             if (handed == null) return null

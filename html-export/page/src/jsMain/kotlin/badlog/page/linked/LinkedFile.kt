@@ -10,8 +10,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * A file on the web that a link to this page names, as in `#url=https://example.org/match.bag`. Only its host is asked, without cookies and
- * without saying where the reader comes from.
+ * A file on the web that a link to this page names, as in `#url=https://example.org/match.bag`. Its host is asked, and any to which that forwards,
+ * without cookies and without saying where the reader comes from.
  */
 internal class LinkedFile private constructor(private val address: URL) {
     private val abort = js("new AbortController()")

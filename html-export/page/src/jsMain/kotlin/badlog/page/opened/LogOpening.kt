@@ -174,13 +174,15 @@ internal class LogOpening(
             if (need?.isTooMuch != true) return@then readAll()
             folder?.pause()
             val tools = element("div", "page-tools") {
-                addButton("", "Open the ${countText(need.few.names.size, "topic")} that rules look at: ${memoryText(need.fewBytes)}") {
-                    read(opened, compared, showsWorst, need.few)
-                }.id = "open-few"
+                if (need.few.names.isNotEmpty()) {
+                    addButton("", "Open the ${countText(need.few.names.size, "topic")} that rules look at: ${memoryText(need.fewBytes)}") {
+                        read(opened, compared, showsWorst, need.few)
+                    }.id = "open-few"
+                }
                 addButton("", "Open all of it") { readAll() }.id = "open-all"
                 addBack()
             }
-            val why = "This browser may not have that much, and then closes the page. badlog's window opens it, too."
+            val why = "If this browser does not have that much, it closes the page. badlog's window can open the log, too."
             root.fail("${opened.fileName} needs about ${memoryText(need.bytes)} of memory", why, tools)
         }, { if (asked.isLatest) readAll() }).catch { root.failUnexpectedly(it, back()) }
     }

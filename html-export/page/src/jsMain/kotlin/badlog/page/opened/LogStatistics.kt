@@ -38,6 +38,8 @@ internal class LogStatistics {
 
     /** Shows it for [logs] if they are at least one; hides it otherwise. */
     fun show(logs: List<OpenedLog>) {
+        // The list is renewed several times a second while logs are read.
+        if (logs == this.logs) return
         this.logs = logs
         element.isHidden = logs.isEmpty()
         fill()
