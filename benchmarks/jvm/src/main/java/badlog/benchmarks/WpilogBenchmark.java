@@ -47,7 +47,7 @@ public class WpilogBenchmark {
 
     @Benchmark
     public Recording parse(Megabytes counter) {
-        WpilogParser parser = new WpilogParser(keepSamples);
+        WpilogParser parser = new WpilogParser(keepSamples, topic -> true);
         parser.accept(log, 0, log.length);
         counter.megabytes += log.length / 1e6;
         return parser.finish();
