@@ -1,95 +1,28 @@
 package badlog.window.app
 
 import androidx.compose.ui.input.key.Key
-import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.input.Action
 import badlog.window.export.COPY_GRAPHS
 import badlog.window.export.EXPORT_PAGE
 import badlog.window.export.PageSaver
 import badlog.window.export.figure.FigureSaver
-import badlog.window.findings.LogFindings
 import badlog.window.folder.Library
 import badlog.window.formula.FormulaStore
-import badlog.window.graph.scene.stepCursor
 import badlog.window.layout.LayoutFiles
 import badlog.window.layout.SAVE_LAYOUT
 import badlog.window.log.AxisView
-import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.log.LogNotes
 import badlog.window.menu.Command
 import badlog.window.menu.KeyPress
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.WindowPanels
-import badlog.window.sidebar.placeOfNote
 import badlog.window.topics.TopicListing
-import badlog.window.video.LogVideo
 import badlog.window.video.Player
 
 /** Returns the keys that do the same as on an exported page. */
-internal fun actionCommands(
-    current: CurrentRecording,
-    view: AxisView,
-    board: GraphBoard,
-    formulas: FormulaStore,
-    findings: LogFindings,
-    notes: LogNotes,
-    panels: WindowPanels,
-    video: LogVideo,
-): List<Command> = Action.entries.map { action ->
-    Command(action) {
-        when (action) {
-            Action.PREVIOUS_SAMPLE -> stepCursor(current, view, -1)
-            Action.NEXT_SAMPLE -> stepCursor(current, view, 1)
-            Action.TEN_SAMPLES_BACK -> stepCursor(current, view, -Action.MANY_SAMPLES)
-            Action.TEN_SAMPLES_ON -> stepCursor(current, view, Action.MANY_SAMPLES)
-            Action.SECOND_CURSOR -> view.changeCursors { withSecond() }
-            Action.ZOOM_IN -> view.change { zoomed(1, view.cursor) }
-            Action.ZOOM_OUT -> view.change { zoomed(-1, view.cursor) }
-            Action.SHOW_ALL -> view.change { reset() }
-            Action.PREVIOUS_VIEW -> view.change { back() }
-            Action.NEXT_VIEW -> view.change { forward() }
-            Action.SHOW_ENABLED -> view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
-            Action.PAN_LEFT -> view.change { panned(-Action.PAN_SHARE) }
-            Action.PAN_RIGHT -> view.change { panned(Action.PAN_SHARE) }
-            Action.CURSOR_VALUES -> panels.change { toggled(InspectorTab.CURSOR) }
-            Action.NEW_FORMULA -> formulas.write()
-            Action.NEW_NOTE -> writeNote(notes, panels, view)
-            Action.NEXT_FINDING -> stepFinding(1, findings, panels)
-            Action.PREVIOUS_FINDING -> stepFinding(-1, findings, panels)
-            Action.PREVIOUS_FRAME -> video.step(-1)
-            Action.NEXT_FRAME -> video.step(1)
-            Action.UNDO -> board.undo()
-            Action.REDO -> board.redo()
-            Action.PIN -> board.current?.let { if (board.isEvidence(it.id)) board.keep(it.id) else board.change { without(it.id) } }
-            Action.MOVE_UP -> board.current?.let { moveGraph(it.id, -1, board) }
-            Action.MOVE_DOWN -> board.current?.let { moveGraph(it.id, 1, board) }
-            Action.NEXT_HEIGHT -> board.current?.let { board.change { resized(it.id, GraphHeight.of(it.height).next.pixels) } }
-        }
-    }
-}
-
-/** Begins a note at the cursor of [view], in its panel. */
-private fun writeNote(notes: LogNotes, panels: WindowPanels, view: AxisView) {
-    if (notes.state.log == null) return
-    panels.change { inspecting(InspectorTab.NOTES) }
-    notes.write(placeOfNote(view))
-}
-
-/** Goes [steps] findings forward. The panel shows what to look at next, unless a person is reading another panel. */
-private fun stepFinding(steps: Int, findings: LogFindings, panels: WindowPanels) {
-    findings.step(steps)
-    // In a narrow window, nothing is opened in front of the graphs.
-    panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
-}
-
-/** Moves graph [id] by [places], up if negative; it stays in sight. */
-private fun moveGraph(id: Int, places: Int, board: GraphBoard) {
-    board.change { moved(id, places) }
-    if (board.inSight?.contains(id) == false) board.goTo(id)
-}
+internal fun actionCommands(perform: (Action) -> Unit): List<Command> = Action.entries.map { Command(it) { perform(it) } }
 
 /** Returns the keys for the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(

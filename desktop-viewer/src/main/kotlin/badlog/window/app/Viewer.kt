@@ -26,6 +26,7 @@ import badlog.window.folder.LibraryActions
 import badlog.window.formula.FormulaStore
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.graphCommands
+import badlog.window.layout.KeptLayouts
 import badlog.window.layout.Layout
 import badlog.window.layout.LayoutFiles
 import badlog.window.layout.LayoutStore
@@ -106,7 +107,8 @@ internal class Viewer(
     val notes = LogNotes(current, notices)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
-    val layoutFiles = LayoutFiles(layouts, library, current, files, tasks, notices)
+    val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
+    val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
     val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
@@ -155,6 +157,7 @@ internal class Viewer(
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
+    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */
@@ -163,7 +166,7 @@ internal class Viewer(
             library,
             panels,
             opener,
-        ) + topicCommands(topics, panels) + actionCommands(current, view, board, formulas, findings, notes, panels, video) +
+        ) + topicCommands(topics, panels) + actionCommands(actions::perform) +
             graphCommands(
                 view,
                 graphs::scroll,
@@ -181,6 +184,7 @@ internal class Viewer(
         scope.launch { stations.run() }
         scope.launch { findings.run() }
         scope.launch { notes.run() }
+        scope.launch { keptLayouts.run() }
         scope.launch { video.run() }
         scope.launch { settings.autosave() }
         scope.launch { newest.run() }

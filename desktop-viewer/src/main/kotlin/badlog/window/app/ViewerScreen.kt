@@ -46,7 +46,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                 val isNarrow = maxWidth < NARROW
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
                     TopBar(panels, current, findings, notes, settings, isNarrow) {
-                        LayoutMenu(current, layouts, layoutFiles, axis, stations)
+                        LayoutMenu(current, layouts, keptLayouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
@@ -81,7 +81,7 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
         logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
-        details = { InspectorPane(current, compared, board, view, events, findings, notes, video, panels, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, notes, video, panels, actions::perform, it) },
     )
 }
 

@@ -17,7 +17,6 @@ import java.nio.file.Path
  * What the window knows about the open recording's findings.
  *
  * @property list the findings; null until the rules have run.
- * @property selected the one that a person went to last, or null.
  * @property pointed the one under the pointer, or null.
  * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
  * @property timesAsked how often a person requested to run the rules again.
@@ -25,7 +24,6 @@ import java.nio.file.Path
  */
 internal data class Findings(
     val list: FindingList? = null,
-    val selected: Finding? = null,
     val pointed: Finding? = null,
     val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
@@ -34,11 +32,8 @@ internal data class Findings(
     /** The names of the topics that one of them is about. */
     val topics: Set<String> get() = list?.topics.orEmpty()
 
-    /** The one whose time is shaded in the graphs, or null. */
-    val shown: Finding? get() = pointed ?: selected
-
-    /** Returns the findings with [list]; the selected one stays selected if it was found again. */
-    fun knowing(list: FindingList): Findings = copy(list = list, selected = selected?.let(list::like), pointed = pointed?.let(list::like))
+    /** Returns the findings with [list]. */
+    fun knowing(list: FindingList): Findings = copy(list = list, pointed = pointed?.let(list::like))
 
     /** Returns the findings without a list. */
     fun unknown(): Findings = Findings(timesAsked = timesAsked)

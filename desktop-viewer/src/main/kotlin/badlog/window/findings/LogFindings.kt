@@ -12,6 +12,7 @@ import badlog.rules.incident.incidentsIn
 import badlog.rules.incident.nextOf
 import badlog.rules.over
 import badlog.viewer.choices.board.evidenceBoard
+import badlog.viewer.draw.mark.FindingPlace
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -47,11 +48,18 @@ internal class LogFindings(
     /** The log whose worst finding will be shown once it is known; null for none. */
     private var worstWanted: Path? = null
 
+    /** The finding that a person went to last; null for none. */
+    val selected: Finding? get() = view.visited?.finding
+
+    /** The finding whose time is shaded in the graphs; null for none. */
+    val shown: Finding? get() = state.pointed ?: selected
+
     /** Runs the rules over whatever is opened, until cancelled. */
     suspend fun run() {
         var before: Path? = null
         snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
             change { unknown() }
+            select(null)
             // A person has opened another log in the meantime.
             if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
             before = wanted.file
@@ -61,6 +69,8 @@ internal class LogFindings(
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 change { knowing(list) }
+                // It may have been found again in a log that grows, as another object.
+                select(selected?.let(list::like))
                 if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
                 delay(restAfter(began.elapsedNow()))
             }
@@ -108,8 +118,12 @@ internal class LogFindings(
      * graphs, its evidence and that of its incident. A finding about the whole log does not change the visible range.
      */
     fun goTo(finding: Finding, place: Double = finding.time) {
-        change { copy(selected = finding) }
-        if (place.isFinite()) view.goTo(place, finding.places.find { it.from == place } ?: Span(place, place))
+        view.go { visiting(placeOf(finding, place)) }
+        showEvidence(finding)
+    }
+
+    /** Shows, above all other graphs, the evidence of [finding] and of its incident. */
+    fun showEvidence(finding: Finding) {
         val open = current.recording ?: return
         board.showEvidence(evidenceBoard(open.view, incidentOf(finding).evidenceOf(finding), open.vocabulary))
     }
@@ -121,15 +135,17 @@ internal class LogFindings(
 
     /** Goes [steps] places forward within the selected finding. */
     fun stepWithin(steps: Int) {
-        val finding = state.selected ?: return
+        val finding = selected ?: return
         state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
     }
 
-    /** Goes [steps] findings forward, see [badlog.viewer.shown.finding.FindingOrder]. */
-    fun step(steps: Int) {
-        val next = state.list?.order?.beside(state.selected, view.cursor ?: Double.NaN, steps) ?: return
-        goTo(next.place.finding, next.place.span.from)
+    private fun select(finding: Finding?) {
+        if (finding === selected) return
+        view.go { copy(visited = finding?.let { placeOf(it, visited?.span?.from ?: Double.NaN) }) }
     }
+
+    private fun placeOf(finding: Finding, from: Double) =
+        FindingPlace(finding, finding.severity, finding.places.find { it.from == from } ?: Span(from, from))
 
     private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)
 

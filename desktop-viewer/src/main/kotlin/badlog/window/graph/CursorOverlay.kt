@@ -37,7 +37,7 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     Spacer(
         Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
             val visible = scene.view.viewport.visible
-            scene.findings.state.shown?.let { drawShownFinding(it, visible, palette) }
+            scene.findings.shown?.let { drawShownFinding(it, visible, palette) }
             scene.view.selection?.let { drawSelection(it, visible, palette) }
             scene.view.gesture?.let { drawGesture(it, id, visible, scene.pictureOf(state), palette) }
             val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), visible)

@@ -102,7 +102,7 @@ private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Pa
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
     val full = scene.view.viewport.full
-    scene.findings.state.shown?.let { drawShownFinding(it, full, palette) }
+    scene.findings.shown?.let { drawShownFinding(it, full, palette) }
     scene.view.selection?.let { drawSelection(it, full, palette) }
     if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
     pen().drawCursors(PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), full), scene.view.cursors, palette.pen)

@@ -5,6 +5,7 @@ import androidx.compose.ui.input.key.Key
 import badlog.core.recording.PathName
 import badlog.files.writeAtomically
 import badlog.viewer.choices.board.FolderLayout
+import badlog.viewer.input.Action
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.StationChoice
 import badlog.window.files.FileChoice
@@ -23,12 +24,22 @@ import java.nio.file.Path
 
 /** The menu for saving and opening layouts of the window. */
 @Composable
-internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: LayoutFiles, axis: AxisChoice, stations: StationChoice) {
+internal fun LayoutMenu(
+    current: CurrentRecording,
+    layouts: LayoutStore,
+    kept: KeptLayouts,
+    files: LayoutFiles,
+    axis: AxisChoice,
+    stations: StationChoice,
+) {
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
-        listOfNotNull(
+        val ofFolder = kept.state.files.keys.take(MOST_LISTED).map { name ->
+            MenuEntry(name, "A layout in the folder; ${Action.NEXT_LAYOUT.shortcut} shows the next one", why) { kept.show(name) }
+        }
+        ofFolder + listOfNotNull(
             MenuEntry("Start board", "The graphs that this log begins with", why) { layouts.showStartBoard() },
-            MenuEntry("Save the layout as…", "A file for another folder, or for a teammate", why, SAVE_LAYOUT.text) { files.save() },
+            MenuEntry("Save the layout as…", "Beside the logs, one of those that G goes through", why, SAVE_LAYOUT.text) { files.save() },
             MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages begin with it", why) {
                 files.saveDefault()
             },
@@ -46,11 +57,15 @@ internal fun LayoutMenu(current: CurrentRecording, layouts: LayoutStore, files: 
     }
 }
 
+/** A menu with more would not fit on the screen; the key goes through all. */
+private const val MOST_LISTED = 12
+
 internal val SAVE_LAYOUT = KeyPress(Key.S, "S", ctrl = true)
 
 /** Layouts in files that a person names. */
 internal class LayoutFiles(
     private val layouts: LayoutStore,
+    private val kept: KeptLayouts,
     private val library: Library,
     private val current: CurrentRecording,
     private val files: FileChoice,
@@ -64,7 +79,10 @@ internal class LayoutFiles(
         val name = fileNameOf(folder?.fileName?.toString() ?: "badlog")
         val file = askToWrite(files, notices, "Save the layout", folder ?: open.file.parent, name, Layout.ENDING) ?: return
         val layout = layouts.layout
-        tasks.run("Saving the layout", { writeLayout(file, layout) }) { notices.say("Saved the layout to $file.") }
+        tasks.run("Saving the layout", { writeLayout(file, layout) }) {
+            kept.add(file)
+            notices.say("Saved the layout to $file.")
+        }
     }
 
     /** Asks for a file in the folder of logs, and writes to it the initial graphs and formulas of windows and pages for that folder. */

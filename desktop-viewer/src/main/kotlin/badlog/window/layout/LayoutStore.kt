@@ -113,6 +113,12 @@ internal class LayoutStore(
         applyRange(layout)
     }
 
+    /** Shows the graphs of [layout], with its formulas; where a person looks in the log, and everything else, stays. */
+    fun switchTo(layout: Layout) {
+        formulas.replaceAll(joined(formulas.definitions, layout.formulas))
+        applyGraphs(layout)
+    }
+
     /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */
     fun showStartBoard() {
         val open = current.recording ?: return

@@ -9,7 +9,9 @@ import badlog.viewer.choices.board.BoardHistory
 
 /** The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread. */
 internal class GraphBoard {
-    private var history by mutableStateOf(BoardHistory())
+    /** The graphs with their history. */
+    var history by mutableStateOf(BoardHistory())
+        private set
 
     /**
      * Each graph added to show a finding, in its original form, except those that a person keeps: undoing also brings back those of
@@ -48,9 +50,13 @@ internal class GraphBoard {
             ?: state.graphs.firstOrNull()
 
     /** Changes the graphs by [transition]; [undo] restores the previous ones. */
-    fun change(transition: Board.() -> Board) {
+    fun change(transition: Board.() -> Board) = take(history.changed(state.transition()))
+
+    /** Goes to [changed], a step from [history]; the first new graph is scrolled to if it is out of sight. */
+    fun take(changed: BoardHistory) {
+        if (changed === history) return
         val before = state.graphs.associateBy { it.id }
-        history = history.changed(state.transition())
+        history = changed
         val seen = inSight ?: return
         // Nobody looks for graphs added outside the visible part, so scroll to the first of them. If all are new, that is the top.
         val added = state.graphs.filter { graph -> before[graph.id].let { it == null || it.lines.size < graph.lines.size } }
@@ -74,13 +80,20 @@ internal class GraphBoard {
     }
 
     /** Undoes the last change. */
-    fun undo() {
-        history = history.undone()
-    }
+    fun undo() = take(history.undone())
 
     /** Redoes what [undo] undid. */
-    fun redo() {
-        history = history.redone()
+    fun redo() = take(history.redone())
+
+    /** Removes the [current] graph; one that is there to show a finding is kept instead. */
+    fun togglePin() {
+        val graph = current ?: return
+        if (isEvidence(graph.id)) keep(graph.id) else change { without(graph.id) }
+    }
+
+    /** Scrolls to graph [id], which was moved, if it is out of sight. */
+    fun keepInSight(id: Int) {
+        if (inSight?.contains(id) == false) goTo(id)
     }
 
     /**

@@ -149,6 +149,7 @@ private val KEYS = mapOf(
     "F" to listOf(Key.F),
     "M" to listOf(Key.M),
     "N" to listOf(Key.N),
+    "G" to listOf(Key.G),
     "H" to listOf(Key.H),
     "P" to listOf(Key.P),
     "Y" to listOf(Key.Y),

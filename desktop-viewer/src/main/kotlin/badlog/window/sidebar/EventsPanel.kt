@@ -94,7 +94,7 @@ private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline,
                 EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
                     if (x.isFinite()) {
-                        view.goTo(x)
+                        view.go { at(x) }
                         onGo()
                     }
                 }

@@ -63,6 +63,7 @@ import badlog.window.theme.ToolButton
  * The findings in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below are the skipped
  * rules, folded.
  *
+ * @param perform does what a key does.
  * @param onGo called when a click goes to a finding.
  */
 @Composable
@@ -72,10 +73,11 @@ internal fun FindingsPanel(
     view: AxisView,
     board: GraphBoard,
     open: OpenRecording,
+    perform: (Action) -> Unit,
     onGo: () -> Unit,
     modifier: Modifier,
 ) {
-    val selected = findings.state.selected
+    val selected = findings.selected
     val list = findings.state.list
     if (list == null) {
         PanelHint("Running the rules …")
@@ -106,10 +108,10 @@ internal fun FindingsPanel(
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
             ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.timeline.places.isNotEmpty()) {
-                findings.step(-1)
+                perform(Action.PREVIOUS_FINDING)
             }
             ToolButton("Next finding (${Action.NEXT_FINDING.shortcut})", Icons.Down, isEnabled = list.timeline.places.isNotEmpty()) {
-                findings.step(1)
+                perform(Action.NEXT_FINDING)
             }
             ToolButton("Run the rules again", Icons.Reset) {
                 findings.runAgain()

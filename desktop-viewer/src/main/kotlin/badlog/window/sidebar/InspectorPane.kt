@@ -29,6 +29,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
 import badlog.core.recording.Severity
+import badlog.viewer.input.Action
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.LogFindings
 import badlog.window.log.AxisView
@@ -57,6 +58,7 @@ internal fun InspectorPane(
     notes: LogNotes,
     video: LogVideo,
     panels: WindowPanels,
+    perform: (Action) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val tab = panels.state.inspector ?: return
@@ -87,7 +89,7 @@ internal fun InspectorPane(
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, perform, showGraphs, Modifier.fillMaxSize())
                 InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
             }

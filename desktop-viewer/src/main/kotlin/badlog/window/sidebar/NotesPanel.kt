@@ -51,7 +51,7 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
         val draft = notes.draft
         if (draft == null) {
             ToolButton("Write a note at the cursor (M)", text = "New note at the cursor", isEnabled = !notes.state.isDamaged) {
-                notes.write(placeOfNote(view))
+                notes.write(view.place.ofNote)
             }
         } else {
             NoteField(notes, draft, times)
@@ -62,16 +62,13 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
         LazyColumn {
             items(notes.all) { note ->
                 NoteLine(notes, note, times) {
-                    view.goTo(note.x)
+                    view.go { at(note.x) }
                     onGo()
                 }
             }
         }
     }
 }
-
-/** Returns where a new note would be: at the cursor, or in the middle of the visible range. */
-internal fun placeOfNote(view: AxisView): Double = view.cursor ?: view.viewport.visible.run { (from + to) / 2 }
 
 @Composable
 private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {

@@ -17,6 +17,7 @@ import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.foundation.selection.toggleable
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -32,6 +33,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.AnnotatedString
@@ -117,7 +119,7 @@ internal fun TopicPane(
 /** The rows of a list that is searched for [query]. */
 private class ShownRows(val query: String, val rows: List<TopicRow>)
 
-private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(signals, list.query, list.folded, empty, found)
+private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(signals, list.query, list.folded, empty, found, poses)
 
 /** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
 private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
@@ -173,6 +175,8 @@ private fun Rows(
                         }
                     }
 
+                    is PathRow -> PathLine(row, query, graphs.has(row.graph)) { board.change { withToggled(row.graph) } }
+
                     is SignalRow -> {
                         val place = places[row.signal.name]
                         SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place, showsValues)
@@ -219,6 +223,23 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
             overflow = TextOverflow.Ellipsis,
         )
         Text(row.count.toString(), color = palette.muted, maxLines = 1)
+    }
+}
+
+/** A path of the list of topics. */
+@Composable
+private fun PathLine(row: PathRow, query: String, isDrawn: Boolean, onToggle: () -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .toggleable(isDrawn, role = Role.Checkbox) { onToggle() }
+            .semantics { contentDescription = row.graph.title }
+            .padding(start = indentOf(row.depth), end = 14.dp, top = 4.dp, bottom = 4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val color = if (isDrawn) palette.accent else palette.text
+        Text(withMatches(row.graph.title, query, palette), color = color, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }
 

@@ -1,5 +1,8 @@
 package badlog.window.topics
 
+import badlog.signals.pose.Pose
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.pathGraphs
 import badlog.viewer.shown.search.Query
 import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
@@ -9,6 +12,7 @@ import badlog.window.log.isFoundBy
  * name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
  *
  * @param found the names of the topics that a finding is about.
+ * @param poses those whose paths a query also finds.
  */
 internal fun topicRows(
     signals: List<Signal>,
@@ -16,6 +20,7 @@ internal fun topicRows(
     folded: Set<String>,
     empty: List<Signal> = emptyList(),
     found: Set<String> = emptySet(),
+    poses: List<Pose> = emptyList(),
 ): List<TopicRow> {
     val wanted = Query(query)
     val root = TopicFolder("", "")
@@ -23,6 +28,7 @@ internal fun topicRows(
         if (signal.isFoundBy(wanted, found)) root.at(signal.folder).signals += signal
     }
     val rows = ArrayList<TopicRow>()
+    pathGraphs(poses, wanted).mapTo(rows, ::PathRow)
     root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())
     return rows
 }
@@ -94,6 +100,12 @@ internal sealed interface TopicRow {
 internal data class FolderRow(override val depth: Int, val path: String, val title: String, val count: Int, val isOpen: Boolean) :
     TopicRow {
     override val key: String get() = "folder $path"
+}
+
+/** A path on the field, which [graph] draws. */
+internal class PathRow(val graph: BoardGraph) : TopicRow {
+    override val depth: Int get() = 0
+    override val key: String get() = "path ${graph.title}"
 }
 
 /** A signal. */

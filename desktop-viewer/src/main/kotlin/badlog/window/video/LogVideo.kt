@@ -163,7 +163,7 @@ internal class LogVideo(
     private fun lead(seconds: Double) {
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
         place = x
-        view.goTo(x)
+        view.go { at(x) }
         cursorBefore = view.cursor
     }
 

@@ -90,16 +90,16 @@ class LogFindingsSpec : FunSpec({
             viewer.scope.launch { viewer.findings.run() }
             change { viewer.findings.showWorst(wanted.file) }
             change { viewer.current.replace(wanted) }
-            eventually(60.seconds) { viewer.findings.state.selected?.rule shouldBe "Error" }
-            change { viewer.findings.change { copy(selected = null) } }
+            eventually(60.seconds) { viewer.findings.selected?.rule shouldBe "Error" }
+            change { viewer.view.go { copy(visited = null) } }
             change { viewer.findings.showWorst(wanted.file) }
-            viewer.findings.state.selected?.rule shouldBe "Error"
+            viewer.findings.selected?.rule shouldBe "Error"
 
             change { viewer.findings.showWorst(folder.resolve("never opened.bag")) }
             change { viewer.current.replace(counted(home)) }
             // Not the findings of the log before, which stay until the window hears of the other one.
             eventually(60.seconds) { viewer.findings.state.list?.all?.none { it.rule == "Error" } shouldBe true }
-            viewer.findings.state.selected shouldBe null
+            viewer.findings.selected shouldBe null
         }
     }
 

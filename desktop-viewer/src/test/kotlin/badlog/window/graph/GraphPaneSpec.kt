@@ -149,7 +149,7 @@ class GraphPaneSpec : FunSpec({
     test("each key has a meaning of its own") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
         val commands =
-            actionCommands(viewer.current, viewer.view, viewer.board, viewer.formulas, viewer.findings, viewer.notes, viewer.panels, viewer.video)
+            actionCommands(viewer.actions::perform)
         commands.map { it.meaning }.distinct().size shouldBe commands.size
         val right = commands.first { it.meaning == "Cursor to the next sample" }
         viewer.view.placeCursor(5.0)

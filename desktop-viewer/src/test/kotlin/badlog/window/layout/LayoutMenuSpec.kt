@@ -7,10 +7,12 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.choices.range.Viewport
+import badlog.viewer.input.Action
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.export.armBag
@@ -74,6 +76,42 @@ class LayoutMenuSpec : FunSpec({
             files.file = log
             choose("Open a layout…")
             waitForNotice(viewer, "match.bag is not a layout")
+        }
+    }
+
+    test("layouts that are saved beside the logs are in the menu, and keys go through them where the person is in the log") {
+        val folder = tempdir().toPath()
+        val own = Files.writeString(folder.resolve("match.bag"), armBag(500))
+        val files = ChosenFiles(folder.resolve("Power${Layout.ENDING}"))
+        runDesktopComposeUiTest(1200, 800) {
+            val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
+            val open = recordingOf(armBag(500), own)
+            viewer.current.replace(open)
+            viewer.board.replace(Board())
+            viewer.view.show(open.span)
+            setContent { ViewerScreen(viewer) }
+            viewer.actions.perform(Action.NEXT_LAYOUT)
+            waitForNotice(viewer, "No layout is kept yet; Ctrl+S saves one beside the logs, such as “Power” or “Drive”.")
+            fun keep(name: String, line: String) {
+                files.file = folder.resolve(name + Layout.ENDING)
+                runOnIdle { viewer.board.replace(Board().withGraph(listOf(line))) }
+                choose("Save the layout as…")
+                waitFor { name in viewer.keptLayouts.state.files }
+            }
+            keep("Power", "Arm/Current")
+            keep("Arm", "Arm/Angle")
+            runOnIdle {
+                viewer.view.change { showing(1.0, 2.0) }
+                viewer.actions.perform(Action.NEXT_LAYOUT)
+            }
+            waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }
+            viewer.view.viewport.visible shouldBe Span(1.0, 2.0)
+            runOnIdle { viewer.actions.perform(Action.NEXT_LAYOUT) }
+            waitFor { viewer.board.state.graphs.single().title == "Arm/Angle" }
+            choose("Power")
+            waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }
+            runOnIdle { viewer.board.undo() }
+            viewer.board.state.graphs.single().title shouldBe "Arm/Angle"
         }
     }
 })

@@ -40,7 +40,7 @@ class FindingsWindowSpec : FunSpec({
             window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
             window.click("Findings of qualification-42.bag")
             window.awaitState("the match, and the worst that was found in it") { viewer ->
-                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.state.selected != null
+                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.selected != null
             }
             window.awaitState("what shows it, all on the screen") { viewer ->
                 viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })
@@ -64,7 +64,7 @@ class FindingsWindowSpec : FunSpec({
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitText("Finding, error: Browned out")
             window.press(KeyEvent.VK_N)
-            window.awaitState("the first finding") { it.findings.state.selected != null && it.view.cursor == it.findings.state.list?.incidents?.first()?.first?.time }
+            window.awaitState("the first finding") { it.findings.selected != null && it.view.cursor == it.findings.state.list?.incidents?.first()?.first?.time }
             window.press(KeyEvent.VK_N)
             window.press(KeyEvent.VK_N, KeyEvent.VK_SHIFT)
             window.click("Finding, error: Browned out")

@@ -30,7 +30,7 @@ class PathWindowSpec : FunSpec({
         RealWindow(tempdir().toPath(), log).use { window ->
             window.awaitState("the log") { it.current.recording?.fieldPicture != null }
             window.awaitGraphs()
-            window.look { it.view.goTo(DEPARTED) }
+            window.look { it.view.go { at(DEPARTED) } }
             window.awaitGraphs()
             // Nothing else in the window is like it.
             window.awaitLook("the carpet of the field") { picture ->

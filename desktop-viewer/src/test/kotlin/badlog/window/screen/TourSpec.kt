@@ -29,7 +29,7 @@ class TourSpec : FunSpec({
             show(1800)
             window.click("Findings of qualification-42.bag")
             window.awaitState("the match, and the worst that was found in it") { viewer ->
-                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.state.selected != null
+                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.selected != null
             }
             window.awaitState("what shows it, all on the screen") { viewer ->
                 viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })

@@ -21,7 +21,7 @@ class VideoWindowSpec : FunSpec({
             window.press(KeyEvent.VK_PERIOD)
             window.awaitState("the next frame") { viewer -> viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } == 1 }
             window.look { Math.round((it.view.cursor ?: 0.0) * 1000) } shouldBe 2052L
-            window.look { it.view.goTo(9.5) }
+            window.look { it.view.go { at(9.5) } }
             window.awaitState("the frame of the cursor") { viewer ->
                 viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } == 224
             }

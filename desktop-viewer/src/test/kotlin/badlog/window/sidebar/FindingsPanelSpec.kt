@@ -63,7 +63,7 @@ class FindingsPanelSpec : FunSpec({
                 viewer.view.cursor shouldBe viewer.findings.state.list?.timeline?.places?.last()?.span?.from
                 (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
                 viewer.panels.state.front shouldBe FrontPart.GRAPHS
-                viewer.findings.step(-1)
+                viewer.actions.perform(Action.PREVIOUS_FINDING)
             }
             onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
             onNodeWithText("None").assertDoesNotExist()
@@ -144,7 +144,7 @@ class FindingsPanelSpec : FunSpec({
             val name = onNodeWithContentDescription("Incident: ${incident.name}")
             name.assertIsNotSelected()
             name.performClick()
-            viewer.findings.state.selected shouldBe incident.sentences.first().finding
+            viewer.findings.selected shouldBe incident.sentences.first().finding
             name.assertIsSelected()
             savePicture("incident-open")
             runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }
@@ -169,13 +169,13 @@ class FindingsPanelSpec : FunSpec({
         val list = findingsIn(viewer.current.recording.shouldNotBeNull())
         viewer.findings.change { knowing(list) }
         val gone = List(list.all.size) {
-            viewer.findings.step(1)
-            viewer.findings.state.selected.shouldNotBeNull()
+            viewer.actions.perform(Action.NEXT_FINDING)
+            viewer.findings.selected.shouldNotBeNull()
         }
         gone.take(list.incidents.size) shouldBe list.incidents.map { it.first }
         gone.drop(list.incidents.size).none { finding -> list.incidents.any { finding in it } } shouldBe true
-        viewer.findings.step(-list.all.size)
-        viewer.findings.state.selected shouldBe list.incidents.first().first
+        repeat(list.all.size) { viewer.actions.perform(Action.PREVIOUS_FINDING) }
+        viewer.findings.selected shouldBe list.incidents.first().first
     }
 
     test("a wrong file of rules, and a log in which nothing was found, are reported") {

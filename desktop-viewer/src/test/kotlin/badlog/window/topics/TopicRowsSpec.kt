@@ -13,6 +13,7 @@ class TopicRowsSpec : FunSpec({
     fun text(rows: List<TopicRow>) = rows.map { row ->
         "  ".repeat(row.depth) + when (row) {
             is FolderRow -> "${row.title}/ ${row.count}"
+            is PathRow -> row.graph.title
             is SignalRow -> row.signal.title
         }
     }

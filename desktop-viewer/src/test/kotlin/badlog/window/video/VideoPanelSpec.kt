@@ -102,7 +102,7 @@ class VideoPanelSpec : FunSpec({
     test("without a link, video and cursor go their own ways; linked again, the frame belongs where the cursor is") {
         inWindow(video) { viewer ->
             open(viewer)
-            runOnIdle { viewer.view.goTo(20.0) }
+            runOnIdle { viewer.view.go { at(20.0) } }
             onNodeWithContentDescription("Next frame (.)").performClick()
             waitFor { shown(viewer) == 1 }
             runOnIdle { viewer.view.cursor shouldBe 20.0 }
@@ -111,7 +111,7 @@ class VideoPanelSpec : FunSpec({
             onNodeWithContentDescription("Link video and cursor").performClick()
             runOnIdle {
                 viewer.video.state.alignment shouldBe null
-                viewer.view.goTo(25.0)
+                viewer.view.go { at(25.0) }
             }
             onNodeWithContentDescription("Next frame (.)").performClick()
             waitFor { shown(viewer) == 2 }

@@ -30,7 +30,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
     val shown by remember(scene) {
         derivedStateOf {
             scene.findings.state.pointed
-                ?: scene.findings.state.selected?.takeIf { scene.view.isCursorPinned && isAt(it, scene.view.cursor) }
+                ?: scene.findings.selected?.takeIf { scene.view.isCursorPinned && isAt(it, scene.view.cursor) }
         }
     }
     val finding = shown ?: return

@@ -2,7 +2,6 @@ package badlog.window.graph.scene
 
 import androidx.compose.ui.input.key.Key
 import badlog.window.log.AxisView
-import badlog.window.log.CurrentRecording
 import badlog.window.menu.Command
 import badlog.window.menu.KeyPress
 
@@ -19,14 +18,4 @@ private const val SCROLLED = 0.25
 internal fun zoomToSelection(view: AxisView) {
     val selection = view.selection ?: return
     view.change { showing(selection.from, selection.to) }
-}
-
-/** Moves a cursor by [samples] of the open recording, or to the sample in the middle of the view, and makes it visible. */
-internal fun stepCursor(current: CurrentRecording, view: AxisView, samples: Int) {
-    val steps = current.recording?.cursorSteps ?: return
-    val visible = view.viewport.visible
-    val start = steps.nearest(visible.from + visible.width / 2)
-    if (start.isNaN()) return
-    view.changeCursors { moved(start) { steps.from(it, samples) } }
-    view.cursors.moving?.let { x -> view.change { revealing(x) } }
 }

@@ -76,7 +76,7 @@ class XyPaneSpec : FunSpec({
 
     test("the second cursor is a ring on the path, where the robot was then") {
         path { viewer ->
-            viewer.view.goTo(9.4)
+            viewer.view.go { at(9.4) }
             waitForIdle()
             val one = savePicture("path-second").count(Palette.LIGHT.line(0))
             viewer.view.changeCursors { shiftClicked(3.0, 0.0) }

@@ -1,18 +1,26 @@
 package badlog.page.app
 
+import badlog.core.analysis.EnabledSpan
 import badlog.page.board.BoardKeys
 import badlog.page.dom.PageEvents
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.formula.FormulaDialog
 import badlog.page.header.SearchBox
+import badlog.page.layout.LayoutDialog
 import badlog.page.note.NoteDialog
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.viewer.input.Action
+import badlog.viewer.session.Request
+import badlog.viewer.session.Session
+import badlog.viewer.session.Shown
+import badlog.viewer.session.after
+import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.finding.FindingOrder
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
@@ -27,6 +35,7 @@ internal class Keyboard(
     private val values: CursorPanel,
     private val formulas: FormulaDialog,
     private val notes: NoteDialog,
+    private val layouts: LayoutDialog,
     private val help: HelpOverlay,
     private val video: VideoPanel,
     private val live: LiveRegion,
@@ -50,38 +59,41 @@ internal class Keyboard(
 
     private fun String.uppercaseLetter() = if (length == 1) uppercase() else this
 
-    private fun perform(action: Action) = when (action) {
-        Action.PREVIOUS_SAMPLE -> step(-1)
-        Action.NEXT_SAMPLE -> step(1)
-        Action.TEN_SAMPLES_BACK -> step(-Action.MANY_SAMPLES)
-        Action.TEN_SAMPLES_ON -> step(Action.MANY_SAMPLES)
-        Action.SECOND_CURSOR -> scene.cursor.change { withSecond() }
-        Action.ZOOM_IN -> scene.range.change { zoomed(1, scene.cursor.x) }
-        Action.ZOOM_OUT -> scene.range.change { zoomed(-1, scene.cursor.x) }
-        Action.SHOW_ALL -> scene.range.change { reset() }
-        Action.PREVIOUS_VIEW -> scene.range.change { back() }
-        Action.NEXT_VIEW -> scene.range.change { forward() }
-        Action.SHOW_ENABLED -> scene.range.change { showingEnabled(scene.enabled) }
-        Action.PAN_LEFT -> scene.range.change { panned(-Action.PAN_SHARE) }
-        Action.PAN_RIGHT -> scene.range.change { panned(Action.PAN_SHARE) }
-        Action.CURSOR_VALUES -> values.toggle()
-        Action.NEW_FORMULA -> formulas.open()
-        Action.NEW_NOTE -> notes.write()
-        Action.NEXT_FINDING -> goToFinding(1)
-        Action.PREVIOUS_FINDING -> goToFinding(-1)
-        Action.PREVIOUS_FRAME -> video.step(-1)
-        Action.NEXT_FRAME -> video.step(1)
-        Action.PIN, Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT, Action.UNDO, Action.REDO -> board.perform(action)
+    private fun perform(action: Action) {
+        val outcome = after(Session(scene.place.now, scene.board.history, scene.board.now, board.current), shown, action)
+        scene.place.change { outcome.session.place }
+        scene.board.take(outcome.session.board)
+        outcome.request?.let(::perform)
     }
 
-    private fun step(count: Int) {
-        val now = scene.range.now
-        scene.cursor.step(count, (now.from + now.to) / 2)
-        scene.cursor.now.moving?.let { scene.range.change { revealing(it) } }
-        live.tellCursor()
+    private fun perform(request: Request) = when (request) {
+        Request.Values -> values.toggle()
+
+        Request.Pin -> board.togglePin()
+
+        is Request.Graph -> board.keepInSight(request.id)
+
+        is Request.Layout -> layouts.step(request.steps)
+
+        Request.Cursor -> live.tellCursor()
+
+        is Request.Finding -> with(request.step) {
+            findings.show(place, incident, isWhole = incident != null)
+            live.tellFinding(spoken)
+        }
+
+        Request.Formula -> formulas.open()
+
+        is Request.Note -> notes.write(request.x)
+
+        is Request.Frames -> video.step(request.count)
     }
 
-    private fun goToFinding(steps: Int) = live.tellFinding(findings.step(steps))
+    private val shown = object : Shown {
+        override val samples: CursorSteps get() = scene.place.samples
+        override val enabled: List<EnabledSpan> get() = scene.enabled
+        override val findings: FindingOrder get() = this@Keyboard.findings.order
+    }
 
     private fun escape() {
         search.clear()

@@ -31,7 +31,6 @@ import badlog.page.formula.Formulas
 import badlog.page.graph.VisibleGraphs
 import badlog.page.header.Downloads
 import badlog.page.header.ExportMenu
-import badlog.page.header.LayoutButtons
 import badlog.page.header.Printing
 import badlog.page.header.ProblemStrip
 import badlog.page.header.SearchBox
@@ -40,6 +39,9 @@ import badlog.page.header.ZoomBar
 import badlog.page.header.additionProblems
 import badlog.page.header.infoSection
 import badlog.page.header.pageHeader
+import badlog.page.layout.KeptLayouts
+import badlog.page.layout.LayoutButtons
+import badlog.page.layout.LayoutDialog
 import badlog.page.note.NoteDialog
 import badlog.page.note.NoteList
 import badlog.page.note.PageNotes
@@ -137,7 +139,8 @@ internal class LogPage(
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
-    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, ::open)
+    private val layoutDialog = LayoutDialog(KeptLayouts(), scene.notice, ::layoutNow) { layout, name -> open(layout, "Layout “$name”.") }
+    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, layoutDialog, ::open)
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
@@ -190,6 +193,7 @@ internal class LogPage(
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
         appendChild(noteDialog.element)
+        appendChild(layoutDialog.element)
         appendChild(scene.notice.element)
         appendChild(live.element)
     }
@@ -211,7 +215,7 @@ internal class LogPage(
         }
         BoardDrag(board, graphs, boardSection)
         val keys = BoardKeys(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, help, video, live)
+        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, layoutDialog, help, video, live)
     }
 
     /** What stays of it when the log has grown. */
@@ -228,7 +232,7 @@ internal class LogPage(
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
-        if (left != null) scene.goToNewest()
+        if (left != null) scene.place.change { atEnd() }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -325,12 +329,14 @@ internal class LogPage(
 
     private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
-    private fun open(opened: BoardLayout) {
+    private fun open(opened: BoardLayout) = open(opened, "Opened the layout.")
+
+    private fun open(opened: BoardLayout, said: String) {
         val problems = formulaGraphs.addAll(opened.formulas, isRemembered = true)
         val fitted = opened.board?.fittedTo { board.lines[it] != null }
         board.change { fitted?.board ?: boardAbove(view, signals) }
         opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
-        scene.notice.say(*(problems + (fitted?.sentence ?: "Opened the layout.")).toTypedArray())
+        scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
         boardSection.bringIntoSight()
     }
 

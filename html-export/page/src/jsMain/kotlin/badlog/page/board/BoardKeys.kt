@@ -3,37 +3,24 @@ package badlog.page.board
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.PageBoard
-import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.board.GraphHeight
-import badlog.viewer.input.Action
 import kotlinx.browser.document
 
 /** What keys do with the board, and with the graph that has the keyboard focus or is under the mouse. */
 internal class BoardKeys(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
-    /** Performs [action] if it concerns the board. */
-    fun perform(action: Action) {
-        when (action) {
-            Action.PIN -> graph()?.let(::pin)
-            Action.MOVE_UP -> change { moved(it, -1) }
-            Action.MOVE_DOWN -> change { moved(it, 1) }
-            Action.NEXT_HEIGHT -> change { id -> resized(id, GraphHeight.of(graphs.find { it.id == id }?.height).next.pixels) }
-            Action.UNDO -> board.undo()
-            Action.REDO -> board.redo()
-            else -> Unit
-        }
-    }
+    /** The graph of the board that keys apply to; null for none. */
+    val current: Int? get() = graph()?.let { section.itemOf(it.element) }?.spec?.id
 
-    private fun pin(card: GraphCard) {
+    /** Adds the graph to the board, or removes it. */
+    fun togglePin() {
+        val card = graph() ?: return
         val own = section.itemOf(card.element) ?: return card.pin()
         val next = section.after(own)
         board.change { without(own.spec.id) }
         section.focus(next)
     }
 
-    private fun change(step: Board.(Int) -> Board) {
-        val id = graph()?.let { section.itemOf(it.element) }?.spec?.id ?: return
-        board.change { step(id) }
-    }
+    /** Scrolls to graph [id], which was moved, if it is out of sight. */
+    fun keepInSight(id: Int) = section.keepInSight(id)
 
     private fun graph(): GraphCard? {
         val active = document.activeElement

@@ -17,6 +17,7 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import badlog.viewer.text.shortNames
 import kotlinx.browser.document
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
@@ -86,6 +87,13 @@ internal class BoardSection(
 
     /** Gives the keyboard focus to the graph with the id [id], or else to the button that adds graphs. */
     fun focus(id: Int?) = items.find { it.spec.id == id }?.cards?.first()?.focus() ?: add.focus()
+
+    /** Scrolls to the graph with the id [id] if less than half of it is in sight. */
+    fun keepInSight(id: Int) {
+        val moved = items.find { it.spec.id == id }?.element ?: return
+        val box = moved.getBoundingClientRect()
+        if ((box.top + box.bottom) / 2 !in 0.0..window.innerHeight.toDouble()) moved.bringIntoSight()
+    }
 
     /** Shows only those of its graphs that [query] finds. */
     fun filter(query: Query) {

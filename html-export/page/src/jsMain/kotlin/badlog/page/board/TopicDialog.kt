@@ -7,6 +7,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Scene
+import badlog.viewer.choices.board.pathGraphs
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import badlog.viewer.text.unitText
@@ -72,6 +73,20 @@ internal class TopicDialog(private val scene: Scene) {
             query.matches("$name ${line?.let { unitText(it.unit) }.orEmpty()}", line?.let { scene.traitsOf(it, query) }.orEmpty())
         }
         list.textContent = ""
+        // A path is a graph of its own.
+        val paths = if (graph == null) pathGraphs(scene.poses, query) else emptyList()
+        for (path in paths) {
+            list.add("li") {
+                addButton("text-button", path.title) {}.apply {
+                    fun update() = setAttribute("aria-pressed", board.now.has(path).toString())
+                    update()
+                    addEventListener("click", {
+                        board.change { withToggled(path) }
+                        update()
+                    })
+                }
+            }
+        }
         for (name in found.take(MOST)) {
             list.add("li") {
                 addButton("text-button", "") {}.apply {
@@ -88,7 +103,7 @@ internal class TopicDialog(private val scene: Scene) {
         val left = found.size - MOST
         rest.showText(
             when {
-                found.isEmpty() -> "Nothing matches."
+                found.isEmpty() && paths.isEmpty() -> "Nothing matches."
                 left > 0 -> "${countText(left)} more; type a part of the name."
                 else -> ""
             },

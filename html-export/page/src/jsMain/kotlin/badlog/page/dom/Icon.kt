@@ -25,6 +25,7 @@ internal enum class Icon(private val path: String) {
     CLOSE("M4 4l8 8M12 4l-8 8"),
     PIN("M6 2.5h4M6.8 2.5v4.2L4.5 9.5h7L9.2 6.7V2.5M8 9.5V14"),
     START("M2.5 8 8 3l5.5 5M4 7v6h8V7"),
+    LAYOUT("M2.5 2.5h11v4h-11zM2.5 9.5h5v4h-5zM10.5 9.5h3v4h-3z"),
     LINK(
         "M6.8 9.2a2.5 2.5 0 0 0 3.6 0l2.1-2.1a2.5 2.5 0 0 0-3.6-3.6l-.7.7M9.2 6.8a2.5 2.5 0 0 0-3.6 0L3.5 8.9a2.5 2.5 0 0 0 3.6 3.6l.7-.7",
     ),

@@ -14,6 +14,23 @@ internal object LocalStorage {
         null
     }
 
+    /** Returns the keys that begin with [start] and under which something is stored. */
+    fun keys(start: String): List<String> = try {
+        val own = List(localStorage.length) { localStorage.key(it).orEmpty() }.filter { it.startsWith("badlog:$start") }
+        own.map { it.removePrefix("badlog:") }
+    } catch (_: Throwable) {
+        emptyList()
+    }
+
+    /** Removes what is stored under [key]. */
+    fun remove(key: String) {
+        try {
+            localStorage.removeItem("badlog:$key")
+        } catch (_: Throwable) {
+            // Nothing is stored where that is forbidden.
+        }
+    }
+
     /** Stores [text] under [key], if that is allowed. */
     operator fun set(key: String, text: String) {
         try {

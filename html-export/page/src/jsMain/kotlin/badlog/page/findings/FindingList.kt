@@ -43,7 +43,6 @@ internal class FindingList(
     private var all = emptyList<Finding>()
     private var haystacks = emptyList<String>()
     private var incidents = emptyList<Incident>()
-    private var order = FindingOrder(scene.findings, incidents)
     private var query = Query("")
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
@@ -55,6 +54,11 @@ internal class FindingList(
     private var outside = 0
     private var listed = 0
     private val current: Finding? get() = scene.visited?.finding
+
+    /** The order in which keys go through them. */
+    var order: FindingOrder = FindingOrder(scene.findings, incidents)
+        private set
+
     private var isSearching = false
     private var haveRun = false
     private lateinit var count: HTMLElement
@@ -163,17 +167,11 @@ internal class FindingList(
         list(if (isOnPaper) PAGE else FEW)
     }
 
-    /** Goes to the next finding, or to the previous one if [steps] is negative, see [FindingOrder]. Returns what was found there. */
-    fun step(steps: Int): String {
-        val step = order.beside(current, scene.cursor.x, steps) ?: return ""
-        visit(step.place, step.incident, isWhole = step.incident != null)
-        return step.spoken
-    }
-
     /** Goes to the worst incident; without one, to the worst of [found], which a folder's list names: the first of its severity. */
     fun goToWorst(found: List<Finding>) {
         val worst = found.maxByOrNull { it.severity }
-        if (incidents.isNotEmpty() || worst == null || !worst.isPlaced) step(1) else visit(firstPlaceOf(worst))
+        if (incidents.isEmpty() && worst != null && worst.isPlaced) return visit(firstPlaceOf(worst))
+        order.beside(current, scene.cursor.x, 1)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
@@ -259,8 +257,12 @@ internal class FindingList(
     private fun incidentOf(finding: Finding): Incident? = incidents.find { finding in it }
 
     private fun visit(place: FindingPlace<Finding>, incident: Incident? = incidentOf(place.finding), isWhole: Boolean = false) {
-        scene.visited = place
-        scene.zoomTo(place.span.from, place.span.to)
+        scene.place.change { visiting(place) }
+        show(place, incident, isWhole)
+    }
+
+    /** Shows the row of [place], to which the reader has gone; of its [incident] if that [isWhole]. */
+    fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val index = unmentioned.indexOf(place.finding)
         if (index >= listed) list(index + 1)
         mark()

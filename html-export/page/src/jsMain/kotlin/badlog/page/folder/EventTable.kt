@@ -93,7 +93,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         add("td", "event-time").addButton("event-go", time, "Move the cursor here") { scene.goTo(event.x) }
         add("td", "event-text") {
             add("span", "", event.text)
-            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this event") { scene.zoomTo(event.x, event.x) }
+            addIconButton("event-zoom", Icon.SEARCH, "Zoom in on this event") { scene.zoomTo(event.x) }
         }
         addEventListener("click", { scene.goTo(event.x) })
     }

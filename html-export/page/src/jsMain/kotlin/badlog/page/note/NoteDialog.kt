@@ -19,7 +19,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
     private lateinit var text: HTMLTextAreaElement
 
     val button: HTMLElement = element("div", "formula-button") {
-        addButton("", "", "${Action.NEW_NOTE.meaning} (${Action.NEW_NOTE.shortcut})") { write() }.apply {
+        addButton("", "", "${Action.NEW_NOTE.meaning} (${Action.NEW_NOTE.shortcut})") { write(scene.place.now.ofNote) }.apply {
             id = "add-note"
             setAttribute("aria-label", "Write a note")
             appendChild(Icon.NOTE.draw())
@@ -58,11 +58,8 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
         })
     }
 
-    /** Begins a note at the cursor, or in the middle of the visible range. */
-    fun write() {
-        val visible = scene.range.now
-        open { begun(scene.cursor.now.x ?: ((visible.from + visible.to) / 2)) }
-    }
+    /** Begins a note at [x]. */
+    fun write(x: Double) = open { begun(x) }
 
     /** Begins to change [note]. */
     fun edit(note: Note) = open { changing(note) }

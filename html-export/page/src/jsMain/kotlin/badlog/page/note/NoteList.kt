@@ -61,7 +61,7 @@ internal class NoteList(private val scene: Scene, private val notes: PageNotes, 
 
     private fun row(note: Note) = element("li", "note-row") {
         val moment = fixedText(note.x, decimals)
-        addButton("event-go", moment, "Zoom to it") { scene.zoomTo(note.x, note.x) }
+        addButton("event-go", moment, "Zoom to it") { scene.zoomTo(note.x) }
         add("span", "note-text", note.text)
         add("span", "note-tools") {
             addIconButton("", Icon.NOTE, "Change the note at $moment") { onEdit(note) }

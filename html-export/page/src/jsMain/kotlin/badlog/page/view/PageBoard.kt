@@ -16,8 +16,11 @@ import badlog.viewer.choices.board.toJson
  */
 internal class PageBoard(fileKey: String, lines: BoardLines) {
     private val key = "board:$fileKey"
-    private var history = BoardHistory()
     private val listeners = ArrayList<() -> Unit>()
+
+    /** All of it, with what can be undone. */
+    var history: BoardHistory = BoardHistory()
+        private set
 
     /** The board it began with, unless the browser remembered one. */
     private var begun: BoardHistory? = null
@@ -78,18 +81,19 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     fun startAgain() = change { start() }
 
     /** Performs [step], which can be undone, and remembers the result. */
-    fun change(step: Board.() -> Board) = keep(history.changed(now.step()))
+    fun change(step: Board.() -> Board) = take(history.changed(now.step()))
 
     /**
      * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
      */
     fun visit(board: Board) = show(history.changed(board))
 
-    fun undo() = keep(history.undone())
+    fun undo() = take(history.undone())
 
-    fun redo() = keep(history.redone())
+    fun redo() = take(history.redone())
 
-    private fun keep(changed: BoardHistory) {
+    /** Goes to [changed], a step from [history], and remembers it. */
+    fun take(changed: BoardHistory) {
         if (changed === history) return
         // Another tab may have changed it meanwhile.
         val stored = remembered()

@@ -4,6 +4,7 @@ import badlog.core.analysis.EnabledSpan
 import badlog.core.analysis.Event
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
 import badlog.rules.Finding
@@ -57,19 +58,16 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
     /** The logs that every graph draws besides this one. */
     var compared: List<ComparedLog> = emptyList()
 
-    /** The place of the last finding that a person went to; null if there was none. */
-    var visited: FindingPlace<Finding>? = null
-        set(value) {
-            field = value
-            // It may be another finding at the same place.
-            cursor.announce()
-        }
-
     /** The field that paths are drawn on. */
     var field: Field = Field.PLAIN
 
-    val range: VisibleRange = VisibleRange(Viewport.of(xAxis.range))
-    val cursor: Cursor = Cursor(xAxis.clocks)
+    /** Where the reader is. */
+    val place: PagePlace = PagePlace(Viewport.of(xAxis.range), xAxis.clocks)
+    val range: VisibleRange = place.range
+    val cursor: Cursor = place.cursor
+
+    /** The place of the last finding that a person went to; null if there was none. */
+    val visited: FindingPlace<Finding>? get() = place.now.visited
     val sharedY: SharedY = SharedY(board, range) { compared }
 
     /** The poses in its topics. */
@@ -126,26 +124,11 @@ internal class Scene(val view: LogView, val fileName: String, val palette: Palet
 
     /** Moves the cursor to [x], and scrolls the visible range there if necessary. */
     fun goTo(x: Double) {
-        if (!x.isFinite() || xAxis.range == null) return
-        val place = x.coerceIn(range.full.from, range.full.to)
-        range.change { revealing(place) }
-        cursor.change { pinnedAt(place) }
+        if (xAxis.range != null) place.change { at(x) }
     }
 
-    /** Moves the cursor to the end, and the visible range there, as wide as it is. */
-    fun goToNewest() {
-        val end = range.full.to
-        val width = range.now.width
-        if (range.isZoomed) range.change { showing(end - width, end) }
-        cursor.change { pinnedAt(end) }
-    }
-
-    /** Shows the surroundings of [from] to [to], and moves the cursor to [from]. */
-    fun zoomTo(from: Double, to: Double) {
-        if (!from.isFinite()) return
-        range.change { around(from, to) }
-        goTo(from)
-    }
+    /** Shows the surroundings of [x], and moves the cursor there. */
+    fun zoomTo(x: Double) = place.change { at(x, Span(x, x)) }
 
     /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)

@@ -68,6 +68,12 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     /** Redoes what [UNDO] undid. */
     REDO("Board", "Redo", KeyStroke("Z", shift = true, ctrl = true), KeyStroke("Y", ctrl = true)),
 
+    /** Shows the graphs of the next kept layout. */
+    NEXT_LAYOUT("Board", "Next kept layout", KeyStroke("G")),
+
+    /** Shows the graphs of the previous kept layout. */
+    PREVIOUS_LAYOUT("Board", "Previous kept layout", KeyStroke("G", shift = true)),
+
     /** Opens the dialog for a formula. */
     NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
 

@@ -34,6 +34,20 @@ class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: Li
 }
 
 /**
+ * Returns the name of the layout that keys go to from the one called [current], [steps] after it in [kept], the names in their order; round
+ * and round. From none of them, it is the first, or the last for a negative number; null if none is kept.
+ */
+fun keptLayoutAfter(kept: List<String>, current: String?, steps: Int): String? {
+    if (kept.isEmpty()) return null
+    val at = kept.indexOf(current)
+    val next = if (at < 0 && steps > 0) steps - 1 else maxOf(at, 0) + steps
+    return kept[next.mod(kept.size)]
+}
+
+/** What to say where no layout is kept; [how] says how to keep one, as the rest of the sentence. */
+fun noLayoutKept(how: String): String = "No layout is kept yet; $how, such as “Power” or “Drive”."
+
+/**
  * Returns the layout in [text], the content of the file called [name].
  *
  * @throws BoardException if it is not a layout, or is from a newer badlog.

@@ -5,6 +5,7 @@ import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.posesOf
 import badlog.viewer.shown.outline.everChanges
+import badlog.viewer.shown.search.Query
 
 /** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each; no graph for a log without a driven path. */
 fun pathBoard(view: LogView): Board {
@@ -19,6 +20,18 @@ fun pathBoard(view: LogView): Board {
     )
 }
 
+/**
+ * Returns the graphs of paths that a search for [query] offers beside the topics: one for each of [poses], or for all elements of an array of
+ * them; found by its name and by the word “path”. None without a query.
+ */
+fun pathGraphs(poses: List<Pose>, query: Query): List<BoardGraph> {
+    if (query.isEmpty) return emptyList()
+    return poses.groupBy { it.list ?: it.name }
+        .map { (name, places) -> BoardGraph(0, "Path of $name", places.flatMap { listOf(it.x, it.y) }.distinct(), isXy = true) }
+        .filter { query.matches(it.title) }.take(MAX_OFFERED)
+}
+
+private const val MAX_OFFERED = 20
 private const val MAX_DRIVEN = 2
 private const val MAX_PLANNED = 2
 private const val MAX_SEEN = 3

@@ -64,6 +64,18 @@ class BoardLayoutSpec : FunSpec({
         for ((text, sentence) in mistakes) shouldThrow<BoardException> { boardLayoutOf("my.json", text) }.message shouldBe sentence
     }
 
+    test("the keys for kept layouts go through them in their order, round and round, and begin at either end") {
+        val kept = listOf("Auto", "Drive", "Power")
+        keptLayoutAfter(kept, null, 1) shouldBe "Auto"
+        keptLayoutAfter(kept, null, -1) shouldBe "Power"
+        keptLayoutAfter(kept, "Auto", 1) shouldBe "Drive"
+        keptLayoutAfter(kept, "Power", 1) shouldBe "Auto"
+        keptLayoutAfter(kept, "Auto", -1) shouldBe "Power"
+        keptLayoutAfter(kept, "one that was removed", 1) shouldBe "Auto"
+        keptLayoutAfter(listOf("Auto"), "Auto", 1) shouldBe "Auto"
+        keptLayoutAfter(emptyList(), "Auto", 1) shouldBe null
+    }
+
     test("a cut or changed layout is a layout or refused in a sentence") {
         val whole = BoardLayout(board, Span(0.0, 1.0), listOf("a = 1")).toJson()
         checkAll(Arb.int(0..whole.length), Arb.string(0..2)) { at, put ->

@@ -1,8 +1,9 @@
 package badlog.viewer.choices.board
 
-import badlog.signals.pose.Pose
+import badlog.signals.pose.posesOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.draw.path.poseTopics
+import badlog.viewer.shown.search.Query
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
@@ -15,6 +16,18 @@ class PathBoardSpec : FunSpec({
         graph.isXy shouldBe true
         graph.lines shouldBe listOf("Pose", "Target Pose").flatMap { listOf("Drive/$it/translation/x", "Drive/$it/translation/y") }
         standardBoard(view, SignalVocabulary.NONE).graphs.map { it.title }.take(2) shouldBe listOf("Path", "Volts")
+    }
+
+    test("a search offers the path of a pose by its name and the word path, and the elements of an array as one") {
+        val view = timedView(*(poseTopics("Drive/Target Pose") + poseTopics("Drive/Pose") + poseTopics("Tags/0") + poseTopics("Tags/1")).toTypedArray())
+        val poses = posesOf(view.recording.topics)
+        pathGraphs(poses, Query("")) shouldBe emptyList()
+        pathGraphs(poses, Query("drive path")).map { it.title } shouldBe listOf("Path of Drive/Target Pose", "Path of Drive/Pose")
+        val found = pathGraphs(poses, Query("target")).single()
+        found.isXy shouldBe true
+        found.lines shouldBe listOf("Drive/Target Pose/translation/x", "Drive/Target Pose/translation/y")
+        pathGraphs(poses, Query("tags")).size shouldBe poses.filter { it.name.startsWith("Tags") }.distinctBy { it.list ?: it.name }.size
+        pathGraphs(poses, Query("voltage")) shouldBe emptyList()
     }
 
     test("a log without a driven path, or one of a robot that stood still, has none") {

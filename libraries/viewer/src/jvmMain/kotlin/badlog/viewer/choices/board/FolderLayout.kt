@@ -36,6 +36,17 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             return FolderLayout(file, nearest.found?.first, nearest.found?.second, problem)
         }
 
+        /**
+         * Returns the layouts that a team keeps in [folder] under names of its own, such as `Power.badlog-layout.json`, by these names and in
+         * their order; not those with which logs begin.
+         *
+         * @throws java.io.IOException if the folder cannot be read.
+         */
+        fun keptIn(folder: Path): Map<String, Path> = Files.newDirectoryStream(folder, "*${BoardLayout.ENDING}").use { files ->
+            files.filter(Files::isRegularFile).associateBy { it.fileName.toString().removeSuffix(BoardLayout.ENDING) }
+                .filterKeys { it !in TYPES && it + BoardLayout.ENDING != NAME }.toSortedMap(String.CASE_INSENSITIVE_ORDER)
+        }
+
         private fun fileIn(folder: Path, type: () -> String): Path? {
             val typed = TYPES.keys.map { it to folder.resolve(it + BoardLayout.ENDING) }.filter { Files.isRegularFile(it.second) }
             val own = typed.firstOrNull { (name, _) -> TYPES.getValue(name).any { type().startsWith(it) } }?.second

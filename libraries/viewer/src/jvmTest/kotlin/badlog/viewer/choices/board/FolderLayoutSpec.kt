@@ -28,6 +28,15 @@ class FolderLayoutSpec : FunSpec({
         FolderLayout.of(log, top).layout.shouldNotBeNull().formulas shouldBe listOf("A = 1")
     }
 
+    test("the layouts that are kept in a folder are those with names of their own, in their order") {
+        val folder = tempdir().toPath()
+        for (name in listOf("power", "Drive", "default", "practice", "auto")) write(folder, "$name.badlog-layout.json", "A")
+        Files.writeString(folder.resolve("notes.json"), "{}")
+        Files.createDirectories(folder.resolve("folder.badlog-layout.json"))
+        FolderLayout.keptIn(folder).keys.toList() shouldBe listOf("auto", "Drive", "power")
+        FolderLayout.keptIn(folder)["Drive"] shouldBe folder.resolve("Drive.badlog-layout.json")
+    }
+
     test("a file for the type of the match comes first, and the type is read only if there is such a file") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")

@@ -1,4 +1,4 @@
-package badlog.page.header
+package badlog.page.layout
 
 import badlog.page.dom.Icon
 import badlog.page.dom.addIconButton
@@ -21,12 +21,14 @@ import kotlin.js.Promise
  *
  * @param name the log's name.
  * @param layoutNow returns what to save.
+ * @param dialog keeps it under a name in the browser.
  * @param onOpen called with the opened layout.
  */
 internal class LayoutButtons(
     private val name: String,
     private val notice: Notice,
     private val layoutNow: () -> BoardLayout,
+    private val dialog: LayoutDialog,
     private val onOpen: (BoardLayout) -> Unit,
 ) {
     private val input = element("input").unsafeCast<HTMLInputElement>().apply {
@@ -42,6 +44,7 @@ internal class LayoutButtons(
     }
 
     val element: HTMLElement = element("div", "graph-tools") {
+        addIconButton("", Icon.LAYOUT, "Layouts: keep this board, or go to another") { dialog.open() }.id = "layouts"
         addIconButton("", Icon.DOWNLOAD, "Download layout") { save() }.id = "download-layout"
         addIconButton("", Icon.FOLDER, "Open a layout, or drop it on the page") { input.click() }.id = "open-layout"
         appendChild(input)

@@ -1,0 +1,79 @@
+package badlog.window.app
+
+import badlog.core.analysis.EnabledSpan
+import badlog.viewer.input.Action
+import badlog.viewer.session.Request
+import badlog.viewer.session.Session
+import badlog.viewer.session.Shown
+import badlog.viewer.session.after
+import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.shown.finding.FindingOrder
+import badlog.window.findings.LogFindings
+import badlog.window.formula.FormulaStore
+import badlog.window.layout.KeptLayouts
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.log.OpenRecording
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.WindowPanels
+import badlog.window.video.LogVideo
+
+/** Performs what keys do on an exported page as well, see [after]. Use it only on the window's thread. */
+internal class Actions(
+    private val current: CurrentRecording,
+    private val view: AxisView,
+    private val board: GraphBoard,
+    private val formulas: FormulaStore,
+    private val findings: LogFindings,
+    private val notes: LogNotes,
+    private val layouts: KeptLayouts,
+    private val panels: WindowPanels,
+    private val video: LogVideo,
+) {
+    /** Performs [action], if a log is open. */
+    fun perform(action: Action) {
+        val open = current.recording ?: return
+        val outcome = after(Session(view.place, board.history, graph = board.current?.id), ShownRecording(open), action)
+        view.go { outcome.session.place }
+        board.take(outcome.session.board)
+        outcome.request?.let(::perform)
+    }
+
+    private fun perform(request: Request) = when (request) {
+        Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
+
+        Request.Pin -> board.togglePin()
+
+        is Request.Graph -> board.keepInSight(request.id)
+
+        is Request.Layout -> layouts.step(request.steps)
+
+        // The values at the cursor are read from the panel.
+        Request.Cursor -> Unit
+
+        is Request.Finding -> {
+            findings.showEvidence(request.step.place.finding)
+            // Shows what to look at next, unless a person is reading another panel; in a narrow window, it is not opened in front of the graphs.
+            panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
+        }
+
+        Request.Formula -> formulas.write()
+
+        is Request.Note -> if (notes.state.log != null) {
+            panels.change { inspecting(InspectorTab.NOTES) }
+            notes.write(request.x)
+        } else {
+            Unit
+        }
+
+        is Request.Frames -> video.step(request.count)
+    }
+
+    private inner class ShownRecording(private val open: OpenRecording) : Shown {
+        override val samples: CursorSteps get() = open.cursorSteps
+        override val enabled: List<EnabledSpan> get() = open.enabled
+        override val findings: FindingOrder? get() = this@Actions.findings.state.list?.order
+    }
+}

@@ -1,0 +1,112 @@
+package badlog.page.layout
+
+import badlog.page.dom.Icon
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
+import badlog.page.dom.element
+import badlog.page.view.Notice
+import badlog.viewer.choices.board.BoardLayout
+import badlog.viewer.choices.board.keptLayoutAfter
+import badlog.viewer.choices.board.noLayoutKept
+import badlog.viewer.input.Action
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.KeyboardEvent
+
+/**
+ * The dialog in which a person keeps the board under a name, and goes to boards kept before; a key goes through them as well.
+ *
+ * @param layoutNow returns what to keep.
+ * @param onSwitch called with a layout to show, and its name.
+ */
+internal class LayoutDialog(
+    private val kept: KeptLayouts,
+    private val notice: Notice,
+    private val layoutNow: () -> BoardLayout,
+    private val onSwitch: (BoardLayout, String) -> Unit,
+) {
+    private lateinit var name: HTMLInputElement
+    private lateinit var list: HTMLElement
+
+    val element: HTMLElement = element("dialog", "help topic-dialog") {
+        id = "layout-dialog"
+        setAttribute("aria-label", "Layouts")
+        add("div", "help-head") {
+            add("h2", "", "Layouts")
+            addIconButton("", Icon.CLOSE, "Close") { close() }
+        }
+        add("div", "formula-body") {
+            add("p", "unit", "This browser keeps them for all logs; ${Action.NEXT_LAYOUT.shortcut} shows the next one.")
+            list = add("ul", "topic-list")
+            name = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+            addButton("", "Keep this board", "Keep this board (Enter)") { keep() }.id = "keep-layout"
+        }
+        addEventListener("click", { if (it.target == this) close() })
+    }
+
+    init {
+        name.id = "layout-name"
+        name.maxLength = LONGEST
+        name.placeholder = "Name, such as Power"
+        name.autocomplete = "off"
+        name.setAttribute("aria-label", "Name of the layout")
+        name.addEventListener("keydown", { if (it.unsafeCast<KeyboardEvent>().key == "Enter") keep() })
+    }
+
+    /** Opens it. */
+    fun open() {
+        if (element.hasAttribute("open")) return
+        list()
+        element.asDynamic().showModal()
+        name.value = kept.shown.orEmpty()
+        name.focus()
+    }
+
+    /** Shows the layout that is [steps] after the one shown last. */
+    fun step(steps: Int) {
+        val next = keptLayoutAfter(kept.names, kept.shown, steps)
+        if (next == null) notice.say(noLayoutKept("keep the board as one with the button “Layouts” above it")) else switchTo(next)
+    }
+
+    private fun switchTo(name: String) {
+        val layout = kept[name] ?: return notice.say("The layout “$name” cannot be read any more; keep it again.")
+        kept.shown = name
+        onSwitch(layout, name)
+    }
+
+    private fun keep() {
+        val wanted = name.value.trim()
+        if (wanted.isEmpty()) return name.focus()
+        kept.keep(wanted, layoutNow())
+        // A page on a disk may not be allowed to.
+        val isKept = kept[wanted] != null
+        notice.say(if (isKept) "Kept as “$wanted”." else "This browser does not let the page keep layouts; download it instead.")
+        close()
+    }
+
+    private fun close() {
+        element.asDynamic().close()
+    }
+
+    private fun list() {
+        list.textContent = ""
+        for (each in kept.names) {
+            list.add("li") {
+                addButton("text-button", each) {
+                    close()
+                    switchTo(each)
+                }.setAttribute("aria-pressed", (each == kept.shown).toString())
+                addIconButton("", Icon.CLOSE, "Remove “$each”") {
+                    kept.remove(each)
+                    list()
+                    name.focus()
+                }
+            }
+        }
+    }
+
+    private companion object {
+        const val LONGEST = 60
+    }
+}

@@ -1,0 +1,73 @@
+package badlog.page
+
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+
+/** Boards that a reader keeps under names, and between which a key switches. */
+internal class LayoutSpec : PageSpec({
+    fun OpenPage.titles() = texts("#board .graph-title")
+
+    /** Puts the graph called [title] alone on the board, and keeps that as [name]. */
+    fun OpenPage.keep(title: String, name: String) {
+        if (titles().isNotEmpty()) click("#clear-board")
+        graph(title).scrollTo().hover(0.5)
+        press("p")
+        click("#layouts")
+        element("#layout-name").clear()
+        press(name, Keys.ENTER)
+        settle()
+    }
+
+    browserTest("boards are kept by name, a key goes through them, and the page opened again still has them") {
+        onPage(TestPages.of(stepBag(graphs = 3))) {
+            press("g")
+            text shouldContain "No layout is kept yet; keep the board as one with the button “Layouts” above it"
+            keep("Step 1", "Power")
+            element("#layout-dialog").isDisplayed shouldBe false
+            keep("Step 2", "<b>Drive</b>")
+            titles() shouldBe listOf("Step 2")
+            press("g")
+            titles() shouldBe listOf("Step 1")
+            press("G")
+            titles() shouldBe listOf("Step 2")
+            reload()
+            press("g")
+            titles() shouldBe listOf("Step 2")
+            press("g")
+            titles() shouldBe listOf("Step 1")
+            click("#undo")
+            titles() shouldBe listOf("Step 2")
+            keepScreenshot("layouts")
+        }
+    }
+
+    browserTest("the dialog goes to a kept board, and forgets one") {
+        onPage(TestPages.of(stepBag(graphs = 3))) {
+            keep("Step 1", "Power")
+            keep("Step 3", "Drive")
+            click("#layouts")
+            texts("#layout-dialog li") shouldBe listOf("Drive", "Power")
+            keepScreenshot("layout-dialog")
+            elements("#layout-dialog li button")[2].click()
+            settle()
+            titles() shouldBe listOf("Step 1")
+            click("#layouts")
+            elements("#layout-dialog li .icon-button")[0].click()
+            texts("#layout-dialog li") shouldBe listOf("Power")
+            press(Keys.ESCAPE)
+            press("g")
+            titles() shouldBe listOf("Step 1")
+        }
+    }
+
+    browserTest("a name is needed, and a board is not kept without one") {
+        onPage(TestPages.of(stepBag(graphs = 2))) {
+            click("#layouts")
+            press("  ", Keys.ENTER)
+            element("#layout-dialog").isDisplayed shouldBe true
+            press(Keys.ESCAPE)
+            script("return Object.keys(localStorage).filter(key => key.includes('layout:')).length") shouldBe 0L
+        }
+    }
+})

@@ -1,0 +1,49 @@
+package badlog.viewer.session
+
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.shown.cursor.Cursors
+
+/**
+ * Where a person is in a log. Links tell it; undo does not change it, but the range has a history of its own. Immutable; each
+ * transition returns a new one.
+ *
+ * @property range the visible range of x, with the ranges before it.
+ * @property cursors the places at which values are read.
+ * @property selection the selected range of x; null for none.
+ * @property visited the place of the finding that a person went to last; null for none.
+ */
+data class Place(
+    val range: Viewport,
+    val cursors: Cursors = Cursors(),
+    val selection: Span? = null,
+    val visited: FindingPlace<Finding>? = null,
+) {
+    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of what is visible. */
+    val ofNote: Double get() = cursors.x ?: range.visible.run { (from + to) / 2 }
+
+    /** Pins the cursor at [x], or at the end of the log that is nearer to it, and shows it. Nothing changes if x is not finite. */
+    fun at(x: Double): Place {
+        if (!x.isFinite()) return this
+        val place = x.coerceIn(range.full.from, range.full.to)
+        return copy(range = range.revealing(place), cursors = cursors.pinnedAt(place))
+    }
+
+    /** Pins the cursor at [x], and shows the surroundings of [span]. Nothing changes if x is not finite. */
+    fun at(x: Double, span: Span): Place = if (x.isFinite()) copy(range = range.around(span.from, span.to)).at(x) else this
+
+    /** Goes to [place], where a finding is. One about the whole log changes neither range nor cursor. */
+    fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place).at(place.span.from, place.span)
+
+    /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is. */
+    fun atEnd(): Place {
+        val end = range.full.to
+        val shown = if (range.isZoomed) range.showing(end - range.visible.width, end) else range
+        return copy(range = shown, cursors = cursors.pinnedAt(end))
+    }
+
+    /** Removes the first of these that exists: selection, second cursor, pinned cursor, cursor. */
+    fun cancelled(): Place = if (selection == null) copy(cursors = cursors.cancelled()) else copy(selection = null)
+}
