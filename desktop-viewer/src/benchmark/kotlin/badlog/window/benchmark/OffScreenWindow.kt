@@ -28,15 +28,18 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
      */
     fun measure(change: () -> Unit = {}, isDone: () -> Boolean): Double {
         val start = System.nanoTime()
-        change()
-        Snapshot.sendApplyNotifications()
+        thread.longest = 0.0
+        thread.time {
+            change()
+            Snapshot.sendApplyNotifications()
+        }
         var drawn = Long.MIN_VALUE / 2
         while (true) {
             thread.runPending()
             val isDue = System.nanoTime() - drawn >= DISPLAY_NANOS || isDone()
             if (scene.hasInvalidations() && isDue) {
                 drawn = System.nanoTime()
-                scene.render(drawn).close()
+                thread.time { scene.render(drawn).close() }
             } else if (!scene.hasInvalidations() && isDone()) {
                 break
             } else {
@@ -45,6 +48,9 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
         }
         return (System.nanoTime() - start) / 1e6
     }
+
+    /** The milliseconds for which the window stood still at most while it was last measured: a frame, or work without one. */
+    val longestBlock: Double get() = thread.longest
 
     /** Keeps what is seen now in [file], to be looked at. */
     fun save(file: Path) {

@@ -15,7 +15,8 @@ fun main(args: Array<String>) {
     val paths = measurePathFrames(pictures)
     val frames = measureFrames(pictures)
     val openings = if (bags.isEmpty()) emptyList() else openingsOf(Path.of(bags), pictures)
-    val text = reportOf(frames, paths, openings)
+    val blocks = measureChoiceBlocks()
+    val text = reportOf(frames, paths, blocks, openings)
     Files.writeString(report, text)
     println(text)
     println("Written to $report")
@@ -27,7 +28,12 @@ private fun openingsOf(folder: Path, pictures: Path): List<Pair<Path, List<Openi
         file to List(OPENINGS) { measureOpening(file, pictures.resolve("${file.name}.png")) }
     }
 
-private fun reportOf(frames: List<FrameTimes>, paths: List<FrameTimes>, openings: List<Pair<Path, List<Opening>>>): String = buildString {
+private fun reportOf(
+    frames: List<FrameTimes>,
+    paths: List<FrameTimes>,
+    blocks: List<FrameTimes>,
+    openings: List<Pair<Path, List<Opening>>>,
+): String = buildString {
     val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
     val command = "./gradlew :desktop-viewer:benchmark" + if (openings.isEmpty()) "" else " -PbenchmarkBags=DIR"
     appendLine("# Benchmarks of the viewer")
@@ -45,6 +51,12 @@ private fun reportOf(frames: List<FrameTimes>, paths: List<FrameTimes>, openings
     appendLine("## A frame, with the path of a million poses and its plan of as many")
     appendLine()
     appendTimes(paths)
+    appendLine()
+    appendLine("## The longest block, with a log of a million rows, five formulas, and another log compared")
+    appendLine()
+    appendLine("For how long the window's thread is busy at most without a break, from a choice to the picture of its result.")
+    appendLine()
+    appendTimes(blocks)
     if (openings.isEmpty()) return@buildString
     appendLine()
     appendLine("## Opening")
@@ -62,7 +74,7 @@ private fun reportOf(frames: List<FrameTimes>, paths: List<FrameTimes>, openings
 }
 
 private fun StringBuilder.appendTimes(frames: List<FrameTimes>) {
-    appendLine("| change | median | 95th percentile | slowest | of frames |")
+    appendLine("| change | median | 95th percentile | slowest | of |")
     appendLine("|---|---|---|---|---|")
     for (times in frames) {
         val figures = listOf(50, 95, 100).joinToString(" | ") { "%.1f ms".format(times.percentile(it)) }

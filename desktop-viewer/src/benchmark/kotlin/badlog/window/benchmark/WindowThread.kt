@@ -13,13 +13,23 @@ internal class WindowThread : CoroutineDispatcher() {
         queue += block
     }
 
+    /** The milliseconds of the longest that ran without a break since this was set to 0. */
+    var longest: Double = 0.0
+
     /** Runs all that waits. */
     fun runPending() {
-        while (true) (queue.poll() ?: return).run()
+        while (true) time((queue.poll() ?: return)::run)
     }
 
     /** Runs the next that comes, waiting for it no longer than a millisecond. */
     fun await() {
-        queue.poll(1, TimeUnit.MILLISECONDS)?.run()
+        queue.poll(1, TimeUnit.MILLISECONDS)?.let { time(it::run) }
+    }
+
+    /** Runs [block] as this thread. */
+    fun time(block: () -> Unit) {
+        val start = System.nanoTime()
+        block()
+        longest = maxOf(longest, (System.nanoTime() - start) / 1e6)
     }
 }

@@ -12,6 +12,7 @@ import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.FieldChoice
+import badlog.window.choice.ShownRecordings
 import badlog.window.choice.StationChoice
 import badlog.window.compare.ComparedRecordings
 import badlog.window.export.CutSaver
@@ -36,6 +37,7 @@ import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingChoices
 import badlog.window.log.RecordingLoader
 import badlog.window.log.RecordingReader
 import badlog.window.log.RecordingWatcher
@@ -88,17 +90,13 @@ internal class Viewer(
     val current = CurrentRecording()
     val view = AxisView()
     val board = GraphBoard()
-    private val reader: RecordingReader = RecordingReader(
-        library = { library.state.folder },
-        definitions = { formulas.definitions },
-        overTime = { axis.state == true },
-        field = { log -> fields.of(log) },
-    )
+    private val reader = RecordingReader({ library.state.folder }, ::choicesFor)
     val compared: ComparedRecordings = ComparedRecordings(current, tasks, reader)
-    val axis: AxisChoice = AxisChoice(current, compared, board, view)
-    val stations = StationChoice(current, compared, board, view, settings, folder = { library.state.folder })
-    val fields: FieldChoice = FieldChoice(current, compared, settings, files, notices, folder = { library.state.folder })
-    val formulas: FormulaStore = FormulaStore(current, compared, board, notices)
+    val axis = AxisChoice(current)
+    val stations: StationChoice = StationChoice(current, settings, folder = { library.state.folder })
+    val fields: FieldChoice = FieldChoice(current, settings, files, tasks, notices, folder = { library.state.folder })
+    val formulas: FormulaStore = FormulaStore(current, board, notices)
+    val shown = ShownRecordings(current, compared, board, view, notices, { library.state.folder }, ::choicesFor)
     val events = FilteredEvents(current)
     val topics = TopicListing()
     val statistics = SelectedStatistics()
@@ -134,7 +132,7 @@ internal class Viewer(
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
         update = ::showGrown,
     )
-    val loader = RecordingLoader(scope, tasks, watcher, reader, ::show)
+    val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
     val opener = LogOpener(library, loader, files, notices)
     val robot = RobotLink(
         scope,
@@ -180,7 +178,7 @@ internal class Viewer(
     /** Starts the background work of the window. */
     fun start() {
         scope.launch { layouts.autosave() }
-        scope.launch { formulas.recalculate() }
+        scope.launch { shown.run() }
         scope.launch { stations.run() }
         scope.launch { findings.run() }
         scope.launch { notes.run() }
@@ -190,15 +188,11 @@ internal class Viewer(
         scope.launch { newest.run() }
     }
 
-    /** Shows [opened], which was just read, in one step for all observers. */
-    fun show(opened: OpenRecording) = Snapshot.withMutableSnapshot {
-        // Formulas and the axis may have changed while the file was read, or there may be formulas in a file beside it. They are then
-        // calculated on the window's thread, which is rare and better than graphs that change as soon as they appear.
-        val definitions = layouts.formulasFor(opened)
-        val over = stations.with(opened.overTime(axis.state == true))
-        val recording = if (over.definitions == definitions) over else over.withFormulas(definitions)
+    /** Shows [recording], which was just read, in one step for all observers. */
+    fun show(recording: OpenRecording) = Snapshot.withMutableSnapshot {
+        // What changed while the file was read follows, see ShownRecordings.
         current.replace(recording)
-        formulas.replaceAll(definitions)
+        formulas.replaceAll(layouts.formulasFor(recording))
         topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
         board.replace(layouts.graphsOf(recording))
@@ -234,8 +228,11 @@ internal class Viewer(
         if (video.state.file != null) panels.change { inspecting(InspectorTab.VIDEO).copy(main = MainView.GRAPHS) }
     }
 
-    private fun showGrown(read: OpenRecording) = Snapshot.withMutableSnapshot {
-        val recording = stations.with(read)
+    /** Returns what is chosen of what is shown of [recording]; on any thread. */
+    private fun choicesFor(recording: OpenRecording) =
+        RecordingChoices(formulas.definitions, axis.state == true, stations.shownWith(recording.file), fields.selectedFor(recording.file))
+
+    private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {
         current.replace(recording)
         compared.share(recording)
         view.change { grown(recording.span) }

@@ -60,7 +60,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                             }
                         }
                     }
-                    StatusLines(notices, tasks)
+                    StatusLines(notices, tasks, shown.isWaiting)
                     if (isNarrow) FrontTabs(panels)
                 }
             }

@@ -1,14 +1,10 @@
 package badlog.window.choice
 
 import androidx.compose.runtime.snapshotFlow
-import androidx.compose.runtime.snapshots.Snapshot
 import badlog.files.LogFile
 import badlog.files.isOfDriverStation
 import badlog.signals.clock.FoundStation
-import badlog.window.compare.ComparedRecordings
-import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
-import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.settings.SettingsStore
 import badlog.window.state.StateHolder
@@ -34,9 +30,6 @@ internal data class StationOfLog(val robot: Path? = null, val found: FoundStatio
  */
 internal class StationChoice(
     private val current: CurrentRecording,
-    private val compared: ComparedRecordings,
-    private val board: GraphBoard,
-    private val view: AxisView,
     private val settings: SettingsStore,
     private val folder: () -> Path?,
     private val find: (OpenRecording, Path?) -> FoundStation<LogFile>? = ::stationBeside,
@@ -56,32 +49,17 @@ internal class StationChoice(
         val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
         // One that is a Driver Station's log itself needs none.
         if (open.view.recording.isOfDriverStation) return@collectLatest
-        val found = runInterruptible(Dispatchers.IO) { find(open.withStation(null), folder) }
+        val found = runInterruptible(Dispatchers.IO) { find(open.with(open.choices.copy(station = null)), folder) }
         change { StationOfLog(file, found) }
-        show()
     }
 
     /** Shows it with the current recording from now on, or hides it. */
     fun choose(isShown: Boolean) {
         val file = current.recording?.file ?: return
         settings.change { withStation(file.toString(), isShown) }
-        show()
     }
 
-    /** Returns [recording] with the Driver Station's log where that is known and wanted. Takes its time. */
-    fun with(recording: OpenRecording): OpenRecording {
-        val isWanted = recording.file == state.robot && settings.state.stations[recording.file.toString()] == true
-        return recording.withStation(state.found.takeIf { isWanted })
-    }
-
-    private fun show() = Snapshot.withMutableSnapshot {
-        val before = current.recording ?: return@withMutableSnapshot
-        val recording = with(before)
-        if (recording === before) return@withMutableSnapshot
-        val isDefault = board.state.showsSame(before.standardGraphs)
-        current.replace(recording)
-        compared.share(recording)
-        view.change { grown(recording.span) }
-        if (isDefault) board.replace(recording.standardGraphs)
-    }
+    /** Returns the Driver Station's log that is shown with the log in [file]; null for none. */
+    fun shownWith(file: Path): FoundStation<LogFile>? =
+        state.found.takeIf { file == state.robot && settings.state.stations[file.toString()] == true }
 }

@@ -16,6 +16,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
+import badlog.window.log.assertOffWindow
 import badlog.window.state.StateHolder
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
@@ -163,6 +164,7 @@ internal class LogFindings(
  * @param library the folder of logs, see [FolderRules.of].
  */
 internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList {
+    assertOffWindow()
     val rules = FolderRules.of(file, library)
     return try {
         val found = rules.rules.over(view, file.fileName.toString(), isEverywhere = true) {

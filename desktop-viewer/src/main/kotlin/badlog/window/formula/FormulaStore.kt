@@ -3,31 +3,21 @@ package badlog.window.formula
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import androidx.compose.runtime.snapshotFlow
 import badlog.expression.signals.Vocabulary
 import badlog.signals.namesWith
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.nameInExpression
 import badlog.viewer.choices.formula.reasonToKeep
-import badlog.window.compare.ComparedRecordings
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.task.Notices
-import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.flow.collectLatest
-import kotlinx.coroutines.withContext
 
 /**
  * The formulas of the window: definitions of topics that are calculated from others, in the order in which they may use each other.
  * Use it only on the window's thread.
  */
-internal class FormulaStore(
-    private val current: CurrentRecording,
-    private val compared: ComparedRecordings,
-    private val board: GraphBoard,
-    private val notices: Notices,
-) {
+internal class FormulaStore(private val current: CurrentRecording, private val board: GraphBoard, private val notices: Notices) {
     /** The formulas. */
     var definitions: List<String> by mutableStateOf(emptyList())
         private set
@@ -89,37 +79,10 @@ internal class FormulaStore(
         return definitions + others.filter { it !in removed && nameIn(it) !in names }
     }
 
-    /** Replaces all formulas by [definitions], immediately for the open recording. */
+    /** Replaces all formulas by [definitions]. */
     fun replaceAll(definitions: List<String>) {
         this.definitions = definitions
-        val open = current.recording ?: return
-        if (open.definitions != definitions) show(open.withFormulas(definitions))
     }
-
-    /** Recalculates them for the displayed recordings whenever a person has changed them, until cancelled. */
-    suspend fun recalculate() = snapshotFlow { Shown(definitions, current.recording, compared.state.loaded.values.toList()) }
-        .collectLatest { (definitions, open, others) ->
-            try {
-                if (open != null && open.definitions != definitions) show(calculated(open, definitions))
-                for (other in others) {
-                    if (other.file == open?.file || other.definitions == definitions) continue
-                    val changed = calculated(other, definitions)
-                    compared.change { withLoaded(changed) }
-                }
-            } catch (_: OutOfMemoryError) {
-                notices.complain("There is not enough memory for the formulas; remove one, or compare fewer logs.")
-            }
-        }
-
-    private fun show(recording: OpenRecording) {
-        current.replace(recording)
-        compared.share(recording)
-    }
-
-    private data class Shown(val definitions: List<String>, val open: OpenRecording?, val compared: List<OpenRecording>)
-
-    private suspend fun calculated(recording: OpenRecording, definitions: List<String>) =
-        withContext(Dispatchers.Default) { recording.withFormulas(definitions) }
 }
 
 /**

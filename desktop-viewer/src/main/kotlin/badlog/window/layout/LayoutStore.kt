@@ -44,8 +44,15 @@ internal class LayoutStore(
     private val notices: Notices,
 ) {
     private val layouts = FolderLayouts(folders.settings.resolve("layouts"))
+
+    // Folder and saved are also read by the thread on which a log is opened.
+
+    @Volatile
     private var folder: Path? = null
+
+    @Volatile
     private var saved: Layout? = null
+
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
@@ -232,7 +239,7 @@ internal class LayoutStore(
     private fun applyGraphs(layout: Layout) {
         val open = current.recording ?: return
         val graphs = layout.graphs ?: return board.change { open.standardGraphs }
-        val fitted = fitted(graphs, open)
+        val fitted = fitted(graphs, open, formulas.definitions)
         board.change { fitted.board }
         fitted.sentence?.let(notices::say)
     }
@@ -257,8 +264,10 @@ internal class LayoutStore(
         return true
     }
 
-    private fun fittedTo(recording: OpenRecording): FittedBoard? =
-        saved?.graphs?.takeIf { isInFolder(recording) }?.let { fitted(it, recording) }?.takeIf { it.board.graphs.isNotEmpty() }
+    private fun fittedTo(recording: OpenRecording): FittedBoard? {
+        val graphs = saved?.graphs?.takeIf { isInFolder(recording) } ?: return null
+        return fitted(graphs, recording, formulas.definitions).takeIf { it.board.graphs.isNotEmpty() }
+    }
 
     private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 

@@ -45,6 +45,7 @@ import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
+import java.awt.EventQueue
 import java.io.IOException
 import java.nio.file.Path
 
@@ -53,23 +54,27 @@ import java.nio.file.Path
  *
  * @property file the file it was read from; absolute.
  * @param read the content of the file.
- * @property definitions the definitions of the formulas calculated in it.
+ * @property choices what a person has chosen of what is shown of it.
  * @property vocabulary the names of its signals.
  * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
- * @property station the Driver Station's log of the same match that is shown with it; null for none.
  */
 internal class OpenRecording(
     val file: Path,
     private val read: LogView,
-    val definitions: List<String> = emptyList(),
+    val choices: RecordingChoices = RecordingChoices(),
     val vocabulary: SignalVocabulary = RuleSet.BUILT_IN.signals,
     val layout: FolderLayout = FolderLayout.NONE,
     private val rows: LogView? = null,
-    val station: FoundStation<LogFile>? = null,
     val field: FieldFile = FieldFile.NONE,
 ) {
+    /** The definitions of the formulas calculated in it. */
+    val definitions: List<String> get() = choices.definitions
+
+    /** The Driver Station's log of the same match that is shown with it; null for none. */
+    val station: FoundStation<LogFile>? get() = choices.station
+
     private val own = read.withSignals(vocabulary)
     private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
 
@@ -169,33 +174,28 @@ internal class OpenRecording(
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
-    /** Returns the same file with the formulas [definitions] instead. It may take a while. */
-    fun withFormulas(definitions: List<String>): OpenRecording =
-        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
-
     /** The column that holds the time of a recording that names no x axis; null if there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
-    /** Returns the same over its [timeColumn], or over its rows; itself where it is so, or has no such column. Takes its time. */
-    fun overTime(isWanted: Boolean): OpenRecording {
+    /**
+     * Returns what is shown of the same file for [wanted]; itself if that is how it is. Takes its time, and may read the file of a field: never
+     * call it on the window's thread.
+     *
+     * @param library the folder of logs, see [FieldFile.of].
+     */
+    fun with(wanted: RecordingChoices, library: Path? = null): OpenRecording {
+        if (wanted == choices) return this
+        assertOffWindow()
         val column = timeColumn
-        if (column == null || isWanted == (rows != null)) return this
-        val changed = if (isWanted) LogView.of(read.recording.over(column)) else rows ?: read
-        return OpenRecording(file, changed, definitions, vocabulary, layout, if (isWanted) read else null, station, field).also {
-            it.prepare()
+        val isOver = wanted.overTime && column != null
+        val (changed, itsRows) = when {
+            isOver == (rows != null) -> read to rows
+            isOver -> LogView.of(read.recording.over(checkNotNull(column))) to read
+            else -> checkNotNull(rows) to null
         }
+        val itsField = if (wanted.field == choices.field) field else fieldOf(file, wanted.field, library)
+        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField).also { it.prepare() }
     }
-
-    /** Returns the same with the log of the Driver Station [station] beside it, or with none. Takes its time. */
-    fun withStation(station: FoundStation<LogFile>?): OpenRecording = if (station === this.station) {
-        this
-    } else {
-        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
-    }
-
-    /** Returns the same with its paths on [field]. Takes its time. */
-    fun withField(field: FieldFile): OpenRecording =
-        OpenRecording(file, own, definitions, vocabulary, layout, rows, station, field).also { it.prepare() }
 
     /** Calculates in advance what the first frame needs, so that the window's thread does not have to. */
     private fun prepare() {
@@ -203,6 +203,7 @@ internal class OpenRecording(
         forRules
         modes
         events
+        standardGraphs
     }
 
     companion object {
@@ -210,41 +211,38 @@ internal class OpenRecording(
          * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
          *
          * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
-         * @param definitions gives, once it is read, the formulas to calculate in it.
-         * @param overTime says, once it is read, whether it is drawn over its time where it names no x axis, see [OpenRecording.overTime].
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
-         * @param field gives the field on which its paths are drawn.
+         * @param choices returns, once it is read, what a person has chosen of what is shown of it.
          * @param progress is called with the share that is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is not a recording.
          */
         fun read(
             file: Path,
             library: Path? = null,
-            definitions: () -> List<String> = { emptyList() },
-            overTime: () -> Boolean = { false },
             isGrowing: Boolean = false,
-            field: (Path) -> FieldFile = { FieldFile.of(it, library) },
+            choices: (OpenRecording) -> RecordingChoices = { RecordingChoices() },
             progress: (Float) -> Unit = {},
         ): OpenRecording {
+            assertOffWindow()
             val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
             val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
-            val opened =
-                OpenRecording(
-                    file,
-                    LogView.of(recording.overItsTime()),
-                    definitions(),
-                    vocabulary,
-                    layout,
-                    field = field(file),
-                )
-            return opened.overTime(overTime()).also { it.prepare() }
+            val field = FieldFile.of(file, library)
+            val opened = OpenRecording(file, LogView.of(recording.overItsTime()), vocabulary = vocabulary, layout = layout, field = field)
+            val wanted = choices(opened)
+            return if (wanted == opened.choices) opened.also { it.prepare() } else opened.with(wanted, library)
         }
+
+        /** Returns the field for [log]: the one in the [selected] file, or else the one beside it. Reads it. */
+        fun fieldOf(log: Path, selected: Path?, library: Path?): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log, library)
     }
 }
+
+/** Work on whole logs belongs off the window's thread, which would stand still meanwhile; checked in tests and in development. */
+internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A log is worked on by the window’s thread." }
 
 private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
     val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()

@@ -16,6 +16,7 @@ import java.nio.file.Path
  * @param scope the scope for watching files; its thread is the window's.
  * @param watcher keeps the open recording up to date with its file.
  * @param reader reads recordings.
+ * @param definitions returns the formulas to calculate in a recording that is opened.
  * @param show shows a recording.
  */
 internal class RecordingLoader(
@@ -23,6 +24,7 @@ internal class RecordingLoader(
     private val tasks: LongTasks,
     private val watcher: RecordingWatcher,
     private val reader: RecordingReader,
+    private val definitions: (OpenRecording) -> List<String>,
     private val show: (OpenRecording) -> Unit,
 ) {
     private var reading: Job? = null
@@ -36,7 +38,7 @@ internal class RecordingLoader(
     fun open(file: Path) {
         val path = file.toAbsolutePath().normalize()
         reading?.cancel()
-        val work = { progress: (Float) -> Unit -> Stamped.read(path) { reader.read(path, progress = progress) } }
+        val work = { progress: (Float) -> Unit -> Stamped.read(path) { reader.read(path, definitions = definitions, progress = progress) } }
         val job = tasks.run("Opening ${path.fileName}", work) { read ->
             show(read.recording)
             watching?.cancel()

@@ -1,23 +1,29 @@
 package badlog.window.log
 
-import badlog.viewer.draw.path.FieldFile
 import java.nio.file.Path
 
 /**
- * Reads recordings as the window shows them, on any thread.
+ * Reads recordings as the window shows them, off its thread.
  *
  * @param library gives the folder of logs.
- * @param definitions gives the formulas to calculate in each.
- * @param overTime says whether they are drawn over their time, see [OpenRecording.overTime].
- * @param field gives the field on which the paths of a log are drawn.
+ * @param choices gives what a person has chosen of what is shown of a recording.
  */
-internal class RecordingReader(
-    private val library: () -> Path?,
-    private val definitions: () -> List<String>,
-    private val overTime: () -> Boolean,
-    private val field: (Path) -> FieldFile,
-) {
-    /** Reads [file], see [OpenRecording.read]. */
-    fun read(file: Path, isGrowing: Boolean = false, progress: (Float) -> Unit = {}): OpenRecording =
-        OpenRecording.read(file, library(), definitions, overTime, isGrowing, field, progress)
+internal class RecordingReader(private val library: () -> Path?, private val choices: (OpenRecording) -> RecordingChoices) {
+    /**
+     * Reads [file], see [OpenRecording.read].
+     *
+     * @param definitions returns the formulas to calculate in it; null for those chosen.
+     */
+    fun read(
+        file: Path,
+        isGrowing: Boolean = false,
+        definitions: ((OpenRecording) -> List<String>)? = null,
+        progress: (Float) -> Unit = {},
+    ): OpenRecording = OpenRecording.read(
+        file,
+        library(),
+        isGrowing,
+        { opened -> choices(opened).let { if (definitions == null) it else it.copy(definitions = definitions(opened)) } },
+        progress,
+    )
 }

@@ -11,7 +11,9 @@ import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.key
+import androidx.compose.runtime.produceState
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -23,10 +25,21 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import kotlinx.coroutines.delay
 
-/** The lines at the bottom of the window: running tasks, and notices of successes and failures. */
+/**
+ * The lines at the bottom of the window: running tasks, and notices of successes and failures.
+ *
+ * @param isWaiting whether what was chosen is still being calculated.
+ */
 @Composable
-internal fun StatusLines(notices: Notices, tasks: LongTasks) {
+internal fun StatusLines(notices: Notices, tasks: LongTasks, isWaiting: Boolean) {
+    // Most is calculated before anybody could read that.
+    val isLong by produceState(false, isWaiting) {
+        value = false
+        if (isWaiting) delay(PATIENCE_MILLIS)
+        value = isWaiting
+    }
     Column(Modifier.fillMaxWidth()) {
+        if (isLong) Progress("Calculating what is shown", share = null)
         for (notice in notices.all) key(notice.id) { NoticeLine(notice) { notices.dismiss(notice.id) } }
         for (task in tasks.all) key(task.id) { TaskLine(task) }
     }
@@ -64,22 +77,27 @@ private fun NoticeLine(notice: Notice, onDismiss: () -> Unit) {
 }
 
 @Composable
-private fun TaskLine(task: LongTask) {
+private fun TaskLine(task: LongTask) = Progress(task.title, task.share) {
+    ToolButton("Cancel: ${task.title}", text = "Cancel", onClick = task.cancel)
+}
+
+@Composable
+private fun Progress(title: String, share: Float?, cancel: @Composable () -> Unit = {}) {
     Row(
         Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(start = 12.dp, end = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(task.title, Modifier.weight(1f), maxLines = 1)
-        val share = task.share
+        Text(title, Modifier.weight(1f), maxLines = 1)
         if (share == null) {
             LinearProgressIndicator(Modifier.width(160.dp))
         } else {
             LinearProgressIndicator(progress = { share }, modifier = Modifier.width(160.dp))
         }
-        ToolButton("Cancel: ${task.title}", text = "Cancel", onClick = task.cancel)
+        cancel()
     }
 }
 
+private const val PATIENCE_MILLIS = 500L
 private const val SAID_MILLIS = 6000L
 private const val OFFERED_MILLIS = 30_000L

@@ -162,8 +162,10 @@ internal class LogVideo(
 
     private fun lead(seconds: Double) {
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
-        place = x
-        view.go { at(x) }
+        // Not x: a video may be longer than the log.
+        val led = view.place.at(x)
+        place = led.cursors.x
+        view.go { led }
         cursorBefore = view.cursor
     }
 

@@ -9,8 +9,11 @@ import badlog.viewer.choices.board.Board
 import badlog.window.bagOf
 import badlog.window.export.recordingOf
 import badlog.window.graph.TestGraphs
+import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
+import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingChoices
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldBeNull
@@ -29,9 +32,10 @@ class AxisChoiceSpec : FunSpec({
             onNodeWithText("Draw over “Time”").performClick()
             onNodeWithText("Keep row numbers").assertDoesNotExist()
         }
+        choosing(viewer) { }
         viewer.view.viewport.full shouldBe Span(10.0, 19.5)
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Angle"))
-        viewer.axis.choose(false)
+        choosing(viewer) { viewer.axis.choose(false) }
         viewer.view.viewport.full shouldBe Span(0.0, 19.0)
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Time"), listOf("Arm/Angle"))
     }
@@ -41,7 +45,7 @@ class AxisChoiceSpec : FunSpec({
         viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle"))
         val own = Board().withGraph(listOf("Twice"))
         viewer.board.replace(own)
-        viewer.axis.choose(true)
+        choosing(viewer) { viewer.axis.choose(true) }
         viewer.board.state shouldBe own
         viewer.current.recording?.signal("Twice")?.series?.size shouldBe 20
     }
@@ -50,10 +54,11 @@ class AxisChoiceSpec : FunSpec({
         val log = Files.writeString(tempdir().toPath().resolve("a.bag"), text)
         val viewer = viewerOf(null)
         viewer.axis.choose(true)
-        viewer.show(OpenRecording.read(log))
+        val read = OpenRecording.read(log)
+        choosing(viewer) { viewer.show(read) }
         viewer.view.viewport.full shouldBe Span(10.0, 19.5)
         viewer.axis.offered.shouldBeNull()
-        OpenRecording.read(log, overTime = { true }).span shouldBe Span(10.0, 19.5)
+        OpenRecording.read(log, choices = { RecordingChoices(overTime = true) }).span shouldBe Span(10.0, 19.5)
     }
 
     test("nothing is asked of a log with an x axis, and of plain CSV, which is drawn over its time anyway") {

@@ -4,6 +4,7 @@ import badlog.files.UserFolders
 import badlog.viewer.draw.path.FieldFile
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
+import badlog.window.graph.choosing
 import badlog.window.graph.graphActions
 import badlog.window.log.OpenRecording
 import io.kotest.core.spec.style.FunSpec
@@ -44,16 +45,16 @@ class FieldChoiceSpec : FunSpec({
         val viewer = viewerOf(ChosenFiles(file), log())
         val plain = viewer.fieldLength()
         viewer.menu().map { it.label to it.isOn } shouldBe listOf("Select a field file…" to false)
-        viewer.menu().single().run()
+        choosing(viewer) { viewer.menu().single().run() }
         viewer.fieldLength() shouldBe 20.0
         viewer.current.recording?.fieldPicture?.width shouldBe 40
         val folder = checkNotNull(viewer.current.recording).file.parent
         viewer.settings.state.fields shouldBe mapOf("$folder" to "$file")
         // Another log of the folder, and one of another folder.
-        viewer.fields.of(folder.resolve("b.bag")).field.length shouldBe 20.0
-        viewer.fields.of(tempdir().toPath().resolve("b.bag")).json shouldBe null
+        viewer.fields.selectedFor(folder.resolve("b.bag")) shouldBe file
+        viewer.fields.selectedFor(tempdir().toPath().resolve("b.bag")).shouldBeNull()
         viewer.menu().map { it.label to it.isOn } shouldBe listOf("Select a field file…" to true, "Deselect the field file" to false)
-        viewer.menu().last().run()
+        choosing(viewer) { viewer.menu().last().run() }
         viewer.fieldLength() shouldBe plain
         viewer.settings.state.fields shouldBe emptyMap()
     }
@@ -65,19 +66,18 @@ class FieldChoiceSpec : FunSpec({
         Files.copy(beside.resolveSibling("f.png"), folder.resolve("f.png"))
         val viewer = viewerOf(ChosenFiles(fieldOf(20)), log(folder))
         viewer.fieldLength() shouldBe 18.0
-        viewer.fields.askForField()
+        choosing(viewer) { viewer.fields.askForField() }
         viewer.fieldLength() shouldBe 20.0
-        viewer.fields.of(folder.resolve("a.bag")).field.length shouldBe 20.0
     }
 
     test("a file that is not a field is refused in a sentence, and nothing is remembered; nor is it when a person thinks better of it") {
         val wrong = Files.writeString(tempdir().toPath().resolve("wrong.json"), "{}")
         val files = ChosenFiles(wrong)
         val viewer = viewerOf(files, log())
-        viewer.fields.askForField()
+        choosing(viewer) { viewer.fields.askForField() }
         viewer.notices.all.single().text shouldEndWith "“top-left” is not a pair of numbers; write it as [x, y]."
         files.file = null
-        viewer.fields.askForField()
+        choosing(viewer) { viewer.fields.askForField() }
         viewer.settings.state.fields shouldBe emptyMap()
         viewer.current.recording?.fieldPicture.shouldBeNull()
     }

@@ -9,7 +9,9 @@ import badlog.signals.clock.ClockFit
 import badlog.window.export.partOf
 import badlog.window.findings.findingsOf
 import badlog.window.graph.TestGraphs
+import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
+import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
@@ -27,11 +29,14 @@ class StationChoiceSpec : FunSpec({
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
             val search = viewer.scope.launch { viewer.stations.run() }
+            val following = viewer.scope.launch { viewer.shown.run() }
             waitFor { viewer.stations.offered != null }
             onNodeWithText("Driver Station log found: 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
             onNodeWithText("Show").performClick()
+            waitFor { viewer.stations.isShown }
             onNodeWithText("With the Driver Station log 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
             search.cancel()
+            following.cancel()
         }
         val shown = checkNotNull(viewer.current.recording)
         shown.span shouldBe Span(-3.0, 13.98)
@@ -39,7 +44,7 @@ class StationChoiceSpec : FunSpec({
         findingsOf(shown.forRules, log, null).all.flatMap { it.evidence } shouldContain "Driver Station/Battery Voltage"
         // What a person saves is of the robot's log alone.
         partOf(shown, Span(0.0, 1.0)).recording.topics.map { it.name } shouldBe listOf("Time", "Robot/Enabled", "Arm/Angle")
-        viewer.stations.choose(false)
+        choosing(viewer) { viewer.stations.choose(false) }
         checkNotNull(viewer.current.recording).run { station.shouldBeNull() }
         viewer.settings.state.stations shouldBe mapOf(log.toString() to false)
         viewer.stations.offered.shouldBeNull()
@@ -49,8 +54,9 @@ class StationChoiceSpec : FunSpec({
         val log = putPair(tempdir().toPath())
         val viewer = viewerOf(OpenRecording.read(log))
         viewer.stations.change { StationOfLog(log, stationBeside(OpenRecording.read(log), null)) }
-        viewer.stations.choose(true)
-        viewer.show(OpenRecording.read(log))
+        choosing(viewer) { viewer.stations.choose(true) }
+        val again = OpenRecording.read(log)
+        choosing(viewer) { viewer.show(again) }
         val shown = checkNotNull(viewer.current.recording)
         shown.station?.log?.name shouldBe "2026_03_07 10_04_05 Sat.dslog"
         shown.withFormulas(listOf("Twice = 2 * Driver Station/Trip Time")).signal("Twice")?.series?.y?.max() shouldBe 180.0

@@ -7,6 +7,7 @@ import badlog.core.recording.Value
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.viewer.shown.table.CsvDraft
+import badlog.window.graph.withFormulas
 import badlog.window.wpilogRecording
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

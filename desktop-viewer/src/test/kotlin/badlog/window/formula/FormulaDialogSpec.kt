@@ -21,6 +21,7 @@ import badlog.window.compare.Comparison
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
+import badlog.window.graph.withFormulas
 import badlog.window.recordingOf
 import badlog.window.theme.Theme
 import badlog.window.waiting.waitFor
@@ -36,7 +37,7 @@ class FormulaDialogSpec : FunSpec({
     fun over(viewer: Viewer, width: Int = 1200, test: DesktopComposeUiTest.() -> Unit) = runDesktopComposeUiTest(width, 700) {
         setContent {
             ViewerScreen(viewer)
-            LaunchedEffect(Unit) { viewer.formulas.recalculate() }
+            LaunchedEffect(Unit) { viewer.shown.run() }
         }
         waitForPictures(viewer)
         test()

@@ -7,6 +7,7 @@ import badlog.expression.VirtualTopic
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.defaultBoard
 import badlog.window.bagOf
+import badlog.window.graph.withFormulas
 import badlog.window.layout.fitted
 import badlog.window.recordingOf
 import badlog.window.sidebar.statisticsRow
@@ -55,8 +56,8 @@ class FormulaSpec : FunSpec({
         reasonFor(open.formulas[1], open) shouldBe null
         open.signal("B").shouldNotBeNull().series.y.last() shouldBe 15.0
         // A layout that draws it is whole all the same.
-        fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
-        fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
+        fitted(Board().withGraph(listOf("A", "Power")), open, definitions).missing shouldBe emptyList()
+        fitted(Board().withGraph(listOf("C", "Power")), open, definitions).missing shouldBe listOf("C")
     }
 
     test("topics with times of their own make formulas, too") {

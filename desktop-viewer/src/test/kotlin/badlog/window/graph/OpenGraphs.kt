@@ -2,6 +2,7 @@ package badlog.window.graph
 
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.snapshots.Snapshot
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.asSkiaBitmap
@@ -18,11 +19,19 @@ import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
+import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.cancelAndJoin
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.swing.Swing
+import kotlinx.coroutines.withTimeout
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
 
 /** A viewer that shows [recording] with its default graphs. */
 internal fun viewerOf(recording: OpenRecording?): Viewer {
@@ -76,3 +85,20 @@ internal fun DesktopComposeUiTest.savePicture(name: String): ImageBitmap {
     Files.write(folder.resolve("$name.png"), checkNotNull(data).bytes)
     return picture
 }
+
+/** Lets a person choose by [choice], on the window's thread, and returns when that is shown. */
+internal fun choosing(viewer: Viewer, choice: () -> Unit) = runBlocking(Dispatchers.Swing) {
+    val following = launch { viewer.shown.run() }
+    choice()
+    withTimeout(60.seconds) {
+        while (viewer.shown.isWaiting || viewer.tasks.all.isNotEmpty()) {
+            // Without a window, nobody else does.
+            Snapshot.sendApplyNotifications()
+            delay(5)
+        }
+    }
+    following.cancelAndJoin()
+}
+
+/** Returns this recording with the formulas [definitions]. */
+internal fun OpenRecording.withFormulas(definitions: List<String>): OpenRecording = with(choices.copy(definitions = definitions))

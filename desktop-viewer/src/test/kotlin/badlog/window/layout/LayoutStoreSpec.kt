@@ -1,6 +1,7 @@
 package badlog.window.layout
 
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
@@ -13,7 +14,9 @@ import badlog.window.app.Viewer
 import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
+import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingChoices
 import badlog.window.sidebar.Panels
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
@@ -27,10 +30,13 @@ import java.nio.file.Path
 @OptIn(ExperimentalTestApi::class)
 class LayoutStoreSpec : FunSpec({
     /** What a new start of the program shows over [folder] once [recording] is opened. */
-    fun started(home: Path, folder: Path, recording: OpenRecording, then: (Viewer) -> Unit) {
+    fun started(home: Path, folder: Path, recording: OpenRecording, then: ComposeUiTest.(Viewer) -> Unit) {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(100, 100) {
-            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+            setContent {
+                LaunchedEffect(Unit) { viewer.layouts.autosave() }
+                LaunchedEffect(Unit) { viewer.shown.run() }
+            }
             viewer.library.change { LibraryState(folder) }
             waitForIdle()
             viewer.board.replace(viewer.layouts.graphsOf(recording))
@@ -39,9 +45,12 @@ class LayoutStoreSpec : FunSpec({
             waitFor { viewer.board.state.graphs.isNotEmpty() }
             waitForIdle()
             then(viewer)
+            waitFor { !viewer.shown.isWaiting }
             viewer.layouts.saveNow()
         }
     }
+
+    fun Viewer.opened(log: Path, folder: Path) = OpenRecording.read(log, folder, choices = { RecordingChoices(layouts.formulasFor(it)) })
 
     fun hasArranged(home: Path, folder: Path) = FolderLayouts(home.resolve("layouts")).read(folder)
 
@@ -99,7 +108,7 @@ class LayoutStoreSpec : FunSpec({
             viewer.board.state.graphs.single().lines.single() shouldBe "Arm/Twice"
             viewer.layouts.apply(Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
             viewer.formulas.definitions shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
-            viewer.current.recording?.signal("B")?.definition shouldBe "B = 1"
+            waitFor { viewer.current.recording?.signal("B")?.definition == "B = 1" }
         }
         started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
     }
@@ -143,11 +152,11 @@ class LayoutStoreSpec : FunSpec({
             setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
             viewer.library.change { LibraryState(folder) }
             waitForIdle()
-            viewer.show(OpenRecording.read(log, folder))
+            viewer.show(viewer.opened(log, folder))
             viewer.formulas.definitions shouldBe layout.formulas
             viewer.board.state.graphs.single().lines shouldBe listOf("Twice")
             viewer.formulas.remove("Spare = 1")
-            viewer.show(OpenRecording.read(log, folder))
+            viewer.show(viewer.opened(log, folder))
             viewer.formulas.definitions shouldBe listOf("Twice = 2 * Arm/Angle")
             viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
             viewer.layouts.saveNow()
@@ -159,7 +168,7 @@ class LayoutStoreSpec : FunSpec({
             later.library.change { LibraryState(folder) }
             waitForIdle()
             later.formulas.replaceAll(emptyList())
-            later.show(OpenRecording.read(log, folder))
+            later.show(later.opened(log, folder))
             later.formulas.definitions shouldBe emptyList()
         }
     }

@@ -43,6 +43,7 @@ class LogVideoSpec : FunSpec({
                 source
             }
         }
+        viewer.view.show(checkNotNull(viewer.current.recording).span)
         scope.launch { video.run() }
         video.open(home.resolve("match.mp4"))
         answer(frame(0.0, leads = false))

@@ -22,6 +22,7 @@ import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.findings.findingsOf
 import badlog.window.graph.sample
+import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

@@ -51,7 +51,13 @@ internal class LayoutDialog(
         name.placeholder = "Name, such as Power"
         name.autocomplete = "off"
         name.setAttribute("aria-label", "Name of the layout")
-        name.addEventListener("keydown", { if (it.unsafeCast<KeyboardEvent>().key == "Enter") keep() })
+        name.addEventListener("keydown", {
+            if (it.unsafeCast<KeyboardEvent>().key == "Enter") {
+                // Otherwise it would also press the button that opened the dialog, which gets the focus back.
+                it.preventDefault()
+                keep()
+            }
+        })
     }
 
     /** Opens it. */

@@ -1,0 +1,20 @@
+package badlog.window.log
+
+import badlog.files.LogFile
+import badlog.signals.clock.FoundStation
+import java.nio.file.Path
+
+/**
+ * What a person has chosen of what is shown of a log.
+ *
+ * @property definitions the definitions of the formulas calculated in it.
+ * @property overTime whether it is drawn over its time where it names no x axis.
+ * @property station the Driver Station's log of the same match that is shown with it; null for none.
+ * @property field the file of the field on which its paths are drawn; null for the field beside the log.
+ */
+internal data class RecordingChoices(
+    val definitions: List<String> = emptyList(),
+    val overTime: Boolean = false,
+    val station: FoundStation<LogFile>? = null,
+    val field: Path? = null,
+)

@@ -1,0 +1,92 @@
+package badlog.window.choice
+
+import badlog.viewer.choices.board.Board
+import badlog.window.bagOf
+import badlog.window.compare.Comparison
+import badlog.window.findings.findingsOf
+import badlog.window.graph.choosing
+import badlog.window.graph.viewerOf
+import badlog.window.log.OpenRecording
+import badlog.window.log.RecordingChoices
+import badlog.window.recordingOf
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.swing.Swing
+import kotlinx.coroutines.withContext
+import java.nio.file.Files
+import java.nio.file.Path
+
+class ShownRecordingsSpec : FunSpec({
+    fun log(name: String) = recordingOf(bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" }), name)
+
+    suspend fun <T> onWindow(action: () -> T): T = withContext(Dispatchers.Swing) { action() }
+
+    test("whole logs are read, made anew and searched by rules on other threads than the window's") {
+        val file = Files.writeString(tempdir().toPath().resolve("a.bag"), bagOf(listOf("Time", "A"), listOf("0,1", "1,2")))
+        val open = OpenRecording.read(file)
+        onWindow {
+            for (work in listOf<() -> Any>(
+                { OpenRecording.read(file) },
+                { open.with(RecordingChoices(overTime = true)) },
+                { findingsOf(open.forRules, file, null) },
+            )) {
+                shouldThrow<AssertionError> { work() }.message shouldContain "the window’s thread"
+            }
+        }
+    }
+
+    test("a choice is shown in the open log and in the compared ones, and nothing waits any more") {
+        val open = log("a.bag")
+        val other = log("b.bag")
+        val viewer = viewerOf(open)
+        viewer.compared.change { Comparison(checked = listOf(other.file), loaded = mapOf(other.file to other)) }
+        choosing(viewer) {
+            viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle"))
+            viewer.axis.choose(true)
+        }
+        for (recording in viewer.compared.drawn.map { it.recording }) {
+            recording.signal("Twice")?.series?.y?.last() shouldBe 38.0
+            recording.span.from shouldBe 10.0
+        }
+        viewer.view.viewport.full.from shouldBe 10.0
+        viewer.shown.isWaiting shouldBe false
+    }
+
+    test("of several choices in a row, the last one counts") {
+        val viewer = viewerOf(log("a.bag"))
+        choosing(viewer) {
+            for (number in 1..20) {
+                viewer.formulas.replaceAll(listOf("Times = $number * Arm/Angle"))
+                viewer.axis.choose(number % 2 == 0)
+            }
+        }
+        viewer.current.recording?.signal("Times")?.series?.y?.last() shouldBe 20 * 19.0
+        viewer.current.recording?.span?.from shouldBe 10.0
+    }
+
+    test("graphs that a person arranged stay, and where they look in the log stays unless its axis is another one") {
+        val viewer = viewerOf(log("a.bag"))
+        val own = Board().withGraph(listOf("Arm/Angle"))
+        viewer.board.replace(own)
+        viewer.view.change { showing(2.0, 4.0) }
+        choosing(viewer) { viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle")) }
+        viewer.board.state shouldBe own
+        viewer.view.viewport.visible.from shouldBe 2.0
+        choosing(viewer) { viewer.axis.choose(true) }
+        viewer.view.viewport.isZoomed shouldBe false
+    }
+
+    test("a field file that is gone is said, and the path is drawn without it") {
+        val log = Files.copy(Path.of("..", "samples", "wrong-turn.bag"), tempdir().toPath().resolve("a.bag"))
+        val gone = log.resolveSibling("gone.json")
+        val viewer = viewerOf(OpenRecording.read(log))
+        choosing(viewer) { viewer.settings.change { withField("${log.parent}", "$gone") } }
+        viewer.notices.all.single().text shouldContain "gone.json"
+        viewer.current.recording?.fieldPicture.shouldBeNull()
+    }
+})
