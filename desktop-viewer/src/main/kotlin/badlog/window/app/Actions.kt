@@ -32,9 +32,9 @@ internal class Actions(
     private val panels: WindowPanels,
     private val video: LogVideo,
 ) {
-    /** Performs [action], if a log is open. */
+    /** Performs [action]; most need an open log. */
     fun perform(action: Action) {
-        val open = current.recording ?: return
+        val open = current.recording ?: return if (action == Action.CURSOR_VALUES) perform(Request.Values) else Unit
         val outcome = after(Session(view.place, board.history, graph = board.current?.id), ShownRecording(open), action)
         view.go { outcome.session.place }
         board.take(outcome.session.board)
@@ -55,9 +55,10 @@ internal class Actions(
 
         is Request.Finding -> {
             findings.showEvidence(request.step.place.finding)
-            // Shows what to look at next, unless a person is reading another panel; in a narrow window, it is not opened in front of the graphs.
-            panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
+            openFindings()
         }
+
+        Request.NoFinding -> openFindings()
 
         Request.Formula -> formulas.write()
 
@@ -70,6 +71,9 @@ internal class Actions(
 
         is Request.Frames -> video.step(request.count)
     }
+
+    /** Shows what to look at next, unless a person reads another panel; in a narrow window, nothing is opened in front of the graphs. */
+    private fun openFindings() = panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 
     private inner class ShownRecording(private val open: OpenRecording) : Shown {
         override val samples: CursorSteps get() = open.cursorSteps

@@ -96,7 +96,9 @@ internal class Viewer(
     val stations: StationChoice = StationChoice(current, settings, folder = { library.state.folder })
     val fields: FieldChoice = FieldChoice(current, settings, files, tasks, notices, folder = { library.state.folder })
     val formulas: FormulaStore = FormulaStore(current, board, notices)
-    val shown = ShownRecordings(current, compared, board, view, notices, { library.state.folder }, ::choicesFor)
+    val shown = ShownRecordings(current, compared, board, view, notices, { library.state.folder }) { recording ->
+        choicesFor(recording.file).run { copy(overTime = overTime && recording.timeColumn != null) }
+    }
     val events = FilteredEvents(current)
     val topics = TopicListing()
     val statistics = SelectedStatistics()
@@ -104,7 +106,7 @@ internal class Viewer(
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val notes = LogNotes(current, notices)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
-    val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices)
+    val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
     val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
@@ -130,7 +132,7 @@ internal class Viewer(
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
-        update = ::showGrown,
+        update = shown::show,
     )
     val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
     val opener = LogOpener(library, loader, files, notices)
@@ -192,7 +194,7 @@ internal class Viewer(
     fun show(recording: OpenRecording) = Snapshot.withMutableSnapshot {
         // What changed while the file was read follows, see ShownRecordings.
         current.replace(recording)
-        formulas.replaceAll(layouts.formulasFor(recording))
+        formulas.replaceAll(layouts.formulasFor(recording.file, recording.layout))
         topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
         board.replace(layouts.graphsOf(recording))
@@ -228,15 +230,9 @@ internal class Viewer(
         if (video.state.file != null) panels.change { inspecting(InspectorTab.VIDEO).copy(main = MainView.GRAPHS) }
     }
 
-    /** Returns what is chosen of what is shown of [recording]; on any thread. */
-    private fun choicesFor(recording: OpenRecording) =
-        RecordingChoices(formulas.definitions, axis.state == true, stations.shownWith(recording.file), fields.selectedFor(recording.file))
-
-    private fun showGrown(recording: OpenRecording) = Snapshot.withMutableSnapshot {
-        current.replace(recording)
-        compared.share(recording)
-        view.change { grown(recording.span) }
-    }
+    /** Returns what is chosen of what is shown of the log in [file]; on any thread. */
+    private fun choicesFor(file: Path) =
+        RecordingChoices(formulas.definitions, axis.state == true, stations.shownWith(file), fields.selectedFor(file), fields.selections)
 
     private fun openInGraphs(entry: LogEntry) {
         opener.open(entry)

@@ -4,6 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberCoroutineScope
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.graphics.painter.BitmapPainter
 import androidx.compose.ui.graphics.toComposeImageBitmap
@@ -22,6 +23,9 @@ import badlog.window.task.Failures
 import badlog.window.task.FailuresSeen
 import badlog.window.task.Notices
 import badlog.window.task.endWhenStuck
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.flow.drop
 import kotlinx.coroutines.launch
 import org.jetbrains.skia.Image
 
@@ -51,6 +55,13 @@ internal fun ApplicationScope.ViewerWindow(
         OpenWindow(viewer, folders, place, icon, saveAll) {
             FailuresSeen(failures)
             content(it)
+        }
+    }
+    LaunchedEffect(viewer) {
+        // A program that is ended from outside saves nothing any more.
+        snapshotFlow { placeOf(place, viewer.settings.state.window) }.drop(1).collectLatest { seen ->
+            delay(PLACE_MILLIS)
+            viewer.settings.change { copy(window = seen) }
         }
     }
     LaunchedEffect(viewer) {
@@ -98,6 +109,9 @@ private fun saveAll(layouts: LayoutStore, settings: SettingsStore, place: Window
     settings.change { copy(window = placeOf(place, window)) }
     settings.saveNow()
 }
+
+/** A window is moved in many small steps. */
+private const val PLACE_MILLIS = 1000L
 
 private fun windowIcon(): BitmapPainter {
     val png = checkNotNull(Viewer::class.java.getResourceAsStream("/badlog/window/badlog.png")).use { it.readAllBytes() }

@@ -12,18 +12,28 @@ import java.awt.Rectangle
 import java.awt.Toolkit
 
 /**
- * Returns the window's last place, or the center if that is not visible on any of [screens], given in dp; no larger than its
- * screen, and large enough to be grabbed.
+ * Returns the window's last place, moved onto its screen where it reaches beyond an edge; in the middle of the first of [screens], given in
+ * dp, if it was on none of them. The first window fills a screen that is smaller than its usual size.
  */
 internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = screens()): WindowState {
     val seenOn = place?.let { screens.firstOrNull { it.intersects(place.x + 8.0, place.y + 8.0, 64.0, 24.0) } }
     val screen = seenOn ?: screens.firstOrNull()
-    val width = place?.width ?: USUAL_WIDTH
-    val height = place?.height ?: USUAL_HEIGHT
+    val width = (place?.width ?: USUAL_WIDTH).within(MIN_WIDTH, screen?.width)
+    val height = (place?.height ?: USUAL_HEIGHT).within(MIN_HEIGHT, screen?.height)
+    val isSmall = screen != null && (screen.width < USUAL_WIDTH || screen.height < USUAL_HEIGHT)
     return WindowState(
-        placement = if (place?.isMaximized == true) WindowPlacement.Maximized else WindowPlacement.Floating,
-        position = if (place != null && seenOn != null) WindowPosition(place.x.dp, place.y.dp) else WindowPosition.PlatformDefault,
-        size = DpSize(width.within(MIN_WIDTH, screen?.width).dp, height.within(MIN_HEIGHT, screen?.height).dp),
+        placement = if (place?.isMaximized ?: isSmall) WindowPlacement.Maximized else WindowPlacement.Floating,
+        position = if (screen == null) {
+            WindowPosition.PlatformDefault
+        } else {
+            val x = if (place != null && seenOn != null) place.x else screen.x + (screen.width - width) / 2
+            val y = if (place != null && seenOn != null) place.y else screen.y + (screen.height - height) / 2
+            WindowPosition(
+                x.coerceIn(screen.x, maxOf(screen.x, screen.x + screen.width - width)).dp,
+                y.coerceIn(screen.y, maxOf(screen.y, screen.y + screen.height - height)).dp,
+            )
+        },
+        size = DpSize(width.dp, height.dp),
     )
 }
 

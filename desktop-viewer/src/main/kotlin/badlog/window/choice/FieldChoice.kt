@@ -1,5 +1,8 @@
 package badlog.window.choice
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.setValue
 import badlog.viewer.draw.path.FieldFile
 import badlog.window.files.FileChoice
 import badlog.window.log.CurrentRecording
@@ -23,6 +26,10 @@ internal class FieldChoice(
     private val notices: Notices,
     private val folder: () -> Path?,
 ) {
+    /** How often a person has selected one since the window was opened. */
+    var selections: Int by mutableIntStateOf(0)
+        private set
+
     /** Whether a person has selected one for the current recording. */
     val isSelected: Boolean get() = current.recording?.let { selectedFor(it.file) } != null
 
@@ -36,6 +43,7 @@ internal class FieldChoice(
         tasks.run("Reading ${file.fileName}", { FieldFile.read(file).problem }) { problem ->
             if (problem != null) return@run notices.complain(problem)
             settings.change { withField("${folderOf(log)}", "${file.toAbsolutePath()}") }
+            selections++
         }
     }
 
@@ -48,5 +56,5 @@ internal class FieldChoice(
     /** Returns the file that a person has selected for [log]; null for none. */
     fun selectedFor(log: Path): Path? = settings.state.fields["${folderOf(log)}"]?.let(Path::of)
 
-    private fun folderOf(log: Path): Path = folder()?.takeIf(log::startsWith) ?: log.parent
+    private fun folderOf(log: Path): Path = folder()?.takeIf(log::startsWith) ?: log.toAbsolutePath().parent
 }

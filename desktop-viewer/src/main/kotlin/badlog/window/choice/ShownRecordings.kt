@@ -1,5 +1,8 @@
 package badlog.window.choice
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.window.compare.ComparedRecordings
@@ -9,14 +12,17 @@ import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.task.Notices
+import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.supervisorScope
 import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
 /**
- * Keeps what is shown of the open recording and of the compared ones as a person has chosen it: makes it anew off the window's thread
- * after each change of a choice, and shows it when it is made. Use it only on the window's thread.
+ * Keeps what is shown of the open recording and of the compared ones as a person has chosen it: after each change of a choice, calculates
+ * it off the window's thread, each log by itself, and then shows it. Use it only on the window's thread.
  *
  * @param library returns the folder of logs.
  * @param choices returns what is chosen for a recording.
@@ -30,36 +36,81 @@ internal class ShownRecordings(
     private val library: () -> Path?,
     private val choices: (OpenRecording) -> RecordingChoices,
 ) {
+    /** What is calculated of a recording: neither is repeated while both stay the same. */
+    private data class Wanted(val recording: OpenRecording, val choices: RecordingChoices)
+
+    private val works = HashMap<Path, Pair<Wanted, Job>>()
+    private val later = ArrayList<() -> Unit>()
+
+    /** What could not be calculated, and is not tried again. */
+    private var failed by mutableStateOf(emptyList<Wanted>())
+
     /** Whether something is shown as it was before the last choice. */
-    val isWaiting: Boolean get() = wanted().any { (recording, wanted) -> recording.choices != wanted }
+    val isWaiting: Boolean get() = wanted().any(::isToDo)
 
     /** Follows the choices, until cancelled. */
-    suspend fun run() = snapshotFlow { wanted() }.collectLatest { all ->
-        try {
-            for ((recording, wanted) in all) {
-                if (recording.choices == wanted) continue
-                val folder = library()
-                show(withContext(Dispatchers.Default) { recording.with(wanted, folder) })
+    suspend fun run() = supervisorScope {
+        snapshotFlow { wanted() }.collect { all ->
+            for (file in works.keys - all.mapTo(HashSet()) { it.recording.file }) works.remove(file)?.second?.cancel()
+            for (each in all) {
+                val file = each.recording.file
+                if (works[file]?.first == each) continue
+                works.remove(file)?.second?.cancel()
+                if (isToDo(each)) works[file] = each to launch { calculate(each) }
             }
-        } catch (_: OutOfMemoryError) {
-            notices.complain("There is not enough memory to show that; remove a formula, or compare fewer logs.")
+            catchUp()
         }
     }
 
-    private fun wanted(): List<Pair<OpenRecording, RecordingChoices>> {
-        val all = listOfNotNull(current.recording) + compared.state.loaded.values
-        return all.distinctBy { it.file }.map { it to choices(it) }
+    /** Calls [action] when all is shown as it is chosen: now, or as soon as that is calculated. */
+    fun whenShown(action: () -> Unit) {
+        later += action
+        catchUp()
     }
 
-    private fun show(made: OpenRecording) = Snapshot.withMutableSnapshot {
+    /** Shows [made], which was read or calculated instead of the recording of the same file that is shown. */
+    fun show(made: OpenRecording) = Snapshot.withMutableSnapshot {
         compared.share(made)
         val before = current.recording?.takeIf { it.file == made.file } ?: return@withMutableSnapshot
-        current.replace(made)
-        if (made.choices.overTime != before.choices.overTime) view.show(made.span) else view.change { grown(made.span) }
-        made.field.problem?.takeIf { made.field !== before.field }?.let(notices::complain)
         // The time has a graph only if it is not the axis, and the Driver Station's topics have some.
-        if (board.kept.showsSame(before.standardGraphs) && !made.standardGraphs.showsSame(before.standardGraphs)) {
-            board.replace(made.standardGraphs)
+        val isOtherAxis = made.isOverTime != before.isOverTime
+        val isDefault = (if (isOtherAxis) board.kept else board.state).showsSame(before.standardGraphs)
+        current.replace(made)
+        if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) }
+        made.field.problem?.takeIf { made.field !== before.field }?.let(notices::complain)
+        if (isDefault && !made.standardGraphs.showsSame(before.standardGraphs)) board.replace(made.standardGraphs)
+    }
+
+    private suspend fun calculate(wanted: Wanted) {
+        try {
+            val folder = library()
+            val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) }
+            // It may have grown, or be closed, in the moment before this.
+            if (wanted in wanted()) show(made)
+        } catch (e: CancellationException) {
+            throw e
+        } catch (_: OutOfMemoryError) {
+            failed = failed + wanted
+            notices.complain("There is not enough memory to show that; remove a formula, or compare fewer logs.")
+        } catch (e: Throwable) {
+            failed = failed + wanted
+            throw e
         }
+        catchUp()
+    }
+
+    private fun catchUp() {
+        if (isWaiting) return
+        failed = failed.filter { it in wanted() }
+        val due = later.toList()
+        later.clear()
+        due.forEach { it() }
+    }
+
+    private fun isToDo(wanted: Wanted) = wanted.recording.choices != wanted.choices && wanted !in failed
+
+    private fun wanted(): List<Wanted> {
+        val all = listOfNotNull(current.recording) + compared.state.loaded.values
+        return all.distinctBy { it.file }.map { Wanted(it, choices(it)) }
     }
 }

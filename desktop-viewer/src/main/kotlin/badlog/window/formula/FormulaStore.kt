@@ -27,7 +27,8 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
         private set
 
     /** The formulas that a person removed: files beside the logs do not bring them back. */
-    private val removed = HashSet<String>()
+    @Volatile
+    private var removed = emptySet<String>()
 
     /** Opens the dialog for a new one that contains [names] of the open recording; does nothing without a recording. */
     fun write(names: List<String> = emptyList()) {
@@ -49,14 +50,14 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
 
     /** Adds [definition], whose topic is called [name], and draws it. */
     fun add(definition: String, name: String) {
-        removed -= definition
+        removed = removed - definition
         definitions = (definitions + definition).distinct()
         board.change { withGraph(listOf(name)) }
     }
 
     /** Replaces [before] by [definition], whose topic is called [name], also in graphs. */
     fun replace(before: String, definition: String, name: String) {
-        removed += before
+        removed = removed + before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
         nameIn(before)?.let { board.change { renamed(it, name) } }
     }
@@ -67,13 +68,13 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
             notices.complain(reason)
             return false
         }
-        removed += definition
+        removed = removed + definition
         definitions = definitions - definition
         nameIn(definition)?.let { board.change { withoutSignal(it) } }
         return true
     }
 
-    /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed. */
+    /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed; on any thread. */
     fun with(others: List<String>): List<String> {
         val names = definitions.mapTo(HashSet(), ::nameIn)
         return definitions + others.filter { it !in removed && nameIn(it) !in names }

@@ -10,6 +10,7 @@ import badlog.window.state.StateHolder
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.runInterruptible
 import java.io.IOException
@@ -23,7 +24,10 @@ import java.nio.file.Path
  */
 internal data class LayoutsOfFolder(val files: Map<String, Path> = emptyMap(), val shown: String? = null)
 
-/** The layouts in the folder of logs, between which a key switches: files that a person has saved there under names of their own. */
+/**
+ * The layouts in the folder of logs, between which a key switches: files that a person has saved there under names of their own. Use it
+ * only on the window's thread.
+ */
 internal class KeptLayouts(
     private val library: Library,
     private val current: CurrentRecording,
@@ -32,6 +36,7 @@ internal class KeptLayouts(
     private val notices: Notices,
 ) : StateHolder<LayoutsOfFolder>(LayoutsOfFolder()) {
     private val folder: Path? get() = library.state.folder ?: current.recording?.file?.parent
+    private var opening: Job? = null
 
     /** Looks for those of each folder that is opened, until cancelled. */
     suspend fun run() = snapshotFlow { folder }.collectLatest { opened ->
@@ -48,9 +53,14 @@ internal class KeptLayouts(
     /** Shows the graphs of the one that is [steps] after the one shown; looks for files that were saved meanwhile. */
     fun step(steps: Int) {
         val folder = folder ?: return
-        tasks.run("Looking for layouts", { FolderLayout.keptIn(folder) }) { found ->
+        opening?.cancel()
+        // At once, since somebody may press the key several times.
+        keptLayoutAfter(state.files.keys.toList(), state.shown, steps)?.let { next -> change { copy(shown = next) } }
+        val wasKnown = state.shown in state.files
+        opening = tasks.run("Looking for layouts", { FolderLayout.keptIn(folder) }) { found ->
+            if (folder != this.folder) return@run
             change { copy(files = found) }
-            val next = keptLayoutAfter(found.keys.toList(), state.shown, steps)
+            val next = if (wasKnown) state.shown else keptLayoutAfter(found.keys.toList(), null, steps)
             if (next == null) notices.say(noLayoutKept("Ctrl+S saves one beside the logs")) else show(next)
         }
     }
@@ -58,16 +68,18 @@ internal class KeptLayouts(
     /** Shows the graphs of the layout called [name], in the range that is visible. */
     fun show(name: String) {
         val file = state.files[name] ?: return
-        tasks.run("Opening $name", { readLayout(file) }) { layout ->
-            change { copy(shown = name) }
+        // Also if it cannot be read: the key then goes on from it.
+        change { copy(shown = name) }
+        opening?.cancel()
+        opening = tasks.run("Opening $name", { readLayout(file) }) { layout ->
             layouts.switchTo(layout)
             notices.say("Layout “$name”.")
         }
     }
 
-    /** Lists the layout that was saved as [file], if that is beside the logs. */
+    /** Lists the layout that was saved as [file], if that is beside the logs and has a name of its own. */
     fun add(file: Path) {
-        val name = file.fileName.toString().removeSuffix(Layout.ENDING)
-        if (file.parent == folder) change { LayoutsOfFolder((files + (name to file)).toSortedMap(String.CASE_INSENSITIVE_ORDER), name) }
+        val name = FolderLayout.nameOf(file) ?: return
+        if (file.parent == folder) change { LayoutsOfFolder(FolderLayout.inOrder(files + (name to file)), name) }
     }
 }

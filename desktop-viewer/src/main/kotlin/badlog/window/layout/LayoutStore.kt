@@ -6,6 +6,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FittedBoard
+import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.choices.formula.joined
 import badlog.window.choice.AxisChoice
@@ -22,10 +23,12 @@ import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.suspendCancellableCoroutine
 import kotlinx.coroutines.withContext
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.coroutines.resume
 
 /**
  * The window's layout for each folder of logs: saves it, and restores it when the folder is opened. Use it only on the window's
@@ -42,10 +45,11 @@ internal class LayoutStore(
     private val formulas: FormulaStore,
     private val panels: WindowPanels,
     private val notices: Notices,
+    private val whenShown: (() -> Unit) -> Unit,
 ) {
     private val layouts = FolderLayouts(folders.settings.resolve("layouts"))
 
-    // Folder and saved are also read by the thread on which a log is opened.
+    // These two are also read by the thread on which a log is opened.
 
     @Volatile
     private var folder: Path? = null
@@ -99,12 +103,12 @@ internal class LayoutStore(
     }
 
     /**
-     * Returns the formulas to calculate in [recording]: including those of the layout beside it, if nobody has arranged the graphs of
-     * this folder.
+     * Returns the formulas to calculate in the log in [file]: including those of the [layout] beside it, if nobody has arranged the graphs
+     * of this folder. May be called on any thread.
      */
-    fun formulasFor(recording: OpenRecording): List<String> {
-        val isArranged = saved?.graphs != null || !isInFolder(recording)
-        return if (isArranged) formulas.definitions else formulas.with(recording.layout.layout?.formulas.orEmpty())
+    fun formulasFor(file: Path, layout: FolderLayout): List<String> {
+        val isArranged = saved?.graphs != null || !isInFolder(file)
+        return if (isArranged) formulas.definitions else formulas.with(layout.layout?.formulas.orEmpty())
     }
 
     /**
@@ -116,14 +120,20 @@ internal class LayoutStore(
         formulas.replaceAll(joined(formulas.definitions, layout.formulas))
         layout.overTime?.let(axis::choose)
         restoreComparison(layout.compared)
-        applyGraphs(layout)
-        applyRange(layout)
+        // The range is one of the axis that was chosen above, and graphs may draw the formulas.
+        whenShown {
+            applyGraphs(layout)
+            applyRange(layout)
+        }
     }
 
-    /** Shows the graphs of [layout], with its formulas; where a person looks in the log, and everything else, stays. */
+    /**
+     * Shows the graphs of [layout], with those of its formulas that do not exist yet; where a person looks in the log, and everything else,
+     * stays.
+     */
     fun switchTo(layout: Layout) {
-        formulas.replaceAll(joined(formulas.definitions, layout.formulas))
-        applyGraphs(layout)
+        formulas.replaceAll(formulas.with(layout.formulas))
+        whenShown { applyGraphs(layout) }
     }
 
     /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */
@@ -143,13 +153,16 @@ internal class LayoutStore(
         // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
         if (opened == null) return@collectLatest
-        axis.change { null }
+        val isSeen = current.recording?.let { isInFolder(it.file) } == true
+        // Who looks at a log of the folder already, and has chosen its axis, goes on so.
+        if (!isSeen) axis.change { null }
         saved?.overTime?.let(axis::choose)
         formulas.replaceAll(saved?.formulas.orEmpty())
-        current.recording?.let { formulas.replaceAll(formulasFor(it)) }
+        current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
         var wanted = saved
         wanted?.let(::restore)
         snapshotFlow { arrangement() }.collectLatest {
+            suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
             wanted = wanted?.takeUnless { restoreRange(it) }
             delay(PAUSE_MILLIS)
             save()
@@ -192,7 +205,7 @@ internal class LayoutStore(
     /** Returns what to save and where, if it is not saved yet. The state of another folder's recording does not count. */
     private fun change(): Pair<Path, Layout>? {
         val place = folder ?: return null
-        val open = current.recording?.takeIf(::isInFolder)
+        val open = current.recording?.takeIf { isInFolder(it.file) }
         if (open == null) {
             val before = saved ?: Layout(Layout.VERSION)
             return if (before.formulas == formulas.definitions) null else place to before.copy(formulas = formulas.definitions)
@@ -221,8 +234,10 @@ internal class LayoutStore(
             restoreComparison(layout.compared)
             restoredChecks = compared.state.checked
         }
-        val open = current.recording?.takeIf(::isInFolder) ?: return
-        if (board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
+        whenShown {
+            val open = current.recording?.takeIf { isInFolder(it.file) }
+            if (open != null && board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
+        }
     }
 
     /** Compares the open recording with those in [layout], as they were aligned; files that are gone are skipped. */
@@ -239,7 +254,7 @@ internal class LayoutStore(
     private fun applyGraphs(layout: Layout) {
         val open = current.recording ?: return
         val graphs = layout.graphs ?: return board.change { open.standardGraphs }
-        val fitted = fitted(graphs, open, formulas.definitions)
+        val fitted = fitted(graphs, open)
         board.change { fitted.board }
         fitted.sentence?.let(notices::say)
     }
@@ -255,7 +270,7 @@ internal class LayoutStore(
 
     /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */
     private fun restoreRange(layout: Layout): Boolean {
-        val open = current.recording?.takeIf(::isInFolder) ?: return false
+        val open = current.recording?.takeIf { isInFolder(it.file) } ?: return false
         if (pathText(open.file, folder) == layout.recording) {
             applyRange(layout)
             restoredVisible = view.viewport.visible
@@ -265,11 +280,11 @@ internal class LayoutStore(
     }
 
     private fun fittedTo(recording: OpenRecording): FittedBoard? {
-        val graphs = saved?.graphs?.takeIf { isInFolder(recording) } ?: return null
-        return fitted(graphs, recording, formulas.definitions).takeIf { it.board.graphs.isNotEmpty() }
+        val graphs = saved?.graphs?.takeIf { isInFolder(recording.file) } ?: return null
+        return fitted(graphs, recording).takeIf { it.board.graphs.isNotEmpty() }
     }
 
-    private fun isInFolder(recording: OpenRecording) = folder?.let { recording.file.startsWith(it.toAbsolutePath().normalize()) } ?: false
+    private fun isInFolder(file: Path) = folder?.let { file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 
     private companion object {
         const val PAUSE_MILLIS = 600L

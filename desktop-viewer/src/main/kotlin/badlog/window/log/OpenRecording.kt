@@ -174,6 +174,9 @@ internal class OpenRecording(
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): Signal? = byName[name]
 
+    /** Whether it is drawn over its [timeColumn], because a person wants that. */
+    val isOverTime: Boolean get() = rows != null
+
     /** The column that holds the time of a recording that names no x axis; null if there is no such column, or nothing to choose. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
@@ -193,7 +196,8 @@ internal class OpenRecording(
             isOver -> LogView.of(read.recording.over(checkNotNull(column))) to read
             else -> checkNotNull(rows) to null
         }
-        val itsField = if (wanted.field == choices.field) field else fieldOf(file, wanted.field, library)
+        val isSameField = wanted.field == choices.field && wanted.fieldSelections == choices.fieldSelections
+        val itsField = if (isSameField) field else fieldOf(file, wanted.field, library)
         return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField).also { it.prepare() }
     }
 
@@ -204,6 +208,7 @@ internal class OpenRecording(
         modes
         events
         standardGraphs
+        timeColumn
     }
 
     companion object {
@@ -212,7 +217,7 @@ internal class OpenRecording(
          *
          * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
-         * @param choices returns, once it is read, what a person has chosen of what is shown of it.
+         * @param choices returns, once it is read, what a person has chosen of what is shown of the log with this layout beside it.
          * @param progress is called with the share that is done, from 0 to 1.
          * @throws IOException with a sentence for the person, when it is not a recording.
          */
@@ -220,7 +225,7 @@ internal class OpenRecording(
             file: Path,
             library: Path? = null,
             isGrowing: Boolean = false,
-            choices: (OpenRecording) -> RecordingChoices = { RecordingChoices() },
+            choices: (FolderLayout) -> RecordingChoices = { RecordingChoices() },
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             assertOffWindow()
@@ -230,10 +235,13 @@ internal class OpenRecording(
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
             val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
-            val field = FieldFile.of(file, library)
-            val opened = OpenRecording(file, LogView.of(recording.overItsTime()), vocabulary = vocabulary, layout = layout, field = field)
-            val wanted = choices(opened)
-            return if (wanted == opened.choices) opened.also { it.prepare() } else opened.with(wanted, library)
+            val read = LogView.of(recording.overItsTime())
+            val wanted = choices(layout)
+            val column = if (wanted.overTime) read.recording.timeColumn() else null
+            val shown = if (column == null) read else LogView.of(read.recording.over(column))
+            val rows = read.takeIf { column != null }
+            val field = fieldOf(file, wanted.field, library)
+            return OpenRecording(file, shown, wanted.copy(overTime = column != null), vocabulary, layout, rows, field).also { it.prepare() }
         }
 
         /** Returns the field for [log]: the one in the [selected] file, or else the one beside it. Reads it. */

@@ -11,10 +11,12 @@ import java.nio.file.Path
  * @property overTime whether it is drawn over its time where it names no x axis.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
  * @property field the file of the field on which its paths are drawn; null for the field beside the log.
+ * @property fieldSelections how often a person has selected a field: its file may be another one by then.
  */
 internal data class RecordingChoices(
     val definitions: List<String> = emptyList(),
     val overTime: Boolean = false,
     val station: FoundStation<LogFile>? = null,
     val field: Path? = null,
+    val fieldSelections: Int = 0,
 )

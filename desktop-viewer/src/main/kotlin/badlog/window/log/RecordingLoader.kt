@@ -3,6 +3,7 @@ package badlog.window.log
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import badlog.viewer.choices.board.FolderLayout
 import badlog.window.task.LongTasks
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
@@ -16,7 +17,7 @@ import java.nio.file.Path
  * @param scope the scope for watching files; its thread is the window's.
  * @param watcher keeps the open recording up to date with its file.
  * @param reader reads recordings.
- * @param definitions returns the formulas to calculate in a recording that is opened.
+ * @param definitions returns the formulas to calculate in a log that is opened, with this layout beside it.
  * @param show shows a recording.
  */
 internal class RecordingLoader(
@@ -24,7 +25,7 @@ internal class RecordingLoader(
     private val tasks: LongTasks,
     private val watcher: RecordingWatcher,
     private val reader: RecordingReader,
-    private val definitions: (OpenRecording) -> List<String>,
+    private val definitions: (Path, FolderLayout) -> List<String>,
     private val show: (OpenRecording) -> Unit,
 ) {
     private var reading: Job? = null

@@ -1,29 +1,30 @@
 package badlog.window.log
 
+import badlog.viewer.choices.board.FolderLayout
 import java.nio.file.Path
 
 /**
  * Reads recordings as the window shows them, off its thread.
  *
- * @param library gives the folder of logs.
- * @param choices gives what a person has chosen of what is shown of a recording.
+ * @param library returns the folder of logs.
+ * @param choices returns what a person has chosen of what is shown of a log.
  */
-internal class RecordingReader(private val library: () -> Path?, private val choices: (OpenRecording) -> RecordingChoices) {
+internal class RecordingReader(private val library: () -> Path?, private val choices: (Path) -> RecordingChoices) {
     /**
      * Reads [file], see [OpenRecording.read].
      *
-     * @param definitions returns the formulas to calculate in it; null for those chosen.
+     * @param definitions returns the formulas to calculate in a log with this layout beside it; null for those chosen.
      */
     fun read(
         file: Path,
         isGrowing: Boolean = false,
-        definitions: ((OpenRecording) -> List<String>)? = null,
+        definitions: ((Path, FolderLayout) -> List<String>)? = null,
         progress: (Float) -> Unit = {},
-    ): OpenRecording = OpenRecording.read(
-        file,
-        library(),
-        isGrowing,
-        { opened -> choices(opened).let { if (definitions == null) it else it.copy(definitions = definitions(opened)) } },
-        progress,
-    )
+    ): OpenRecording {
+        fun choicesFor(layout: FolderLayout): RecordingChoices {
+            val chosen = choices(file)
+            return if (definitions == null) chosen else chosen.copy(definitions = definitions(file, layout))
+        }
+        return OpenRecording.read(file, library(), isGrowing, ::choicesFor, progress)
+    }
 }

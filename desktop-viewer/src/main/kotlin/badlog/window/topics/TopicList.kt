@@ -9,7 +9,7 @@ import badlog.window.state.StateHolder
  * @property query words that the full name of each listed topic must contain, ignoring case.
  * @property folded the paths of the closed folders; a search opens all folders.
  * @property known the paths of all folders that were listed so far.
- * @property marked the name of the signal with the keyboard focus, or null.
+ * @property marked the name of the signal or path with the keyboard focus, or null.
  * @property searchesAsked how often the search field was requested from the keyboard.
  * @property target the id of the graph to which a click adds a topic; null for a new graph.
  * @property selected the names of the selected signals, in the order of selection.
@@ -41,7 +41,7 @@ internal data class TopicList(
 
     /** Moves the keyboard focus [steps] down in [rows], or to the first; to none if there are none. */
     fun marking(steps: Int, rows: List<TopicRow>): TopicList {
-        val listed = rows.filterIsInstance<SignalRow>().map { it.signal.name }
+        val listed = rows.mapNotNull { it.name }
         val at = listed.indexOf(marked)
         return copy(marked = listed.getOrNull(if (at < 0) 0 else (at + steps).coerceIn(listed.indices)))
     }

@@ -3,6 +3,7 @@ package badlog.window.topics
 import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
@@ -18,6 +19,7 @@ import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.foundation.selection.toggleable
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -27,6 +29,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
@@ -96,9 +99,13 @@ internal fun TopicPane(
         val rows = shown?.rows
         // A key may come before the rows of what was typed are shown.
         val rowsOfKeys = { shown?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
-        val draw = { name: String -> open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) } }
+        fun draw(name: String) {
+            val path = rowsOfKeys().firstOrNull { it is PathRow && it.name == name } as PathRow?
+            if (path != null) return board.change { withToggled(path.graph) }
+            open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
+        }
         val focus = rememberAskedFocus(list.searchesAsked)
-        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys) { name -> draw(name) } }
+        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys, ::draw) }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
                 topics.change { searching(it) }
@@ -119,7 +126,15 @@ internal fun TopicPane(
 /** The rows of a list that is searched for [query]. */
 private class ShownRows(val query: String, val rows: List<TopicRow>)
 
-private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(signals, list.query, list.folded, empty, found, poses)
+private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(
+    signals,
+    list.query,
+    list.folded,
+    empty,
+    found,
+    // A path is a graph of its own.
+    if (list.target == null) poses else emptyList(),
+)
 
 /** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
 private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
@@ -127,7 +142,7 @@ private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<To
     when (event.key) {
         Key.DirectionDown -> topics.change { marking(1, rows()) }
         Key.DirectionUp -> topics.change { marking(-1, rows()) }
-        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows().firstNotNullOfOrNull { (it as? SignalRow)?.signal?.name })?.let(draw)
+        Key.Enter, Key.NumPadEnter -> (topics.state.marked ?: rows().firstNotNullOfOrNull { it.name })?.let(draw)
         else -> return false
     }
     return true
@@ -163,7 +178,7 @@ private fun Rows(
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = rememberLazyListState()
-    KeepInSight(state, listed.indexOfFirst { it is SignalRow && it.signal.name == topics.state.marked })
+    KeepInSight(state, listed.indexOfFirst { it.name != null && it.name == topics.state.marked })
     BoxWithConstraints(modifier.fillMaxSize()) {
         val showsValues = maxWidth >= ROOMY
         LazyColumn(Modifier.fillMaxSize(), state) {
@@ -175,7 +190,7 @@ private fun Rows(
                         }
                     }
 
-                    is PathRow -> PathLine(row, query, graphs.has(row.graph)) { board.change { withToggled(row.graph) } }
+                    is PathRow -> PathLine(row, query, graphs.has(row.graph), row.name == topics.state.marked) { board.change { withToggled(row.graph) } }
 
                     is SignalRow -> {
                         val place = places[row.signal.name]
@@ -228,11 +243,12 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
 
 /** A path of the list of topics. */
 @Composable
-private fun PathLine(row: PathRow, query: String, isDrawn: Boolean, onToggle: () -> Unit) {
+private fun PathLine(row: PathRow, query: String, isDrawn: Boolean, isMarked: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
     Row(
         Modifier
             .fillMaxWidth()
+            .border(2.dp, if (isMarked) palette.accent else Color.Transparent, RoundedCornerShape(4.dp))
             .toggleable(isDrawn, role = Role.Checkbox) { onToggle() }
             .semantics { contentDescription = row.graph.title }
             .padding(start = indentOf(row.depth), end = 14.dp, top = 4.dp, bottom = 4.dp),

@@ -84,10 +84,12 @@ private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::tit
  *
  * @property depth the number of folders around it.
  * @property key identifies it among the rows.
+ * @property name the name of what it draws; null for a folder.
  */
 internal sealed interface TopicRow {
     val depth: Int
     val key: String
+    val name: String?
 }
 
 /**
@@ -100,15 +102,18 @@ internal sealed interface TopicRow {
 internal data class FolderRow(override val depth: Int, val path: String, val title: String, val count: Int, val isOpen: Boolean) :
     TopicRow {
     override val key: String get() = "folder $path"
+    override val name: String? get() = null
 }
 
 /** A path on the field, which [graph] draws. */
 internal class PathRow(val graph: BoardGraph) : TopicRow {
     override val depth: Int get() = 0
     override val key: String get() = "path ${graph.title}"
+    override val name: String get() = graph.title
 }
 
 /** A signal. */
 internal class SignalRow(override val depth: Int, val signal: Signal) : TopicRow {
     override val key: String get() = (if (signal.isDerived) "derived " else "signal ") + signal.name
+    override val name: String get() = signal.name
 }

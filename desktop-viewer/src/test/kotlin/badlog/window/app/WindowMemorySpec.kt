@@ -22,13 +22,25 @@ class WindowMemorySpec : FunSpec({
 
     test("a window whose screen is gone comes to the one that is there, no larger than that") {
         val state = windowStateOf(WindowPlace(1500, 40, 2000, 1200, isMaximized = false), listOf(laptop))
-        state.position shouldBe WindowPosition.PlatformDefault
+        state.position shouldBe WindowPosition(0.dp, 0.dp)
         state.size shouldBe DpSize(1366.dp, 768.dp)
+        state.placement shouldBe WindowPlacement.Floating
     }
 
-    test("the first window fits a small laptop") {
-        windowStateOf(null, listOf(laptop)).size shouldBe DpSize(1366.dp, 768.dp)
-        windowStateOf(null, listOf(monitor)).size shouldBe DpSize(1400.dp, 860.dp)
+    test("the first window fills a small laptop, and is in the middle of a larger screen") {
+        val small = windowStateOf(null, listOf(laptop))
+        small.size shouldBe DpSize(1366.dp, 768.dp)
+        small.position shouldBe WindowPosition(0.dp, 0.dp)
+        small.placement shouldBe WindowPlacement.Maximized
+        val large = windowStateOf(null, listOf(monitor))
+        large.size shouldBe DpSize(1400.dp, 860.dp)
+        large.position shouldBe WindowPosition((1366 + 580).dp, 290.dp)
+        large.placement shouldBe WindowPlacement.Floating
+    }
+
+    test("a window that reached beyond the edge of its screen comes back whole") {
+        windowStateOf(WindowPlace(48, 48, 1366, 700, isMaximized = false), listOf(laptop)).position shouldBe WindowPosition(0.dp, 48.dp)
+        windowStateOf(WindowPlace(1000, 400, 600, 500, isMaximized = false), listOf(laptop)).position shouldBe WindowPosition(766.dp, 268.dp)
     }
 
     test("a damaged size still gives a window that can be taken hold of") {

@@ -56,8 +56,8 @@ class FormulaSpec : FunSpec({
         reasonFor(open.formulas[1], open) shouldBe null
         open.signal("B").shouldNotBeNull().series.y.last() shouldBe 15.0
         // A layout that draws it is whole all the same.
-        fitted(Board().withGraph(listOf("A", "Power")), open, definitions).missing shouldBe emptyList()
-        fitted(Board().withGraph(listOf("C", "Power")), open, definitions).missing shouldBe listOf("C")
+        fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
+        fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
     }
 
     test("topics with times of their own make formulas, too") {

@@ -11,6 +11,7 @@ import badlog.window.compare.Comparison
 import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
+import badlog.window.graph.choosing
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
@@ -62,7 +63,7 @@ class LayoutSpec : FunSpec({
         val file = home.resolve("today.json")
         Files.writeString(file, LAYOUT_1)
         val viewer = viewerOver()
-        viewer.layouts.apply(readLayout(file))
+        choosing(viewer) { viewer.layouts.apply(readLayout(file)) }
         viewer.board.state.graphs shouldBe listOf(
             BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 12.5)),
             BoardGraph(2, "Mode", listOf("Arm/Mode"), includesZero = true),

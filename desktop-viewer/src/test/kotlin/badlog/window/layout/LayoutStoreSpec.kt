@@ -50,7 +50,7 @@ class LayoutStoreSpec : FunSpec({
         }
     }
 
-    fun Viewer.opened(log: Path, folder: Path) = OpenRecording.read(log, folder, choices = { RecordingChoices(layouts.formulasFor(it)) })
+    fun Viewer.opened(log: Path, folder: Path) = OpenRecording.read(log, folder, choices = { RecordingChoices(layouts.formulasFor(log, it)) })
 
     fun hasArranged(home: Path, folder: Path) = FolderLayouts(home.resolve("layouts")).read(folder)
 

@@ -15,7 +15,7 @@ internal class LayoutSpec : PageSpec({
         press("p")
         script("scrollTo(0, 0)")
         click("#layouts")
-        element("#layout-name").sendKeys(Keys.chord(Keys.CONTROL, "a"), name, Keys.ENTER)
+        press(name, Keys.ENTER)
         settle()
     }
 
@@ -24,7 +24,6 @@ internal class LayoutSpec : PageSpec({
             press("g")
             text shouldContain "No layout is kept yet; keep the board as one with the button “Layouts” above it"
             keep("Step 1", "Power")
-            keepScreenshot("layout-kept")
             element("#layout-dialog").isDisplayed shouldBe false
             keep("Step 2", "<b>Drive</b>")
             titles() shouldBe listOf("Step 2")

@@ -82,6 +82,8 @@ internal class Keyboard(
             live.tellFinding(spoken)
         }
 
+        Request.NoFinding -> live.tell("No finding to go to.")
+
         Request.Formula -> formulas.open()
 
         is Request.Note -> notes.write(request.x)

@@ -20,6 +20,9 @@ internal class LiveRegion(private val scene: Scene, private val lines: () -> Lis
         element.showText(spokenAt(lines(), x, scene.xText(x)))
     }
 
+    /** Tells [text]. */
+    fun tell(text: String) = element.showText(text)
+
     /** Tells [found], what was found at the cursor. */
     fun tellFinding(found: String) {
         val x = scene.cursor.now.pinned ?: return

@@ -69,6 +69,7 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.note.Note
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
@@ -139,7 +140,7 @@ internal class LogPage(
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
-    private val layoutDialog = LayoutDialog(KeptLayouts(), scene.notice, ::layoutNow) { layout, name -> open(layout, "Layout “$name”.") }
+    private val layoutDialog = LayoutDialog(KeptLayouts(), scene.notice, ::layoutNow, ::switchTo)
     private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, layoutDialog, ::open)
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
@@ -330,6 +331,11 @@ internal class LogPage(
     private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
     private fun open(opened: BoardLayout) = open(opened, "Opened the layout.")
+
+    private fun switchTo(layout: BoardLayout, name: String) {
+        val others = layout.formulas.filter { nameIn(it) !in formulas.names }
+        open(BoardLayout(layout.board, formulas = others), "Layout “$name”.")
+    }
 
     private fun open(opened: BoardLayout, said: String) {
         val problems = formulaGraphs.addAll(opened.formulas, isRemembered = true)

@@ -23,14 +23,20 @@ internal class KeptLayouts {
         null
     }
 
-    /** Keeps [layout] as [name], instead of one of that name. */
-    fun keep(name: String, layout: BoardLayout) {
-        LocalStorage[KEY + name] = BoardLayout(layout.board, formulas = layout.formulas).toJson()
-        shown = name
+    /** Keeps [layout] as [name], instead of one of that name. Returns false if the browser does not let the page, or has no room. */
+    fun keep(name: String, layout: BoardLayout): Boolean {
+        val text = BoardLayout(layout.board, formulas = layout.formulas).toJson()
+        LocalStorage[KEY + name] = text
+        val isKept = LocalStorage[KEY + name] == text
+        if (isKept) shown = name
+        return isKept
     }
 
     /** Forgets the one called [name]. */
-    fun remove(name: String) = LocalStorage.remove(KEY + name)
+    fun remove(name: String) {
+        LocalStorage.remove(KEY + name)
+        if (shown == name) shown = null
+    }
 
     private companion object {
         const val KEY = "layout:"

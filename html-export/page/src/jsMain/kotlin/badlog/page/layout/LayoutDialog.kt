@@ -52,7 +52,8 @@ internal class LayoutDialog(
         name.autocomplete = "off"
         name.setAttribute("aria-label", "Name of the layout")
         name.addEventListener("keydown", {
-            if (it.unsafeCast<KeyboardEvent>().key == "Enter") {
+            val key = it.unsafeCast<KeyboardEvent>()
+            if (key.key == "Enter" && !key.isComposing) {
                 // Otherwise it would also press the button that opened the dialog, which gets the focus back.
                 it.preventDefault()
                 keep()
@@ -67,6 +68,8 @@ internal class LayoutDialog(
         element.asDynamic().showModal()
         name.value = kept.shown.orEmpty()
         name.focus()
+        // Typing another name keeps another layout.
+        name.select()
     }
 
     /** Shows the layout that is [steps] after the one shown last. */
@@ -76,17 +79,16 @@ internal class LayoutDialog(
     }
 
     private fun switchTo(name: String) {
-        val layout = kept[name] ?: return notice.say("The layout “$name” cannot be read any more; keep it again.")
+        // Also if it cannot be read: the key then goes on from it.
         kept.shown = name
+        val layout = kept[name] ?: return notice.say("The layout “$name” cannot be read any more; keep it again.")
         onSwitch(layout, name)
     }
 
     private fun keep() {
         val wanted = name.value.trim()
         if (wanted.isEmpty()) return name.focus()
-        kept.keep(wanted, layoutNow())
-        // A page on a disk may not be allowed to.
-        val isKept = kept[wanted] != null
+        val isKept = kept.keep(wanted, layoutNow())
         notice.say(if (isKept) "Kept as “$wanted”." else "This browser does not let the page keep layouts; download it instead.")
         close()
     }

@@ -7,7 +7,7 @@ import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.cursor.Cursors
 
 /**
- * The reader's place in the log. Its parts tell those who listen to them alone of their changes: moving a cursor draws no graph anew.
+ * The reader's place in the log. Its parts tell those who listen to them alone of their changes: moving a cursor redraws no graph.
  *
  * @param clocks every x at which there is a sample.
  */

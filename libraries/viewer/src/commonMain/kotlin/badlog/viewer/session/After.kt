@@ -48,7 +48,8 @@ private fun Session.stepped(shown: Shown, count: Int): Outcome {
 }
 
 private fun Session.visiting(shown: Shown, steps: Int): Outcome {
-    val step = shown.findings?.beside(place.visited?.finding, place.cursors.x ?: Double.NaN, steps) ?: return Outcome(this)
+    val step = shown.findings?.beside(place.visited?.finding, place.cursors.x ?: Double.NaN, steps)
+    if (step == null) return Outcome(this, Request.NoFinding)
     return Outcome(at(place.visiting(step.place)), Request.Finding(step))
 }
 

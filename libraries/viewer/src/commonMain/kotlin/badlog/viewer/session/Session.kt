@@ -58,6 +58,9 @@ sealed interface Request {
     /** Shows the finding that [step] leads to: what was found, and its evidence. */
     data class Finding(val step: FindingStep) : Request
 
+    /** Says that there is no finding to go to, or that the rules are still running. */
+    data object NoFinding : Request
+
     /** Asks for a formula. */
     data object Formula : Request
 

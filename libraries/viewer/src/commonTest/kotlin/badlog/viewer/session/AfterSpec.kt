@@ -74,8 +74,10 @@ class AfterSpec : FunSpec({
         outcome.session.then(Action.PREVIOUS_VIEW).place.range.visible shouldBe Span(0.0, 100.0)
     }
 
-    test("before the rules have run, the key for the next finding does nothing") {
-        after(beginning, Log(findings = null), Action.NEXT_FINDING).session shouldBe beginning
+    test("before the rules have run, the key for the next finding goes nowhere, and says so") {
+        val outcome = after(beginning, Log(findings = null), Action.NEXT_FINDING)
+        outcome.session shouldBe beginning
+        outcome.request shouldBe Request.NoFinding
     }
 
     test("a finding about the whole log is selected where the person is") {

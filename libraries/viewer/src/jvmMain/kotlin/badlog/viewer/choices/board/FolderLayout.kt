@@ -1,6 +1,8 @@
 package badlog.viewer.choices.board
 
 import badlog.rules.NearestFile
+import java.io.IOException
+import java.nio.file.DirectoryIteratorException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -40,12 +42,29 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
          * Returns the layouts that a team keeps in [folder] under names of its own, such as `Power.badlog-layout.json`, by these names and in
          * their order; not those with which logs begin.
          *
-         * @throws java.io.IOException if the folder cannot be read.
+         * @throws IOException with a sentence for the person, if the folder cannot be read.
          */
-        fun keptIn(folder: Path): Map<String, Path> = Files.newDirectoryStream(folder, "*${BoardLayout.ENDING}").use { files ->
-            files.filter(Files::isRegularFile).associateBy { it.fileName.toString().removeSuffix(BoardLayout.ENDING) }
-                .filterKeys { it !in TYPES && it + BoardLayout.ENDING != NAME }.toSortedMap(String.CASE_INSENSITIVE_ORDER)
+        fun keptIn(folder: Path): Map<String, Path> = try {
+            Files.newDirectoryStream(folder, "*${BoardLayout.ENDING}").use { files ->
+                inOrder(files.filter(Files::isRegularFile).mapNotNull { file -> nameOf(file)?.let { it to file } }.toMap())
+            }
+        } catch (e: IOException) {
+            throw unreadable(folder, e)
+        } catch (e: DirectoryIteratorException) {
+            throw unreadable(folder, e)
         }
+
+        /** Returns the name under which [file] is kept; null if it is no layout, or one with which logs begin. */
+        fun nameOf(file: Path): String? {
+            val name = file.fileName.toString()
+            return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
+        }
+
+        /** Returns [layouts], by their names, in the order of these. */
+        fun inOrder(layouts: Map<String, Path>): Map<String, Path> = layouts.toSortedMap(compareBy(String.CASE_INSENSITIVE_ORDER) { it: String -> it }.thenBy { it })
+
+        private fun unreadable(folder: Path, cause: Exception) =
+            IOException("The layouts in $folder cannot be read; check that the folder is there and may be read.", cause)
 
         private fun fileIn(folder: Path, type: () -> String): Path? {
             val typed = TYPES.keys.map { it to folder.resolve(it + BoardLayout.ENDING) }.filter { Files.isRegularFile(it.second) }

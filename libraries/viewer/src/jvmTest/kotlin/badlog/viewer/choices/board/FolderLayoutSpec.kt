@@ -1,11 +1,13 @@
 package badlog.viewer.choices.board
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -35,6 +37,11 @@ class FolderLayoutSpec : FunSpec({
         Files.createDirectories(folder.resolve("folder.badlog-layout.json"))
         FolderLayout.keptIn(folder).keys.toList() shouldBe listOf("auto", "Drive", "power")
         FolderLayout.keptIn(folder)["Drive"] shouldBe folder.resolve("Drive.badlog-layout.json")
+        FolderLayout.inOrder(mapOf("b" to folder, "B" to folder, "a" to folder)).keys.toList() shouldBe listOf("a", "B", "b")
+        FolderLayout.nameOf(folder.resolve("default.badlog-layout.json")) shouldBe null
+        val gone = folder.resolve("gone")
+        shouldThrow<IOException> { FolderLayout.keptIn(gone) }.message shouldBe
+            "The layouts in $gone cannot be read; check that the folder is there and may be read."
     }
 
     test("a file for the type of the match comes first, and the type is read only if there is such a file") {
