@@ -74,7 +74,7 @@ internal class BadlogCommand(
         ExportCommand(),
         FindCommand(),
         TableCommand(),
-        ReportCommand(),
+        ReportCommand(parts),
         AssignCommand(),
         RulesCommand(),
         ReplayCommand(),

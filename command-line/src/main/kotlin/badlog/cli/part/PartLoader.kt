@@ -71,7 +71,8 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
 
 /**
  * Loads classes from [jars] before [program], so that a part may have other versions of libraries than the program. Only Java,
- * Kotlin and badlog itself come from the program, because both communicate through them.
+ * Kotlin and badlog itself come from the program, because both communicate through them. What Java has comes from Java, even if a jar also has
+ * it, such as its interfaces of XML: their objects come from Java as well.
  */
 private class PartClassLoader(jars: List<Path>, private val program: ClassLoader) :
     URLClassLoader("part", jars.map { it.toUri().toURL() }.toTypedArray(), program) {
@@ -79,11 +80,14 @@ private class PartClassLoader(jars: List<Path>, private val program: ClassLoader
         findLoadedClass(name) ?: if (SHARED.any(name::startsWith)) super.loadClass(name, resolve) else ownOrShared(name)
     }
 
-    private fun ownOrShared(name: String): Class<*> = try {
-        findClass(name)
-    } catch (_: ClassNotFoundException) {
-        program.loadClass(name)
-    }
+    private fun ownOrShared(name: String): Class<*> =
+        sequenceOf(ClassLoader.getPlatformClassLoader()::loadClass, ::findClass).firstNotNullOfOrNull { find ->
+            try {
+                find(name)
+            } catch (_: ClassNotFoundException) {
+                null
+            }
+        } ?: program.loadClass(name)
 
     private companion object {
         val SHARED = listOf("java.", "kotlin.", "badlog.")

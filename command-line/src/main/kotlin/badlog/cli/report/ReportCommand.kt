@@ -4,6 +4,7 @@ import badlog.cli.command.LogCommand
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
+import badlog.cli.part.PartLoader
 import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
 import badlog.files.UserFolders
@@ -17,7 +18,7 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 
 /** `badlog report`. */
-internal class ReportCommand :
+internal class ReportCommand(private val parts: PartLoader) :
     LogCommand(
         "report",
         "Runs rules over every log.",
@@ -29,6 +30,7 @@ internal class ReportCommand :
     private val isCsv by option("--csv").flag().help("Print a line of CSV for each finding.")
     private val folder by option("--out", metavar = "DIR").path()
         .help("Also write a page per log and an index.html there.")
+    private val hasCharts by option("--charts").flag().help("Also draw charts of all matches there: SVG, PNG.")
     private val field by option("--field", metavar = "FILE").path()
         .help("WPILib's field file; default: field.json beside the log.")
     private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
@@ -40,6 +42,7 @@ internal class ReportCommand :
     override val examples: List<String> = listOf(
         "report logs",
         "report logs --out report/",
+        "report logs --out report/ --charts",
         "report logs --rules my-rules.toml --csv",
     )
 
@@ -56,14 +59,16 @@ internal class ReportCommand :
             )
         }
         if (field != null && folder == null) throw UsageError("--field needs --out, since only pages draw a field")
+        if (hasCharts && folder == null) throw UsageError("--charts needs --out, since charts are files beside the index")
         return ReportTask(
             paths,
             search.search(hooks, virtual.definitions),
             form,
-            folder?.let { PagesPlan(it, isForced, field) },
+            folder?.let { PagesPlan(it, isForced, field, hasCharts) },
             if (isFresh) null else UserFolders.ofSystem().answers,
             xTopic,
             station,
+            parts,
         )
     }
 }

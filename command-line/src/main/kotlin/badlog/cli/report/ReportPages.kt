@@ -5,6 +5,7 @@ import badlog.exporter.ExportException
 import badlog.report.LogReport
 import badlog.report.ReportResult
 import badlog.report.hook.HookOutcome
+import badlog.report.page.PageCharts
 import badlog.report.page.ReportFolder
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
@@ -41,12 +42,13 @@ internal class ReportPages(private val folder: ReportFolder) {
     /** Returns the properties of the page of [log] for programs. */
     fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
-    /** Writes the index of [result], if at least one log could be read. */
-    fun finish(result: ReportResult, outcomes: Outcomes) {
+    /** Writes the index of [result], if at least one log could be read, with what [draw] returns. */
+    fun finish(result: ReportResult, outcomes: Outcomes, draw: (List<LogReport>) -> PageCharts) {
         folder.problemsBeside.forEach(outcomes::leaveOut)
-        if (result.logs.all { it.unreadable != null }) return
+        val readable = result.logs.filter { it.unreadable == null }
+        if (readable.isEmpty()) return
         try {
-            index = folder.writeIndex(result)
+            index = folder.writeIndex(result, charts = draw(readable))
         } catch (e: ExportException) {
             outcomes.leaveOut(e.message.orEmpty())
         }
@@ -59,8 +61,9 @@ internal class ReportPages(private val folder: ReportFolder) {
  * @property folder where they and their index go.
  * @property isForced whether files are replaced there that badlog did not make.
  * @property field the file of the field on which they draw paths; null for the one beside each log.
+ * @property hasCharts whether charts of all logs are drawn.
  */
-internal class PagesPlan(val folder: Path, val isForced: Boolean, val field: Path?)
+internal class PagesPlan(val folder: Path, val isForced: Boolean, val field: Path?, val hasCharts: Boolean)
 
 /** Where the page of a log is, or why there is none. */
 @Serializable

@@ -7,6 +7,8 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
+import badlog.cli.part.ChartService
+import badlog.cli.part.PartLoader
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
 import badlog.cli.search.rulesBeside
@@ -19,6 +21,7 @@ import badlog.report.Report
 import badlog.report.ReportJson
 import badlog.report.ReportResult
 import badlog.report.notesOf
+import badlog.report.page.PageCharts
 import badlog.report.page.ReportFolder
 import badlog.report.reportCsv
 import badlog.report.reportText
@@ -35,6 +38,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, or null.
  * @param station the folder to search for Driver Station logs of the same matches, which provide what the robot's logs lack; empty for
  *   the folder of each log, null for none.
+ * @param parts finds what draws charts.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -44,8 +48,16 @@ internal class ReportTask(
     private val cache: Path?,
     private val xTopic: String?,
     private val station: Path?,
+    private val parts: PartLoader,
 ) : Task {
-    override fun run(console: Console): ExitCode {
+    override fun run(console: Console): ExitCode = // Whoever lacks the part learns it before all logs are read.
+        if (pagesPlan?.hasCharts == true) {
+            parts.call("report --charts", ChartService::class.java, console) { run(console, it) }
+        } else {
+            run(console, charts = null)
+        }
+
+    private fun run(console: Console, charts: ChartService?): ExitCode {
         pagesPlan?.field?.let { fieldFor(it, it).problem }?.let {
             console.warn(it)
             return ExitCode.USAGE
@@ -57,7 +69,16 @@ internal class ReportTask(
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
             stations = station?.let { StationsBeside(it, rules.signals) }
-            Report(rules, search.hooksWith(named), search.virtualTopics, cache, xTopic, stations?.let { it::over })
+            Report(
+                rules,
+                search.hooksWith(named),
+                search.virtualTopics,
+                cache,
+                xTopic,
+                stations?.let { it::over },
+                measures =
+                charts != null,
+            )
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
@@ -80,12 +101,20 @@ internal class ReportTask(
             val unreadable = log.unreadable
             if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, stations, outcomes, console)
         }
-        pages?.finish(result, outcomes)
+        pages?.finish(result, outcomes) { if (charts == null) PageCharts.NONE else drawn(it, charts, console) }
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
         if (search.neverAsked(refused).isNotEmpty()) outcomes.leaveOut()
         val code = outcomes.end()
         if (form != ResultForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
+    }
+
+    private fun drawn(logs: List<LogReport>, charts: ChartService, console: Console): PageCharts {
+        val drawn = console.progress("charts").use { bar ->
+            charts.chartsOf(logs) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+        }
+        if (form != ResultForm.JSON) drawn.lacking.forEach(console::warn)
+        return drawn
     }
 
     private fun report(log: LogReport, pages: ReportPages?, stations: StationsBeside?, outcomes: Outcomes, console: Console) {

@@ -3,6 +3,7 @@ package badlog.cli.part
 import badlog.cli.BAG
 import badlog.cli.Badlog
 import badlog.cli.Ended
+import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
@@ -11,6 +12,7 @@ import badlog.cli.with
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
@@ -26,6 +28,7 @@ import java.util.Collections
 import java.util.Enumeration
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.div
+import kotlin.io.path.fileSize
 import kotlin.io.path.name
 import kotlin.io.path.readLines
 
@@ -72,6 +75,17 @@ class PartLoaderSpec : FunSpec({
         }
     }
 
+    test("the installed program draws charts with a part that also has what Java has") {
+        inFolder { folder ->
+            val process = program("report", SAMPLES.toString(), "--out", (folder / "report").toString(), "--charts", "--no-cache")
+            process.inputReader().readText() shouldContain "Qualification 42"
+            process.errorReader().readText() shouldNotContain "\tat "
+            process.waitFor() shouldBe ExitCode.SALVAGED.code
+            (folder / "report/charts/battery.png").fileSize() shouldBeGreaterThan 10_000
+            (folder / "report/charts/battery.svg").fileSize() shouldBeGreaterThan 5_000
+        }
+    }
+
     test("an installed program without the part says how to get it, and does all else") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
@@ -84,6 +98,9 @@ class PartLoaderSpec : FunSpec({
             val converted = programOf(jars, "convert", log.toString(), "--to", "parquet")
             converted.errorReader().readText() shouldContain "badlog convert --to parquet needs badlog's part “season”"
             converted.waitFor() shouldBe ExitCode.NOTHING.code
+            val charts = programOf(jars, "report", log.toString(), "--out", (folder / "report").toString(), "--charts")
+            charts.errorReader().readText() shouldContain "badlog report --charts needs badlog's part “season”"
+            charts.waitFor() shouldBe ExitCode.NOTHING.code
             val info = programOf(jars, "info", log.toString())
             info.inputReader().readText() shouldContain "Speed"
             info.waitFor() shouldBe ExitCode.WHOLE.code

@@ -56,6 +56,7 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
     Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
     Command("Logs", "Show or hide the table of logs", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
+    Command("Logs", "Show or hide charts of the listed logs", listOf(KeyPress(Key.C, "C"))) { panels.change { toggled(MainView.CHARTS) } },
 )
 
 /** Returns the keys for the list of topics. */
@@ -73,7 +74,7 @@ internal fun askForTopics(topics: TopicListing, panels: WindowPanels) {
 
 /** Moves the keyboard focus to the search field of the logs. */
 private fun askForSearch(library: Library, panels: WindowPanels) {
-    panels.change { if (main == MainView.LOGS) this else copy(library = true, front = FrontPart.LOGS) }
+    panels.change { if (main == MainView.LOGS || main == MainView.CHARTS) this else copy(library = true, front = FrontPart.LOGS) }
     library.change { copy(searchesAsked = searchesAsked + 1) }
 }
 

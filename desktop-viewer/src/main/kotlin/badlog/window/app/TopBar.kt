@@ -55,6 +55,9 @@ internal fun TopBar(
         ToolButton("Statistics across logs", Icons.Compare, isOn = open.main == MainView.STATISTICS) {
             panels.change { toggled(MainView.STATISTICS) }
         }
+        ToolButton("Charts of the folder’s logs", Icons.Chart, isOn = open.main == MainView.CHARTS) {
+            panels.change { toggled(MainView.CHARTS) }
+        }
         menus()
         val isSystemDark = isSystemInDarkTheme()
         ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun) {

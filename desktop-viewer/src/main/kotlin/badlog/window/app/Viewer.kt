@@ -10,6 +10,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.EventTimeline
+import badlog.window.charts.FolderCharts
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.FieldChoice
 import badlog.window.choice.ShownRecordings
@@ -113,6 +114,7 @@ internal class Viewer(
     val figures = FigureSaver(scope, current, compared, view, events, findings, notes, board, files, tasks, notices)
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
+    val charts = FolderCharts(scope, library, files, tasks, notices)
     val graphs = GraphScene(
         current,
         board,
@@ -155,6 +157,8 @@ internal class Viewer(
         canCloseLog = { current.recording != null && library.state.isWithoutLogs },
         closeLog = ::closeLog,
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
+        toggleCharts = { panels.change { toggled(MainView.CHARTS) } },
+        showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video)

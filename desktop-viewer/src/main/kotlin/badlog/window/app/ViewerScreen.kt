@@ -15,6 +15,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.viewer.input.SEARCH_HELP
+import badlog.window.charts.ChartsPane
 import badlog.window.compare.CompareBar
 import badlog.window.export.ExportMenu
 import badlog.window.folder.LibraryPane
@@ -106,7 +107,7 @@ private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, sett
 
 @Composable
 private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: Panes) {
-    val hasLogs = panels.library && panels.main != MainView.LOGS
+    val hasLogs = panels.library && panels.main != MainView.LOGS && panels.main != MainView.CHARTS
     val hasTopics = panels.topics && panels.main == MainView.GRAPHS
     val hasDetails = panels.inspector != null && panels.main == MainView.GRAPHS
     val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
@@ -149,6 +150,8 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
             }
 
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())
+
+            MainView.CHARTS -> ChartsPane(charts, library, settings, logActions, Modifier.fillMaxSize())
 
             MainView.STATISTICS -> StatisticsTable(
                 statistics,

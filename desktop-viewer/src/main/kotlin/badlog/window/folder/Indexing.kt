@@ -1,7 +1,9 @@
 package badlog.window.folder
 
+import badlog.catalog.examine.ExaminedLog
 import badlog.catalog.folder.FolderStore
 import badlog.catalog.folder.IndexQueue
+import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.LogReading
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderScan
@@ -122,6 +124,9 @@ internal class Indexing(
     private data class QueueState(val changes: Int, val waiting: Int, val trouble: String?)
 
     private fun tellUpdate() = updateCount.update { it + 1 }
+
+    /** Returns what the rules say of the file of [entry], as it is stored; null if they have not been run. Do not use it on the window's thread. */
+    fun examined(entry: LogEntry): ExaminedLog? = store.examined(entry.source)
 
     /** Skips the logs that are waiting to be read. */
     fun stopReading() {

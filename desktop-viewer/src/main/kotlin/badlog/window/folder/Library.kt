@@ -1,6 +1,8 @@
 package badlog.window.folder
 
+import badlog.catalog.examine.ExaminedLog
 import badlog.catalog.folder.IndexQueue
+import badlog.catalog.folder.LogEntry
 import badlog.window.settings.SettingsStore
 import badlog.window.state.StateHolder
 import kotlinx.coroutines.CoroutineScope
@@ -69,6 +71,13 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     fun readAll() {
         indexing?.readAll()
     }
+
+    /** Returns what the rules say of a log of the open folder; null if they have not been run. Do not call it on the window's thread. */
+    val examined: (LogEntry) -> ExaminedLog?
+        get() {
+            val opened = indexing
+            return { opened?.examined(it) }
+        }
 
     /** Selects [file]. */
     fun select(file: Path) = change { copy(selected = file) }

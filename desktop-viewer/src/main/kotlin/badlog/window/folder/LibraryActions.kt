@@ -15,6 +15,8 @@ import java.nio.file.Path
  * @property canCloseLog returns whether the open log can be closed: one of a folder stays open, because another could only replace it.
  * @property closeLog closes the open log.
  * @property toggleTable shows all logs as a table, or the graphs again.
+ * @property toggleCharts shows charts of the listed logs, or the graphs again.
+ * @property showGraphs shows the graphs again.
  */
 internal class LibraryActions(
     val open: (LogEntry) -> Unit,
@@ -26,6 +28,8 @@ internal class LibraryActions(
     val canCloseLog: () -> Boolean,
     val closeLog: () -> Unit,
     val toggleTable: () -> Unit,
+    val toggleCharts: () -> Unit,
+    val showGraphs: () -> Unit,
 )
 
 /** Which logs the graphs show: the [open] one, if any, and those that are [checked] to be compared with it. */

@@ -107,6 +107,7 @@ internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsS
                 robot.change { copy(isShown = !isShown) }
             }
             ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
+            ToolButton("Charts of these logs", Icons.Chart) { actions.toggleCharts() }
         }
         LogSearch(library, actions.open, Modifier.fillMaxWidth().padding(top = 2.dp))
         Row(verticalAlignment = Alignment.CenterVertically) {

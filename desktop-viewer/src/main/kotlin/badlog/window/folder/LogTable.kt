@@ -5,16 +5,13 @@ import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.horizontalScroll
-import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
@@ -40,39 +37,18 @@ import androidx.compose.ui.unit.dp
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.shown.folder.LogColumn
 import badlog.window.settings.SettingsStore
-import badlog.window.theme.Icons
 import badlog.window.theme.KeepInSight
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.StayAtTop
-import badlog.window.theme.ToolButton
 
 /** Every log of the folder with all its columns. */
 @Composable
 internal fun LogTable(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalPalette.current.surface)) {
-        TableTools(library, settings, actions)
+        FolderTools(library, settings, actions) { PreviewMenu(library.state.entries, settings) }
         HorizontalDivider()
         ReadingLine(library)
         if (library.state.visible.isEmpty()) LibraryEmptiness(library, actions) else Table(library, settings, shown, actions)
-    }
-}
-
-@Composable
-private fun TableTools(library: Library, settings: SettingsStore, actions: LibraryActions) {
-    BoxWithConstraints(Modifier.fillMaxWidth().padding(8.dp)) {
-        val isNarrow = maxWidth < NARROW
-        Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
-            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-                FolderMenu(library, settings, actions, if (isNarrow) Modifier.weight(1f) else Modifier.widthIn(max = 220.dp))
-                if (!isNarrow) LogSearch(library, actions.open, Modifier.weight(1f))
-                LogCount(library.state.listing)
-                PreviewMenu(library.state.entries, settings)
-                OnlyErrorsButton(library)
-                HideEmptyButton(library)
-                ToolButton("Back to the graphs", Icons.Graph, text = if (isNarrow) null else "Graphs") { actions.toggleTable() }
-            }
-            if (isNarrow) LogSearch(library, actions.open, Modifier.fillMaxWidth())
-        }
     }
 }
 
@@ -149,6 +125,5 @@ private fun onTableKey(library: Library, key: Key, onOpen: (LogEntry) -> Unit): 
 }
 
 private const val PAGE = 15
-private val NARROW = 560.dp
 
 private val tableWidth: Dp get() = (CHECK_WIDTH + PREVIEW_WIDTH + LogColumn.entries.sumOf { it.width }).dp

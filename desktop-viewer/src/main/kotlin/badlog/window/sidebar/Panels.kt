@@ -79,6 +79,9 @@ internal enum class MainView {
 
     /** A statistic of topics across recordings. */
     STATISTICS,
+
+    /** Charts of the folder's logs. */
+    CHARTS,
 }
 
 /** Which parts of this window are open. */

@@ -23,6 +23,7 @@ internal object Icons {
     val List = icon("M2.5 4 H13.5 M2.5 8 H13.5 M2.5 12 H13.5")
     val Table = icon("M2.5 3 H13.5 V13 H2.5 Z M2.5 6.5 H13.5 M6.5 6.5 V13")
     val Graph = icon("M2.5 2.5 V13.5 H13.5 M4.5 10 L7 6.5 L9.5 9 L13 4")
+    val Chart = icon("M2.5 13.5 H13.5 M4.5 13.5 V8 M8 13.5 V3 M11.5 13.5 V6", width = 1.8f)
     val Tree = icon("M3 3 H7 M5 3 V12.5 H8 M5 7.5 H8 M9.5 7.5 H13.5 M9.5 12.5 H13.5")
     val Compare = icon("M2.5 11 L6 5 L9 9 L13.5 3 M2.5 13.5 L6 8.5 L9 12 L13.5 7.5")
     val Share = icon("M8 10 V2.5 M5 5.5 L8 2.5 L11 5.5 M3 9 V13.5 H13 V9")

@@ -22,9 +22,9 @@ import badlog.rules.comparison.compared
 import badlog.rules.comparison.restartsIn
 import badlog.rules.incident.incidentsIn
 import badlog.rules.number.FigureReader
-import badlog.rules.number.FigureText
 import badlog.rules.number.LogFigures
 import badlog.rules.worstFirst
+import badlog.signals.match.localSecondOf
 import badlog.signals.overItsTime
 import java.nio.file.Path
 
@@ -39,6 +39,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
  * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
  *   threads; such findings are not cached.
+ * @param measures whether the figures of each log are needed even if no rule compares logs.
  */
 class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,
@@ -47,10 +48,12 @@ class Report(
     private val cache: Path? = null,
     private val xTopic: String? = null,
     private val beside: ((LogFile, LogView) -> LogView)? = null,
+    measures: Boolean = false,
 ) {
     private val examination = RuleExamination(
         rules,
         (virtualTopics + listOfNotNull(xTopic?.let { "x $it" })).joinToString("\n"),
+        measures || rules.comparisons.isNotEmpty(),
     )
 
     /**
@@ -73,7 +76,7 @@ class Report(
             progress(examined.size, files.size * steps)
         }
         val reader = FigureReader()
-        val figures = examined.map { reader.read(FigureText(it.figureNames, it.figureValues)) }
+        val figures = examined.map { it.figures(reader) }
         val differences = rules.compared(figures)
         val restarts = rules.restartsIn(examined.mapIndexed { i, log -> LogOfFolder(files[i].name, log.title, figures[i], log.findings) })
         val skipped = SkippedRules(rules)
@@ -124,6 +127,8 @@ class Report(
             file = file,
             title = stored.title,
             matchType = stored.matchType,
+            match = stored.matchIn(file.name),
+            began = stored.began ?: localSecondOf(file.modified.floorDiv(MILLIS)),
             findings = (own + differences.findings + ofHooks).worstFirst(),
             incidents = rules.incidentsIn(own, differences.differences),
             skipped = skipped,
@@ -148,4 +153,8 @@ class Report(
     ) { examination.of(it, file.name) }
 
     private fun Recording.overX(file: LogFile) = if (xTopic == null) overItsTime() else withX(xTopic, file.path)
+
+    private companion object {
+        const val MILLIS = 1000L
+    }
 }

@@ -9,6 +9,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.incident.Incident
 import badlog.rules.number.LogFigures
+import badlog.signals.match.MatchOfLog
 
 /**
  * What was found in many logs.
@@ -27,6 +28,8 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * @property file the file.
  * @property title the match, from its values; null if they do not have it, or the file cannot be read.
  * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
+ * @property match the match, from its values or the file's name.
+ * @property began when it began, in s since 1970 on a clock on the wall; if nothing else says it, when the file was written.
  * @property findings the findings, the worst first, and within a severity in the order of time.
  * @property incidents which of them belong together, and what came first; the worst first.
  * @property skipped the rules that were skipped for it, in the order of the rules; a rule that is a mistake here may be valid
@@ -43,6 +46,8 @@ class LogReport internal constructor(
     val file: LogFile,
     val title: String?,
     val matchType: String?,
+    val match: MatchOfLog,
+    val began: Long,
     val findings: List<Finding>,
     val incidents: List<Incident>,
     val skipped: List<SkippedRule>,

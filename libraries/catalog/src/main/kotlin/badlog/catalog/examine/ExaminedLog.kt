@@ -3,6 +3,10 @@ package badlog.catalog.examine
 import badlog.catalog.store.FindingSerializer
 import badlog.catalog.store.Shared
 import badlog.rules.Finding
+import badlog.rules.number.FigureReader
+import badlog.rules.number.FigureText
+import badlog.rules.number.LogFigures
+import badlog.signals.match.MatchOfLog
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.builtins.ListSerializer
 
@@ -19,6 +23,10 @@ import kotlinx.serialization.builtins.ListSerializer
  * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
  * @property figureNames the names of its figures, see [badlog.rules.number.FigureText].
  * @property figureValues their values, likewise.
+ * @property figureDistributions the distributions of some signals, likewise.
+ * @property event the event as logged; null if the log does not have it.
+ * @property matchNumber the number of the match, likewise.
+ * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
  */
 @Serializable
 class ExaminedLog(
@@ -36,7 +44,17 @@ class ExaminedLog(
     val matchType: String? = null,
     val figureNames: String = "",
     val figureValues: String = "",
-)
+    val figureDistributions: String = "",
+    val event: String? = null,
+    val matchNumber: String? = null,
+    val began: Long? = null,
+) {
+    /** Its match, as far as it is known from the log in the file [name]. */
+    fun matchIn(name: String): MatchOfLog = MatchOfLog(event, matchType, matchNumber).orNamed(name)
+
+    /** Returns its figures, read by [reader]. */
+    fun figures(reader: FigureReader): LogFigures = reader.read(FigureText(figureNames, figureValues, figureDistributions))
+}
 
 /** The outcome of [rule] for a log: why it was skipped, what seems to be wrong with it, and which signal the log lacks; all null if it ran. */
 @Serializable

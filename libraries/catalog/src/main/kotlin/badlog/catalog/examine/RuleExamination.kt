@@ -11,6 +11,8 @@ import badlog.rules.number.toText
 import badlog.rules.toJson
 import badlog.signals.LogShape
 import badlog.signals.match.matchOf
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
@@ -19,15 +21,19 @@ import java.util.concurrent.ConcurrentHashMap
  * stored. Thread-safe.
  *
  * @param with what else affects the results, as a text: virtual topics and the x axis; empty for nothing.
+ * @param measures whether the figures of each log are calculated, which comparisons and charts need.
  */
-class RuleExamination(private val rules: RuleSet, private val with: String = "") {
-    private val isComparing = rules.comparisons.isNotEmpty()
+class RuleExamination(
+    private val rules: RuleSet,
+    private val with: String = "",
+    private val measures: Boolean = rules.comparisons.isNotEmpty(),
+) {
     private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
     private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     /** Returns what is stored in [folder] by the [version] of the program. */
     fun storedIn(folder: Path, version: String): ResultCache<ExaminedLog> =
-        ResultCache(folder, "$version\nreport $isComparing\n$with\n${rules.toJson()}", ExaminedLog.serializer())
+        ResultCache(folder, "$version\nreport $measures\n$with\n${rules.toJson()}", ExaminedLog.serializer())
 
     /**
      * Returns what the rules say of [content], the file called [name].
@@ -51,7 +57,9 @@ class RuleExamination(private val rules: RuleSet, private val with: String = "")
             findings += rule.findings
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
-        val figures = if (isComparing) figuresOf(log.view, rules.signals).toText() else NO_FIGURES
+        val figures = if (measures) figuresOf(log.view, rules.signals).toText() else NO_FIGURES
+        val match = rules.signals.matchOf(log.recording)
+        val date = LogDate.of(log.recording.values, name, modified = 0)
         return ExaminedLog(
             title = log.view.title,
             findings = findings,
@@ -59,9 +67,13 @@ class RuleExamination(private val rules: RuleSet, private val with: String = "")
             unreadable = null,
             isSalvaged = log.recording.isSalvaged,
             undefined = log.undefined,
-            matchType = rules.signals.matchOf(log.recording).type,
+            matchType = match.type,
             figureNames = figures.names,
             figureValues = figures.values,
+            figureDistributions = figures.distributions,
+            event = match.event,
+            matchNumber = match.number,
+            began = date.second.takeIf { date.source != DateSource.FILE_TIME },
         )
     }
 

@@ -45,6 +45,9 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
         summariesOf(rulesFor(file.path))?.set(file, summary)
     }
 
+    /** Returns what the rules say of [file] in its current state; null if they have not been run. */
+    fun examined(file: LogFile): ExaminedLog? = rulesFor(file.path).results?.get(file)
+
     /** Writes what has changed. */
     fun save() {
         for (cache in summaries.values) cache.save()
@@ -83,7 +86,7 @@ internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) 
     /** The names of their signals, which summaries depend on. */
     val names: String = rules.signals.toJson()
 
-    val examination = RuleExamination(rules)
+    val examination = RuleExamination(rules, measures = true)
     val results: ResultCache<ExaminedLog>? = cache?.let { examination.storedIn(it, version) }
 
     /** Returns what they found in [file]; null if that is not known. */

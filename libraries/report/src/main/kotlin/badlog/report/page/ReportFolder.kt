@@ -18,6 +18,8 @@ import badlog.rules.RuleSet
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.nameWithoutExtension
 
 /**
  * A folder with a report: `index.html`, and a page for each log that was added. Earlier pages of badlog are replaced, other files
@@ -89,19 +91,31 @@ class ReportFolder(
     }
 
     /**
-     * Writes the index of [result].
+     * Writes the index of [result], and the files of [charts], which it shows.
      *
      * @return its path.
      * @throws ExportException if it cannot be written, or another file is in its place.
      */
-    fun writeIndex(result: ReportResult, title: String = "Report"): Path {
+    fun writeIndex(result: ReportResult, title: String = "Report", charts: PageCharts = PageCharts.NONE): Path {
         check(index)
+        val files = charts.all.flatMap { filesOf(it) }
+        files.forEach { (file, _) -> check(file) }
         try {
-            writeAtomically(index) { it.write(reportPage(result, title) { log -> pages[log] }.encodeToByteArray()) }
+            for ((file, bytes) in files) writeAtomically(file) { it.write(bytes) }
+            writeAtomically(index) { it.write(reportPage(result, title, charts) { log -> pages[log] }.encodeToByteArray()) }
         } catch (e: UnwritableFileException) {
             throw ExportException.Unwritable(index, e.message, e)
         }
         return index
+    }
+
+    private fun filesOf(chart: PageChart): List<Pair<Path, ByteArray>> {
+        val place = folder.resolve(PageCharts.FOLDER)
+        return listOf(
+            // The mark tells on the next run that both are badlog's.
+            place.resolve("${chart.name}.svg") to "$CHART_MARK${chart.svg}".encodeToByteArray(),
+            place.resolve("${chart.name}.png") to chart.png,
+        )
     }
 
     private fun check(page: Path) {
@@ -132,11 +146,17 @@ class ReportFolder(
             file.toAbsolutePath().normalize()
         }
 
+        const val CHART_MARK = "<!-- A chart that badlog made. -->\n"
+
         fun isOfBadlog(page: Path): Boolean = try {
-            val head = Files.newInputStream(page).use { it.readNBytes(HEAD) }.decodeToString()
-            head.startsWith("<!DOCTYPE html>") && GENERATOR in head
+            if (page.extension == "png") isOfBadlog(page.resolveSibling("${page.nameWithoutExtension}.svg")) else isMarked(page)
         } catch (_: IOException) {
             false
+        }
+
+        private fun isMarked(page: Path): Boolean {
+            val head = Files.newInputStream(page).use { it.readNBytes(HEAD) }.decodeToString()
+            return head.startsWith(CHART_MARK) || (head.startsWith("<!DOCTYPE html>") && GENERATOR in head)
         }
     }
 }

@@ -17,19 +17,26 @@ import badlog.viewer.draw.color.cssColor
  * topic: `Q42.html#t=93.7&finding=Brownout;Voltage`.
  *
  * @param title the heading of the page.
+ * @param charts the charts of all logs, whose files are beside the page.
  * @param pageOf returns where the page of a log is, as a path with `/` relative to this page, or null if there is none.
  */
-fun reportPage(result: ReportResult, title: String = "Report", pageOf: (LogReport) -> String? = { null }): String {
+fun reportPage(
+    result: ReportResult,
+    title: String = "Report",
+    charts: PageCharts = PageCharts.NONE,
+    pageOf: (LogReport) -> String? = { null },
+): String {
     val names = shortNames(result.logs.map { it.file })
     val readable = result.logs.filter { it.unreadable == null }
     val event = eventOf(readable.mapNotNull { it.title })
     val logs = readable.mapIndexed { number, log -> IndexedLog(number, log, names.getValue(log.file), pageOf(log), event) }
     val heading = if (event.isEmpty()) title else "$title: $event"
-    val out = StringBuilder(head(heading))
+    val out = StringBuilder(head(heading, charts.all.isNotEmpty()))
     out.append("<a class=\"skip\" href=\"#matches\">Skip to the matches</a>\n<main>\n")
     out.append("<h1>${escaped(heading)}</h1>\n<p class=\"summary\">${escaped(summary(result))}</p>\n")
     if (logs.isNotEmpty()) out.append(filterForm(logs)).append("<h2 id=\"matches\">Matches</h2>\n").append(overview(logs))
     appendSection(out, "Trends", trends(logs))
+    appendSection(out, "Charts", chartsPart(charts))
     appendSection(out, "Incidents and findings", logs.filter { it.report.findings.isNotEmpty() }.joinToString("", transform = ::matchPart))
     appendList(out, "Skipped", notesOf(result))
     appendList(out, "Unreadable", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
@@ -44,10 +51,14 @@ private fun eventOf(titles: List<String>): String {
     return (0 until most).takeWhile { place -> words.all { it[place] == words[0][place] } }.joinToString(" ") { words[0][it] }
 }
 
-private fun head(title: String): String {
+private fun head(title: String, hasPictures: Boolean): String {
     val style = ":root { color-scheme: light dark; ${colors(isDark = false)} }\n" +
         "@media screen and (prefers-color-scheme: dark) { :root { ${colors(isDark = true)} } }\n" + STYLE
-    val policy = "default-src 'none'; style-src '${hashOf(style)}'; script-src '${hashOf(SCRIPT)}'; base-uri 'none'; form-action 'none'"
+    // Pictures are files beside the page.
+    val pictures = if (hasPictures) " img-src 'self';" else ""
+    val policy = "default-src 'none';$pictures style-src '${hashOf(
+        style,
+    )}'; script-src '${hashOf(SCRIPT)}'; base-uri 'none'; form-action 'none'"
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" +
         "<meta http-equiv=\"Content-Security-Policy\" content=\"$policy\">\n$GENERATOR${escaped(BADLOG_VERSION)}\">\n" +
         "<meta name=\"viewport\" content=\"width=device-width\">\n<meta name=\"color-scheme\" content=\"light dark\">\n" +

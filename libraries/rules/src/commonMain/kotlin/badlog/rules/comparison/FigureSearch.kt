@@ -10,6 +10,8 @@ import badlog.core.analysis.knowsAutonomous
 import badlog.expression.LogViewSignals
 import badlog.rules.isPart
 import badlog.rules.number.ComparedSignal
+import badlog.rules.number.DistributedSignal
+import badlog.rules.number.Distribution
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
 import badlog.rules.number.MatchKind
@@ -21,6 +23,7 @@ import badlog.rules.number.percentileOf
 import badlog.rules.number.resistanceOf
 import badlog.rules.number.timeWithin
 import badlog.rules.number.united
+import badlog.rules.number.usefulDigits
 import badlog.signals.LogShape
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
@@ -30,10 +33,6 @@ import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
 import kotlin.math.abs
-import kotlin.math.floor
-import kotlin.math.log10
-import kotlin.math.pow
-import kotlin.math.round
 
 /**
  * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
@@ -84,17 +83,24 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
                     val value = measured(series, measure)
                     if (!value.isFinite()) continue
                     keys += FigureKey(signal, topic, measure, named.listed.unit)
-                    values += rounded(value)
+                    values += usefulDigits(value)
                 }
             }
         }
         val resistance = resistance()
         if (resistance != null) {
             keys += FigureKey(FigureKey.RESISTANCE, namedOf("battery").first().first, Measure.RESISTANCE, "mΩ")
-            values += rounded(resistance.milliohms)
+            values += usefulDigits(resistance.milliohms)
         }
-        val uncertainty = resistance?.uncertainty?.let(::rounded) ?: Double.NaN
-        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled)
+        val uncertainty = resistance?.uncertainty?.let(::usefulDigits) ?: Double.NaN
+        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled, distributions())
+    }
+
+    private fun distributions(): List<Distribution> = DistributedSignal.ALL.mapNotNull { distributed ->
+        val named = namedOf(distributed.signal).firstOrNull()?.second ?: return@mapNotNull null
+        val series = samples.of(named)
+        if (!series.isOrdered) return@mapNotNull null
+        distributed.of(series, weightsOf(Measure.ENABLED, series), named.listed.unit, second, leastOf(Measure.ENABLED))
     }
 
     /** Returns the topics that are [signal], each as a named signal; or their sum, under the name of the first. */
@@ -186,13 +192,6 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
         const val MAX_FIGURES = 240
         val DRIVETRAIN = listOf("drive", "module", "swerve", "chassis")
         val MATCH_TYPES = listOf("qual", "playoff", "elim", "final")
-
-        /** Returns [value] with as many digits as are useful for comparing. */
-        fun rounded(value: Double): Double {
-            if (value == 0.0 || !value.isFinite()) return value
-            val places = 10.0.pow(4 - floor(log10(abs(value))).toInt())
-            return round(value * places) / places
-        }
     }
 }
 

@@ -1,18 +1,50 @@
 package badlog.rules.number
 
 /**
- * [LogFigures] as two texts: logs of one robot usually share [names], which are then parsed only once.
+ * [LogFigures] as texts: logs of one robot usually share [names], which are then parsed only once.
  *
  * @property names what is measured.
  * @property values the figures in the order of [names].
+ * @property distributions the distributions, one per line.
  */
-class FigureText(val names: String, val values: String)
+class FigureText(val names: String, val values: String, val distributions: String = "")
 
 /** These figures as text. */
 fun LogFigures.toText(): FigureText = FigureText(
     keys.joinToString("\n") { listOf(it.signal, it.topic, it.measure.ordinal, it.unit).joinToString("\t") },
     listOf(kind.ordinal, uncertainty, beginsEnabled, endsEnabled).joinToString(";", postfix = ";") + values.joinToString(";"),
+    distributions.joinToString("\n") { one ->
+        listOf(one.signal, one.unit, one.quantiles.joinToString(";"), one.binWidth, secondsText(one.seconds)).joinToString("\t")
+    },
 )
+
+/** Most bins are empty, so that a run of them is written as `n*`. */
+private fun secondsText(seconds: List<Double>): String {
+    val parts = ArrayList<String>()
+    var empty = 0
+    for (second in seconds) {
+        if (second == 0.0) {
+            empty++
+            continue
+        }
+        if (empty > 0) parts += "$empty*"
+        empty = 0
+        parts += "$second"
+    }
+    if (empty > 0) parts += "$empty*"
+    return parts.joinToString(";")
+}
+
+private fun secondsIn(text: String): List<Double>? {
+    val seconds = ArrayList<Double>()
+    for (part in text.split(';').filter { it.isNotEmpty() }) {
+        val empty = if (part.endsWith('*')) part.dropLast(1).toIntOrNull()?.takeIf { it in 1..MAX_BINS } ?: return null else 0
+        if (empty > 0) repeat(empty) { seconds += 0.0 } else seconds += part.toDoubleOrNull() ?: return null
+    }
+    return seconds
+}
+
+private const val MAX_BINS = 1000
 
 /** Reads what [toText] wrote; equal texts of names are parsed once. Not thread-safe. */
 class FigureReader {
@@ -32,7 +64,16 @@ class FigureReader {
             parts[1].toDoubleOrNull() ?: Double.NaN,
             beginsEnabled = parts[2] == "true",
             endsEnabled = parts[3] == "true",
+            distributions = text.distributions.split('\n').mapNotNull(::distributionIn),
         )
+    }
+
+    private fun distributionIn(line: String): Distribution? {
+        val parts = line.split('\t')
+        if (parts.size != DISTRIBUTION_PARTS) return null
+        val quantiles = parts[2].split(';').mapNotNull { it.toDoubleOrNull() }
+        if (quantiles.size != Distribution.SHARES.size) return null
+        return Distribution(parts[0], parts[1], quantiles, parts[3].toDoubleOrNull() ?: return null, secondsIn(parts[4]) ?: return null)
     }
 
     private fun keysOf(names: String): List<FigureKey> = if (names.isEmpty()) {
@@ -47,6 +88,7 @@ class FigureReader {
 
     private companion object {
         const val PARTS = 4
+        const val DISTRIBUTION_PARTS = 5
 
         /** Where the values begin. */
         const val FIRST = 4

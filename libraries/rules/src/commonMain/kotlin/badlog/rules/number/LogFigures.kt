@@ -34,6 +34,7 @@ enum class MatchKind(internal val words: String) {
  * @property uncertainty the uncertainty of the battery's resistance, in milliohms (95 %); NaN if there is none.
  * @property beginsEnabled whether the robot was enabled when the log began, as it is after a restart of the code in a match.
  * @property endsEnabled whether it was enabled when the log ended.
+ * @property distributions how the values of some signals were distributed.
  */
 class LogFigures internal constructor(
     val kind: MatchKind,
@@ -42,6 +43,7 @@ class LogFigures internal constructor(
     val uncertainty: Double,
     val beginsEnabled: Boolean = false,
     val endsEnabled: Boolean = false,
+    val distributions: List<Distribution> = emptyList(),
 ) {
     /** Returns the figure for [key]; NaN for none. */
     operator fun get(key: FigureKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
@@ -49,6 +51,9 @@ class LogFigures internal constructor(
     /** Returns the value of the first figure of [signal] with [measure]; NaN for none. */
     fun of(signal: String, measure: Measure): Double =
         keys.indexOfFirst { it.signal == signal && it.measure == measure }.let { if (it < 0) Double.NaN else values[it] }
+
+    /** Returns how the values of [signal] were distributed; null if the log does not show it. */
+    fun distributionOf(signal: String): Distribution? = distributions.find { it.signal == signal }
 
     /** The resistance of battery and wiring in milliohms; NaN if the log does not show it. */
     val resistance: Double get() = of(FigureKey.RESISTANCE, Measure.RESISTANCE)

@@ -1,0 +1,14 @@
+package badlog.cli.part
+
+import badlog.report.LogReport
+import badlog.report.page.PageCharts
+
+/** What `badlog report --charts` calls: draws charts of many logs. */
+public interface ChartService {
+    /**
+     * Returns the charts of [logs].
+     *
+     * @param progress called with the number of charts that are done. An exception from it stops the work and is passed on.
+     */
+    public fun chartsOf(logs: List<LogReport>, progress: (done: Int, total: Int) -> Unit): PageCharts
+}

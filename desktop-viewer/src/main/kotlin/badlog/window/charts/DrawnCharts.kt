@@ -1,0 +1,40 @@
+package badlog.window.charts
+
+import badlog.catalog.examine.ExaminedLog
+import badlog.catalog.folder.LogEntry
+import badlog.charts.chartsOf
+import badlog.charts.match.ChartedLog
+import badlog.rules.number.FigureReader
+
+/**
+ * The charts of some logs.
+ *
+ * @property all those that were drawn, the most useful first.
+ * @property lacking what is lacking for each of the others, as a sentence.
+ */
+internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>)
+
+/**
+ * Draws the charts of [logs]. It takes seconds, so do not use it on the window's thread; interrupting its thread stops it.
+ *
+ * @param examined returns what is stored of a log; null for nothing.
+ * @param progress receives the fraction done, 0 to 1.
+ */
+internal fun drawCharts(logs: List<LogEntry>, examined: (LogEntry) -> ExaminedLog?, progress: (Float) -> Unit): DrawnCharts {
+    val reader = FigureReader()
+    val known = logs.mapNotNull { entry ->
+        stopIfInterrupted()
+        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, entry.summary.date.second, it.figures(reader)) }
+    }
+    val charts = chartsOf(known) { stopIfInterrupted() }
+    val drawn = charts.all.mapIndexed { place, chart ->
+        stopIfInterrupted()
+        progress(place.toFloat() / charts.all.size)
+        DrawnChart(chart.name, chart.title, chart.question, chart.reading, chart.svg(), chart.png())
+    }
+    return DrawnCharts(drawn, charts.lacking)
+}
+
+private fun stopIfInterrupted() {
+    if (Thread.interrupted()) throw InterruptedException()
+}

@@ -1,0 +1,133 @@
+package badlog.window.charts
+
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.put
+import badlog.catalog.folder.putSamples
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.files.ChosenFiles
+import badlog.window.sidebar.MainView
+import badlog.window.waiting.waitFor
+import badlog.window.waiting.waitForNotice
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+
+/** The charts of a folder’s logs, as a person sees them. */
+@OptIn(ExperimentalTestApi::class)
+class ChartsPaneSpec : FunSpec({
+    val chosen = ChosenFiles(null)
+
+    fun onFolder(folder: Path, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
+        val home = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home), files = chosen)
+        runDesktopComposeUiTest(1400, 900) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.newest.run() }
+            viewer.library.open(folder)
+            waitFor { viewer.library.state.hasLooked && viewer.library.state.entries.let { all -> all.isNotEmpty() && all.all { it.found != null || it.isGray } } }
+            try {
+                steps(viewer)
+            } finally {
+                viewer.library.close()
+            }
+        }
+    }
+
+    fun sampleFolder() = tempdir().toPath().also { it.putSamples() }
+
+    /** Presses the key that shows the charts. */
+    fun showCharts(viewer: Viewer) = viewer.commands.first { it.meaning == "Show or hide charts of the listed logs" }.action()
+
+    fun names(viewer: Viewer) = viewer.charts.state.charts?.all.orEmpty().map { it.name }
+
+    test("a key shows charts of the listed logs, each with what it says, and what is lacking for others") {
+        onFolder(sampleFolder()) { viewer ->
+            showCharts(viewer)
+            waitFor { names(viewer).isNotEmpty() }
+            names(viewer).take(2) shouldContainExactly listOf("battery", "loop-times")
+            onNodeWithContentDescription("Battery at its lowest. How is the battery doing", substring = true).assertExists()
+            viewer.charts.state.charts!!.lacking.first() shouldStartWith "“Packet loss” needs"
+            showCharts(viewer)
+            viewer.panels.state.main shouldBe MainView.GRAPHS
+        }
+    }
+
+    test("the search of the list decides which logs are drawn, and the charts follow it") {
+        onFolder(sampleFolder()) { viewer ->
+            showCharts(viewer)
+            waitFor { names(viewer).isNotEmpty() }
+            onNodeWithContentDescription("Search logs").performTextInput("qual")
+            waitFor { viewer.charts.state.of.size == 2 }
+            names(viewer).shouldBeEmpty()
+            onNodeWithText("“Battery at its lowest” needs the battery’s voltage in at least 3 logs; only 2 logs show it.").assertExists()
+            onNodeWithContentDescription("Search logs").performTextInput(" nothing")
+            onNodeWithText("No log matches “qual nothing”.").assertExists()
+        }
+    }
+
+    test("what was drawn is there at once when the view is opened again") {
+        onFolder(sampleFolder()) { viewer ->
+            showCharts(viewer)
+            waitFor { names(viewer).isNotEmpty() }
+            val drawn = viewer.charts.state.charts
+            repeat(2) { showCharts(viewer) }
+            waitForIdle()
+            viewer.charts.state.run { (charts === drawn) to isDrawing } shouldBe (true to false)
+        }
+    }
+
+    test("a chart is saved as SVG and as PNG") {
+        val target = tempdir().toPath()
+        onFolder(sampleFolder()) { viewer ->
+            showCharts(viewer)
+            waitFor { names(viewer).isNotEmpty() }
+            chosen.file = target.resolve("battery.svg")
+            onNodeWithContentDescription("Save “Battery at its lowest” as SVG").performClick()
+            waitForNotice(viewer, "Saved the chart to ${chosen.file}.")
+            Files.readString(target.resolve("battery.svg")) shouldStartWith "<svg"
+            chosen.file = target.resolve("battery.png")
+            onNodeWithContentDescription("Save “Battery at its lowest” as PNG").performClick()
+            waitForNotice(viewer, "Saved the chart to ${chosen.file}.")
+            ImageIO.read(target.resolve("battery.png").toFile()).width shouldBeGreaterThan 900
+        }
+    }
+
+    test("drawing that a person stops says so, and can be asked for again") {
+        onFolder(sampleFolder()) { viewer ->
+            showCharts(viewer)
+            waitFor { viewer.tasks.all.any { "Drawing charts" in it.title } }
+            viewer.tasks.all.forEach { it.cancel() }
+            waitFor { viewer.charts.state.isStopped }
+            onNodeWithText("Drawing was stopped.").assertExists()
+            onNodeWithText("Draw").performClick()
+            waitFor { names(viewer).isNotEmpty() }
+            viewer.charts.state.isStopped shouldBe false
+        }
+    }
+
+    test("a folder of logs that rules cannot look into has a sentence for each chart") {
+        val folder = tempdir().toPath().also { it.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }) }
+        onFolder(folder) { viewer ->
+            showCharts(viewer)
+            waitFor { viewer.charts.state.charts != null }
+            viewer.charts.state.charts!!.lacking.size shouldBe 7
+        }
+    }
+})

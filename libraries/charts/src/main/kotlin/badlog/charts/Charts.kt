@@ -1,0 +1,49 @@
+package badlog.charts
+
+import badlog.charts.kind.BATTERY_TREND
+import badlog.charts.kind.ChartKind
+import badlog.charts.kind.LINK_TREND
+import badlog.charts.kind.RESISTANCE_TREND
+import badlog.charts.kind.batteryOverCurrent
+import badlog.charts.kind.loopBoxes
+import badlog.charts.kind.loopHistogram
+import badlog.charts.kind.motorTemperatures
+import badlog.charts.kind.trendOf
+import badlog.charts.look.Chart
+import badlog.charts.match.ChartedLog
+import badlog.charts.match.matchesOf
+
+/**
+ * The charts of a folder of logs.
+ *
+ * @property all those for which there is enough data, the most useful first.
+ * @property lacking for each other chart a sentence that says what is lacking.
+ */
+class Charts internal constructor(val all: List<Chart>, val lacking: List<String>)
+
+/**
+ * Returns the charts of [logs], in the order in which they were played.
+ *
+ * @param checkpoint called before each chart with the fraction done, 0 to 1; an exception from it stops the work and is passed on.
+ */
+fun chartsOf(logs: List<ChartedLog>, checkpoint: (Float) -> Unit = {}): Charts {
+    val matches = matchesOf(logs)
+    val charts = ArrayList<Chart>()
+    val lacking = ArrayList<String>()
+    for ((place, kind) in KINDS.withIndex()) {
+        checkpoint(place.toFloat() / KINDS.size)
+        val made = kind.of(matches)
+        if (made.chart != null) charts += made.chart else lacking += made.lacking
+    }
+    return Charts(charts, lacking)
+}
+
+private val KINDS = listOf(
+    ChartKind { trendOf(it, BATTERY_TREND) },
+    ChartKind(::loopHistogram),
+    ChartKind(::loopBoxes),
+    ChartKind(::batteryOverCurrent),
+    ChartKind { trendOf(it, RESISTANCE_TREND) },
+    ChartKind { trendOf(it, LINK_TREND) },
+    ChartKind(::motorTemperatures),
+)

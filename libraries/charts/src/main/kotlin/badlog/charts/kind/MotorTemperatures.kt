@@ -1,0 +1,69 @@
+package badlog.charts.kind
+
+import badlog.charts.look.Chart
+import badlog.charts.look.ChartColors
+import badlog.charts.look.ChartTexts
+import badlog.charts.look.Limit
+import badlog.charts.look.PlotArea
+import badlog.charts.look.emptyPlot
+import badlog.charts.look.matchAxis
+import badlog.charts.look.matchRange
+import badlog.charts.look.withLimit
+import badlog.charts.match.ChartedMatches
+import badlog.charts.match.distinctNames
+import badlog.rules.number.FigureKey
+import badlog.rules.number.Measure
+import org.jetbrains.letsPlot.geom.geomLine
+import org.jetbrains.letsPlot.geom.geomPoint
+import org.jetbrains.letsPlot.scale.scaleColorManual
+import org.jetbrains.letsPlot.tooltips.tooltipsNone
+
+/** Returns how hot motors became in each match: the hottest ones, each as a line. */
+internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
+    val known = matches.all.filter { match -> match.figures.keys.any(::isTemperature) }
+    if (known.size < LEAST_MATCHES) return lacking(TEXTS.title, "the temperature of a motor", known.size)
+    val keys = known.flatMapTo(LinkedHashSet()) { match -> match.figures.keys.filter(::isTemperature) }
+    val hottest = keys.sortedByDescending { key -> known.maxOf { it.figures[key].takeIf(Double::isFinite) ?: COLD } }.take(MAX_MOTORS)
+    val names = hottest.zip(distinctNames(hottest.map { it.topic })).toMap()
+    val points = hottest.flatMap { key ->
+        known.map { Point(it.place, it.figures[key], names.getValue(key)) }
+    }.filter { it.celsius.isFinite() }
+    val data = mapOf("x" to points.map { it.place }, "y" to points.map { it.celsius }, "motor" to points.map { it.motor })
+    val values = points.map { it.celsius }
+    val limit = HOT.takeIf { it.isNear(values) }
+    val motors = if (keys.size > hottest.size) "the ${hottest.size} hottest of ${keys.size} motors" else "each line is a motor"
+    val reading = listOfNotNull(motors, limit?.reading).joinToString(" · ")
+    val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + listOfNotNull(limit?.value)))
+    val plot = emptyPlot(TEXTS, matches, known.size, reading).withLimit(limit) +
+        geomLine(data, size = 0.8, tooltips = tooltipsNone) {
+            x = "x"
+            y = "y"
+            color = "motor"
+        } +
+        geomPoint(data, size = 2.0, tooltips = tooltipsNone) {
+            x = "x"
+            y = "y"
+            color = "motor"
+        } +
+        scaleColorManual(hottest.indices.map { ChartColors.line(it) }, breaks = hottest.map { names.getValue(it) }) +
+        matchAxis(matches.all, AXIS_SHARE) +
+        area.yScale()
+    return MadeChart(Chart(TEXTS, reading, plot))
+}
+
+private class Point(val place: Int, val celsius: Double, val motor: String)
+
+private fun isTemperature(key: FigureKey) = key.signal == "motor temperature" && key.measure == Measure.HIGHEST
+
+private val HOT = Limit(80.0, "hot, 80 °C")
+private val TEXTS = ChartTexts(
+    "motor-temperatures",
+    "Motor temperatures",
+    "Which motor gets hot, and does it cool down between matches?",
+    y = "Highest while enabled (°C)",
+)
+private const val COLD = -273.15
+private const val MAX_MOTORS = 6
+
+/** Beside the legend, there is less room for the matches. */
+private const val AXIS_SHARE = 0.7

@@ -1,0 +1,14 @@
+package badlog.charts.match
+
+import badlog.rules.number.LogFigures
+import badlog.signals.match.MatchOfLog
+
+/**
+ * What charts show of a log.
+ *
+ * @property match the match that it is of, as far as that is known.
+ * @property file the name of its file, which stands for a match that is not known.
+ * @property began when it began, in s since 1970 on a clock on the wall; orders the logs.
+ * @property figures the numbers that summarize it.
+ */
+class ChartedLog(val match: MatchOfLog, val file: String, val began: Long, val figures: LogFigures)

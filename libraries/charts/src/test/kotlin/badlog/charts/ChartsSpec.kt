@@ -1,0 +1,108 @@
+package badlog.charts
+
+import badlog.charts.match.ChartedLog
+import badlog.rules.number.Measure
+import badlog.signals.match.MatchOfLog
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import org.w3c.dom.Document
+import java.io.ByteArrayInputStream
+import javax.imageio.ImageIO
+import javax.xml.parsers.DocumentBuilderFactory
+
+private fun parsed(svg: String): Document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(ByteArrayInputStream(svg.encodeToByteArray()))
+
+private fun textsIn(svg: String): List<String> = parsed(svg).getElementsByTagName("text").let { all -> List(all.length) { all.item(it).textContent.trim() } }
+
+class ChartsSpec : FunSpec({
+    val charts = chartsOf((1..12).map { measuredLog(it) })
+
+    fun chart(name: String, of: Charts = charts) = of.all.single { it.name == name }
+
+    test("there is a chart for each question that teams ask, and nothing is lacking") {
+        charts.all.map { it.name } shouldContainExactly
+            listOf("battery", "loop-times", "loops-per-match", "battery-over-current", "resistance", "packet-loss", "motor-temperatures")
+        charts.lacking.shouldBeEmpty()
+        charts.all.forAll { it.question.last() shouldBe '?' }
+    }
+
+    test("a chart is SVG that scales, names what it shows, and needs no script and no network") {
+        charts.all.forAll { chart ->
+            val svg = chart.svg()
+            parsed(svg).documentElement.getAttribute("viewBox") shouldBe "0 0 900 420"
+            textsIn(svg).let { texts -> listOf("${chart.title} · Mill Creek", chart.question).forAll { (it in texts) shouldBe true } }
+            svg shouldContain "12 logs"
+            svg shouldNotContain "<script"
+            Regex("[a-z]+://[^\"<]*").findAll(svg).map { it.value }.toSet() shouldBe setOf("http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink")
+            Regex("\\son[a-z]+=|url\\((?!#)|@import|href=").containsMatchIn(svg) shouldBe false
+        }
+    }
+
+    test("a chart is a picture of the asked size") {
+        charts.all.take(2).forAll { chart ->
+            val picture = ImageIO.read(ByteArrayInputStream(chart.png()))
+            picture.width to picture.height shouldBe (1800 to 840)
+            picture.getRGB(2, 2) and 0xFFFFFF shouldBe 0xFFFFFF
+        }
+        ImageIO.read(ByteArrayInputStream(chart("battery").png(scale = 1))).width shouldBe 900
+    }
+
+    test("a trend has a point for each match, and their names below it") {
+        parsed(chart("battery").svg()).getElementsByTagName("circle").length shouldBe 12
+        textsIn(chart("battery").svg()).filter { it.matches(Regex("Q\\d+")) } shouldContainExactly (1..12).map { "Q$it" }
+        chart("resistance").reading shouldContain "95 % uncertainty"
+        chart("battery").reading shouldNotContain "uncertainty"
+    }
+
+    test("matches are in the order in which they were played, not in that of the list") {
+        val shuffled = chartsOf(listOf(7, 3, 5, 1).map { measuredLog(it) })
+        textsIn(chart("battery", shuffled).svg()).filter { it.matches(Regex("Q\\d+")) } shouldContainExactly listOf("Q1", "Q3", "Q5", "Q7")
+    }
+
+    test("a match far from the others is named at its point, and a limit near the values is drawn") {
+        val low = chartsOf((1..12).map { if (it == 8) measuredLog(it, volts = 6.2) else measuredLog(it) })
+        textsIn(chart("battery", low).svg()).count { it == "Q8" } shouldBe 2
+        chart("battery", low).reading shouldContain "red: brownout, 6.75 V"
+        chart("battery").reading shouldNotContain "brownout"
+    }
+
+    test("a hundred matches have as many names as there is room for") {
+        val many = chartsOf((1..100).map { measuredLog(it) })
+        textsIn(chart("battery", many).svg()).count { it.matches(Regex("Q\\d+")) } shouldBeInRange 10..30
+        parsed(chart("battery", many).svg()).getElementsByTagName("circle").length shouldBe 100
+    }
+
+    test("a log without a figure is left out of its chart alone") {
+        val other = ChartedLog(MatchOfLog(number = "99"), "x.bag", 9_999, MadeUp().figure("CPU load", Measure.ENABLED, 50.0).figures())
+        val with = chartsOf((1..4).map { measuredLog(it) } + other)
+        parsed(chart("battery", with).svg()).getElementsByTagName("circle").length shouldBe 4
+        textsIn(chart("battery", with).svg()).contains("M99") shouldBe true
+        chart("battery", with).svg() shouldContain "4 logs"
+    }
+
+    test("a chart with too little data is left out, and a sentence says what is lacking") {
+        chartsOf(emptyList()).run { all.size to lacking.size } shouldBe (0 to 7)
+        chartsOf(listOf(measuredLog(1), measuredLog(2))).lacking.first() shouldBe
+            "“Battery at its lowest” needs the battery’s voltage in at least 3 logs; only 2 logs show it."
+        chartsOf(listOf(measuredLog(1))).lacking.first() shouldContain "only 1 log shows it."
+        chartsOf(emptyList()).lacking.first() shouldContain "no log shows it."
+    }
+
+    test("equal values have a chart, too") {
+        val same = chartsOf((1..5).map { measuredLog(it, volts = 9.0) { distribution("total current", List(7) { 100.0 }) } })
+        parsed(chart("battery", same).svg()).getElementsByTagName("circle").length shouldBe 5
+    }
+
+    test("work can be stopped before each chart") {
+        val seen = ArrayList<Float>()
+        chartsOf(emptyList(), seen::add)
+        seen.size shouldBe 7
+        seen shouldBe seen.sorted()
+    }
+})

@@ -1,0 +1,53 @@
+package badlog.charts
+
+import badlog.charts.match.ChartedLog
+import badlog.rules.number.FigureReader
+import badlog.rules.number.FigureText
+import badlog.rules.number.Measure
+import badlog.signals.match.MatchOfLog
+
+/** Figures that are made up: each is a signal, a topic, a measure, a unit and a value. */
+internal class MadeUp(private val uncertainty: Double = 1.5) {
+    private val names = ArrayList<String>()
+    private val values = ArrayList<Double>()
+    private val distributions = ArrayList<String>()
+
+    fun figure(signal: String, measure: Measure, value: Double, topic: String = signal, unit: String = ""): MadeUp = apply {
+        names += listOf(signal, topic, measure.ordinal, unit).joinToString("\t")
+        values += value
+    }
+
+    /** [seconds] are those in bins of 1 ms. */
+    fun distribution(signal: String, quantiles: List<Double>, seconds: List<Double> = emptyList()): MadeUp = apply {
+        distributions += listOf(signal, "", quantiles.joinToString(";"), if (seconds.isEmpty()) 0.0 else 1.0, seconds.joinToString(";")).joinToString("\t")
+    }
+
+    fun figures() = FigureReader().read(
+        FigureText(names.joinToString("\n"), "0;$uncertainty;false;false;" + values.joinToString(";"), distributions.joinToString("\n")),
+    )
+}
+
+/** A log of match [number] that has everything that charts show; the lowest voltage of the battery is [volts]. */
+internal fun measuredLog(number: Int, volts: Double = 9.0 + 0.1 * (number % 7), change: MadeUp.() -> Unit = {}): ChartedLog {
+    val made = MadeUp()
+        .figure("battery", Measure.LOWEST, volts)
+        .figure("battery resistance", Measure.RESISTANCE, 14.0 + number % 5)
+        .figure("packet loss", Measure.TELEOP, 0.5 + 0.1 * (number % 3))
+        .figure("motor temperature", Measure.HIGHEST, 50.0 + number, "Drive/Left/Temperature")
+        .figure("motor temperature", Measure.HIGHEST, 40.0 + number, "Drive/Right/Temperature")
+        .distribution(
+            "loop time",
+            listOf(5.0, 6.0, 7.0, 8.0, 9.0, 12.0, 20.0 + number),
+            List(61) {
+                if (it == 8) {
+                    140.0
+                } else if (it == 30) {
+                    0.5
+                } else {
+                    0.0
+                }
+            },
+        )
+        .distribution("total current", listOf(0.0, 5.0, 20.0, 40.0, 60.0, 100.0 + number, 220.0))
+    return ChartedLog(MatchOfLog("Mill Creek", "Qualification", "$number"), "q$number.bag", began = 600L * number, made.apply(change).figures())
+}

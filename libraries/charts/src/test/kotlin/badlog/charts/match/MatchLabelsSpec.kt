@@ -1,0 +1,54 @@
+package badlog.charts.match
+
+import badlog.charts.chartsOf
+import badlog.charts.measuredLog
+import badlog.signals.match.MatchOfLog
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldNotContain
+import javax.xml.parsers.DocumentBuilderFactory
+
+class MatchLabelsSpec : FunSpec({
+    val figures = measuredLog(1).figures
+
+    fun log(type: String? = null, number: String? = null, file: String = "log.bag", event: String? = null) = ChartedLog(MatchOfLog(event, type, number), file, 0, figures)
+
+    fun label(type: String? = null, number: String? = null, file: String = "log.bag") = labelsOf(listOf(log(type, number, file))).single()
+
+    test("a match is called as teams call it") {
+        label("Qualification", "42") shouldBe "Q42"
+        label("Quarterfinal", "2-1") shouldBe "QF2-1"
+        label("semifinals", "3") shouldBe "SF3"
+        label("Final", "1") shouldBe "F1"
+        label("Elimination", "5") shouldBe "E5"
+        label("Practice", "3") shouldBe "Pr3"
+        label(number = "7") shouldBe "M7"
+    }
+
+    test("a log of no match is called by its file") {
+        label(file = "practice.bag.gz") shouldBe "practice"
+        label(file = "a-name-that-is-much-too-long-for-an-axis.wpilog") shouldBe "a-name-that-i…"
+        label(file = ".bag") shouldBe "log"
+    }
+
+    test("two logs of one match have two labels") {
+        labelsOf(listOf(log("Qualification", "42"), log("Qualification", "42"), log("Qualification", "42"))) shouldContainExactly listOf("Q42", "Q42 (2)", "Q42 (3)")
+    }
+
+    test("names in logs stay texts: no markup, no formula, and never longer than there is room") {
+        val hostile = listOf("<script>alert(1)</script>", "</text><script>x</script>", "\\(x^2\\)", "<a href=\"http://x.example\">x</a>", "é".repeat(300), "a\nb\u0000c", "&amp;&#60;", "\uD83D\uDE00")
+        hostile.forAll { name ->
+            val logs = (1..4).map { log("Qualification", "$name$it", "$name.bag", event = name) } + (5..8).map { log(file = "$name$it.bag", event = name) }
+            labelsOf(logs).forAll { it.length shouldBeLessThanOrEqual 20 }
+            labelsOf(logs).distinct().size shouldBe 8
+            for (chart in chartsOf(logs).all) {
+                chart.svg() shouldNotContain "<script"
+                chart.svg() shouldNotContain "href="
+                DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(chart.svg().byteInputStream())
+            }
+        }
+    }
+})
