@@ -13,8 +13,11 @@ import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.task.Notices
 import kotlinx.coroutines.CancellationException
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
+import kotlinx.coroutines.currentCoroutineContext
+import kotlinx.coroutines.isActive
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.supervisorScope
 import kotlinx.coroutines.withContext
@@ -49,17 +52,17 @@ internal class ShownRecordings(
     val isWaiting: Boolean get() = wanted().any(::isToDo)
 
     /** Follows the choices, until cancelled. */
-    suspend fun run() = supervisorScope {
-        snapshotFlow { wanted() }.collect { all ->
-            for (file in works.keys - all.mapTo(HashSet()) { it.recording.file }) works.remove(file)?.second?.cancel()
-            for (each in all) {
-                val file = each.recording.file
-                if (works[file]?.first == each) continue
-                works.remove(file)?.second?.cancel()
-                if (isToDo(each)) works[file] = each to launch { calculate(each) }
-            }
-            catchUp()
+    suspend fun run() = supervisorScope { snapshotFlow { wanted() }.collect { follow(it) } }
+
+    private fun CoroutineScope.follow(all: List<Wanted>) {
+        for (file in works.keys - all.mapTo(HashSet()) { it.recording.file }) works.remove(file)?.second?.cancel()
+        for (each in all) {
+            val file = each.recording.file
+            if (works[file]?.first == each) continue
+            works.remove(file)?.second?.cancel()
+            if (isToDo(each)) works[file] = each to launch { calculate(each, this@follow) }
         }
+        catchUp()
     }
 
     /** Calls [action] when all is shown as it is chosen: now, or as soon as that is calculated. */
@@ -77,14 +80,15 @@ internal class ShownRecordings(
         val isDefault = (if (isOtherAxis) board.kept else board.state).showsSame(before.standardGraphs)
         current.replace(made)
         if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) }
-        made.field.problem?.takeIf { made.field !== before.field }?.let(notices::complain)
+        made.field.problem?.takeIf { it != before.field.problem }?.let(notices::complain)
         if (isDefault && !made.standardGraphs.showsSame(before.standardGraphs)) board.replace(made.standardGraphs)
     }
 
-    private suspend fun calculate(wanted: Wanted) {
+    private suspend fun calculate(wanted: Wanted, scope: CoroutineScope) {
         try {
             val folder = library()
             val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) }
+            works.remove(wanted.recording.file)
             // It may have grown, or be closed, in the moment before this.
             if (wanted in wanted()) show(made)
         } catch (e: CancellationException) {
@@ -95,8 +99,9 @@ internal class ShownRecordings(
         } catch (e: Throwable) {
             failed = failed + wanted
             throw e
+        } finally {
+            if (currentCoroutineContext().isActive) scope.follow(wanted())
         }
-        catchUp()
     }
 
     private fun catchUp() {

@@ -60,7 +60,7 @@ internal class KeptLayouts(
         opening = tasks.run("Looking for layouts", { FolderLayout.keptIn(folder) }) { found ->
             if (folder != this.folder) return@run
             change { copy(files = found) }
-            val next = if (wasKnown) state.shown else keptLayoutAfter(found.keys.toList(), null, steps)
+            val next = if (wasKnown && state.shown in found) state.shown else keptLayoutAfter(found.keys.toList(), null, steps)
             if (next == null) notices.say(noLayoutKept("Ctrl+S saves one beside the logs")) else show(next)
         }
     }

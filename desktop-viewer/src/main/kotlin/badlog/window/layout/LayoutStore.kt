@@ -121,9 +121,9 @@ internal class LayoutStore(
         layout.overTime?.let(axis::choose)
         restoreComparison(layout.compared)
         // The range is one of the axis that was chosen above, and graphs may draw the formulas.
-        whenShown {
+        whenStillOpen { open ->
             applyGraphs(layout)
-            applyRange(layout)
+            if (layout.overTime == null || layout.overTime == open.isOverTime || open.timeColumn == null) applyRange(layout)
         }
     }
 
@@ -133,7 +133,13 @@ internal class LayoutStore(
      */
     fun switchTo(layout: Layout) {
         formulas.replaceAll(formulas.with(layout.formulas))
-        whenShown { applyGraphs(layout) }
+        whenStillOpen { applyGraphs(layout) }
+    }
+
+    /** Calls [action] when all is shown as it is chosen, unless a person has opened another log by then. */
+    private fun whenStillOpen(action: (OpenRecording) -> Unit) {
+        val file = current.recording?.file ?: return
+        whenShown { current.recording?.takeIf { it.file == file }?.let(action) }
     }
 
     /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */

@@ -190,7 +190,10 @@ private fun Rows(
                         }
                     }
 
-                    is PathRow -> PathLine(row, query, graphs.has(row.graph), row.name == topics.state.marked) { board.change { withToggled(row.graph) } }
+                    is PathRow -> {
+                        val isMarked = row.name == topics.state.marked
+                        PathLine(row, query, graphs.has(row.graph), isMarked) { board.change { withToggled(row.graph) } }
+                    }
 
                     is SignalRow -> {
                         val place = places[row.signal.name]

@@ -1,11 +1,14 @@
 package badlog.window.choice
 
+import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.window.bagOf
 import badlog.window.compare.Comparison
 import badlog.window.findings.findingsOf
 import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
+import badlog.window.layout.Layout
+import badlog.window.layout.LayoutSpan
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.recordingOf
@@ -88,5 +91,46 @@ class ShownRecordingsSpec : FunSpec({
         choosing(viewer) { viewer.settings.change { withField("${log.parent}", "$gone") } }
         viewer.notices.all.single().text shouldContain "gone.json"
         viewer.current.recording?.fieldPicture.shouldBeNull()
+    }
+
+    test("what waits for a choice to be shown comes after it, at once if there is nothing to wait for") {
+        val viewer = viewerOf(log("a.bag"))
+        val seen = ArrayList<Double>()
+        val note = { seen += checkNotNull(viewer.current.recording).span.from }
+        viewer.shown.whenShown { note() }
+        choosing(viewer) {
+            viewer.axis.choose(true)
+            viewer.shown.whenShown { note() }
+        }
+        seen shouldBe listOf(0.0, 10.0)
+    }
+
+    test("a layout brings its axis and a range of it, but not to another log that was opened meanwhile") {
+        val viewer = viewerOf(log("a.bag"))
+        val layout = Layout(Layout.VERSION, visible = LayoutSpan(12.0, 14.0), overTime = true)
+        choosing(viewer) { viewer.layouts.apply(layout) }
+        viewer.view.viewport.visible shouldBe Span(12.0, 14.0)
+
+        val other = log("b.bag").with(RecordingChoices(overTime = true))
+        val own = Board().withGraph(listOf("Arm/Angle"))
+        choosing(viewer) {
+            viewer.axis.choose(false)
+            viewer.layouts.apply(layout.copy(graphs = Board().withGraph(listOf("Time"))))
+            viewer.current.replace(other)
+            viewer.board.replace(own)
+            viewer.view.show(other.span)
+        }
+        viewer.board.state shouldBe own
+        viewer.view.viewport.isZoomed shouldBe false
+    }
+
+    test("a log that has grown is shown as it was chosen, with the range where it was, or all of another axis") {
+        val viewer = viewerOf(log("a.bag"))
+        viewer.view.change { showing(2.0, 4.0) }
+        viewer.shown.show(log("a.bag"))
+        viewer.view.viewport.visible shouldBe Span(2.0, 4.0)
+        viewer.shown.show(log("a.bag").with(RecordingChoices(overTime = true)))
+        viewer.view.viewport.visible shouldBe Span(10.0, 19.5)
+        viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Angle"))
     }
 })

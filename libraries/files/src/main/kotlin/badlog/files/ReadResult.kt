@@ -93,5 +93,5 @@ internal fun failed(e: Throwable): ReadResult.NotRead =
 internal val TOO_LARGE: String
     get() {
         val megabytes = Runtime.getRuntime().maxMemory() shr 20
-        return "does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS to a larger -Xmx, such as -Xmx8g."
+        return "does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."
     }

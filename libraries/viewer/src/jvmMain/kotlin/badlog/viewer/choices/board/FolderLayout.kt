@@ -61,10 +61,12 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
         }
 
         /** Returns [layouts], by their names, in the order of these. */
-        fun inOrder(layouts: Map<String, Path>): Map<String, Path> = layouts.toSortedMap(compareBy(String.CASE_INSENSITIVE_ORDER) { it: String -> it }.thenBy { it })
+        fun inOrder(layouts: Map<String, Path>): Map<String, Path> = layouts.toSortedMap(BY_NAME)
 
         private fun unreadable(folder: Path, cause: Exception) =
             IOException("The layouts in $folder cannot be read; check that the folder is there and may be read.", cause)
+
+        private val BY_NAME = compareBy<String> { it.lowercase() }.thenBy { it }
 
         private fun fileIn(folder: Path, type: () -> String): Path? {
             val typed = TYPES.keys.map { it to folder.resolve(it + BoardLayout.ENDING) }.filter { Files.isRegularFile(it.second) }
