@@ -5,6 +5,7 @@ import badlog.catalog.folder.LogEntry
 import badlog.charts.chartsOf
 import badlog.charts.match.ChartedLog
 import badlog.rules.number.FigureReader
+import badlog.viewer.catalog.DateSource
 
 /**
  * The charts of some logs.
@@ -25,7 +26,9 @@ internal fun drawCharts(logs: List<LogEntry>, examined: (LogEntry) -> ExaminedLo
     val reader = FigureReader()
     val known = logs.mapNotNull { entry ->
         stopIfInterrupted()
-        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, entry.summary.date.second, it.figures(reader)) }
+        val date = entry.summary.date
+        val began = date.second.takeIf { date.source != DateSource.FILE_TIME }
+        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, began, it.figures(reader)) }
     }
     val charts = chartsOf(known) { stopIfInterrupted() }
     val drawn = charts.all.mapIndexed { place, chart ->
