@@ -74,8 +74,8 @@ internal class FolderCharts(
             stop()
             return
         }
-        // Nobody waits for those of another search, or of another folder. A folder that is being read only grows: if each of its logs began the
-        // drawing anew, there would be none until the last one.
+        // Nobody waits for those of another search, or of another folder. A folder that is being read only grows: if each of its logs
+        // began the drawing anew, there would be none until the last one.
         if (!state.asked.isPartOf(logs)) stop()
         // Somebody types a search faster than charts can be drawn.
         val since = changedAt ?: TimeSource.Monotonic.markNow().also { changedAt = it }

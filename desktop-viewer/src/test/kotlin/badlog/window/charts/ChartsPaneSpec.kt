@@ -7,7 +7,6 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.put
 import badlog.catalog.folder.putSamples
 import badlog.files.UserFolders
@@ -25,7 +24,6 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
 import kotlinx.coroutines.MainScope
-import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
@@ -131,63 +129,5 @@ class ChartsPaneSpec : FunSpec({
             waitFor { viewer.charts.state.charts != null }
             viewer.charts.state.charts!!.lacking.size shouldBe 7
         }
-    }
-
-    /** Does [steps] with the sorted logs of the samples’ folder, and with what makes charts of a list of them. */
-    fun following(steps: DesktopComposeUiTest.(FolderCharts, List<LogEntry>, MutableStateFlow<List<LogEntry>>) -> Unit) = onFolder(sampleFolder()) { viewer ->
-        val lists = MutableStateFlow(emptyList<LogEntry>())
-        val following = viewer.scope.launch { viewer.charts.follow(lists) }
-        steps(viewer.charts, viewer.library.state.entries.filter { it.isReadable && !it.isGray }.sortedBy { it.path }, lists)
-        following.cancel()
-        waitFor { !viewer.charts.state.isDrawing }
-    }
-
-    test("a list that grows does not stop the drawing that runs; its own charts follow") {
-        following { charts, logs, lists ->
-            lists.value = logs.dropLast(1)
-            waitFor { charts.state.isDrawing }
-            lists.value = logs
-            waitFor { charts.state.of == logs.dropLast(1) }
-            waitFor { charts.state.of == logs }
-            charts.state.asked shouldBe logs
-        }
-    }
-
-    test("a list that is never calm has charts all the same") {
-        following { charts, logs, lists ->
-            var change = 0
-            waitFor {
-                // The rules look into one log after the other.
-                lists.value = logs.map { it.copy(found = it.found!!.copy(key = change)) }
-                change++
-                charts.state.charts != null
-            }
-            change shouldBeGreaterThan 3
-        }
-    }
-
-    test("charts that are right again while others are being drawn are not called stopped") {
-        following { charts, logs, lists ->
-            lists.value = logs
-            waitFor { charts.state.of == logs }
-            val drawn = charts.state.charts
-            lists.value = logs.take(4)
-            waitFor { charts.state.isDrawing }
-            lists.value = logs
-            waitFor { !charts.state.isDrawing }
-            charts.state.run { listOf(charts === drawn, of == logs, isStopped) } shouldBe listOf(true, true, false)
-        }
-    }
-
-    test("charts are not shown as those of a folder that shares no log with them") {
-        following { charts, logs, lists ->
-            lists.value = logs.take(4)
-            waitFor { charts.state.of.isNotEmpty() }
-            charts.state.run { listOf(chartsFor(logs) === this.charts, chartsFor(logs.drop(4)), chartsFor(emptyList())) } shouldBe listOf(true, null, null)
-        }
-    }
-
-    test("logs over which the rules of today were not run are counted") {
-        following { _, logs, _ -> drawCharts(logs, { null }) {}.unknown shouldBe logs.size }
     }
 })
