@@ -95,9 +95,10 @@ class ChartsSpec : FunSpec({
     }
 
     test("the title names an event only if all logs are of it") {
-        fun title(vararg events: String?) =
-            textsIn(chart("battery", chartsOf(events.mapIndexed { i, event -> measuredLog(i, match = MatchOfLog(event, "Qualification", "$i")) })).svg())
-                .single { it.startsWith("Battery at its lowest") }
+        fun title(vararg events: String?): String {
+            val logs = events.mapIndexed { i, event -> measuredLog(i, match = MatchOfLog(event, "Qualification", "$i")) }
+            return textsIn(chart("battery", chartsOf(logs)).svg()).single { it.startsWith("Battery at its lowest") }
+        }
         title("Mill Creek", "MILL CREEK", "mill creek ") shouldBe "Battery at its lowest · Mill Creek"
         title("Mill Creek", null, null) shouldBe "Battery at its lowest"
         title("Mill Creek", "Mill Creek", "Lake") shouldBe "Battery at its lowest"
