@@ -47,8 +47,19 @@ internal class ReportPages(private val folder: ReportFolder) {
         folder.problemsBeside.forEach(outcomes::leaveOut)
         val readable = result.logs.filter { it.unreadable == null }
         if (readable.isEmpty()) return
+        val charts = try {
+            draw(readable)
+        } catch (e: InterruptedException) {
+            throw e
+        } catch (e: VirtualMachineError) {
+            throw e
+        } catch (e: Throwable) {
+            // Also an error of loading a class or of finding fonts: whoever lacks charts still has the index of the pages.
+            outcomes.leaveOut("Charts cannot be drawn, so that the index has none: ${e.message ?: e.javaClass.simpleName}")
+            PageCharts.NONE
+        }
         try {
-            index = folder.writeIndex(result, charts = draw(readable))
+            index = folder.writeIndex(result, charts = charts, leaveOut = outcomes::leaveOut)
         } catch (e: ExportException) {
             outcomes.leaveOut(e.message.orEmpty())
         }

@@ -50,12 +50,11 @@ internal class ReportTask(
     private val station: Path?,
     private val parts: PartLoader,
 ) : Task {
-    override fun run(console: Console): ExitCode = // Whoever lacks the part learns it before all logs are read.
-        if (pagesPlan?.hasCharts == true) {
-            parts.call("report --charts", ChartService::class.java, console) { run(console, it) }
-        } else {
-            run(console, charts = null)
-        }
+    override fun run(console: Console): ExitCode {
+        if (pagesPlan?.hasCharts != true) return run(console, charts = null)
+        // Whoever lacks the part learns it before all logs are read.
+        return parts.call("report --charts", ChartService::class.java, console) { run(console, it) }
+    }
 
     private fun run(console: Console, charts: ChartService?): ExitCode {
         pagesPlan?.field?.let { fieldFor(it, it).problem }?.let {
@@ -76,8 +75,7 @@ internal class ReportTask(
                 cache,
                 xTopic,
                 stations?.let { it::over },
-                measures =
-                charts != null,
+                measures = charts != null,
             )
         } catch (e: SearchException) {
             console.warn(e.message)

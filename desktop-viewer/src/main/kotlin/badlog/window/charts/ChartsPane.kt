@@ -23,7 +23,10 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
@@ -60,7 +63,9 @@ internal fun ChartsPane(
     val (examined, waiting) = remember(visible) {
         visible.filter { it.isReadable && !it.isGray }.sortedBy { it.path }.partition { it.found != null }
     }
-    LaunchedEffect(examined) { if (examined.isNotEmpty()) charts.follow(examined) }
+    val wanted by rememberUpdatedState(examined)
+    LaunchedEffect(charts) { charts.follow(snapshotFlow { wanted }) }
+    val drawn = remember(charts.state, examined) { charts.state.chartsFor(examined) }
     Column(modifier.background(LocalPalette.current.surface)) {
         FolderTools(library, settings, actions) {
             ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
@@ -70,8 +75,8 @@ internal fun ChartsPane(
         if (visible.isEmpty()) {
             LibraryEmptiness(library, actions)
         } else {
-            DrawingLine(charts, examined, waiting.size)
-            if (examined.isNotEmpty()) charts.state.charts?.let { ChartGrid(charts, it) }
+            DrawingLine(charts, examined, waiting.size + (drawn?.unknown ?: 0))
+            drawn?.let { ChartGrid(charts, it) }
         }
     }
 }

@@ -5,14 +5,16 @@ import badlog.catalog.folder.LogEntry
 import badlog.charts.chartsOf
 import badlog.charts.match.ChartedLog
 import badlog.rules.number.FigureReader
+import badlog.viewer.catalog.DateSource
 
 /**
  * The charts of some logs.
  *
  * @property all those that were drawn, the most useful first.
  * @property lacking what is lacking for each of the others, as a sentence.
+ * @property unknown how many logs were left out because today's rules have not been run over them.
  */
-internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>)
+internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>, val unknown: Int = 0)
 
 /**
  * Draws the charts of [logs]. It takes seconds, so do not use it on the window's thread; interrupting its thread stops it.
@@ -24,15 +26,18 @@ internal fun drawCharts(logs: List<LogEntry>, examined: (LogEntry) -> ExaminedLo
     val reader = FigureReader()
     val known = logs.mapNotNull { entry ->
         stopIfInterrupted()
-        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, entry.summary.date.second, it.figures(reader)) }
+        val date = entry.summary.date
+        val began = date.second.takeIf { date.source != DateSource.FILE_TIME }
+        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, began, it.figures(reader)) }
     }
     val charts = chartsOf(known) { stopIfInterrupted() }
     val drawn = charts.all.mapIndexed { place, chart ->
         stopIfInterrupted()
-        progress(place.toFloat() / charts.all.size)
-        DrawnChart(chart.name, chart.title, chart.question, chart.reading, chart.svg(), chart.png())
+        val done = DrawnChart(chart.name, chart.title, chart.question, chart.reading, chart.svg(), chart.png())
+        progress((place + 1f) / charts.all.size)
+        done
     }
-    return DrawnCharts(drawn, charts.lacking)
+    return DrawnCharts(drawn, charts.lacking, logs.size - known.size)
 }
 
 private fun stopIfInterrupted() {

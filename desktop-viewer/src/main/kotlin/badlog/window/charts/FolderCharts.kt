@@ -12,8 +12,13 @@ import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.launch
 import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeMark
+import kotlin.time.TimeSource
 
 /**
  * What the window's charts show.
@@ -31,6 +36,12 @@ internal data class ChartsState(
 ) {
     /** Whether a person stopped drawing the charts that are wanted. */
     val isStopped: Boolean get() = !isDrawing && asked != of
+
+    /** Returns the charts, unless none of [logs] is among theirs: those of another folder, or event, would be taken for those of [logs]. */
+    fun chartsFor(logs: List<LogEntry>): DrawnCharts? {
+        val files = logs.mapTo(HashSet()) { it.file }
+        return charts?.takeIf { of.any { it.file in files } }
+    }
 }
 
 /** The charts of the logs that the list of the folder shows. Use it only on the window's thread. */
@@ -43,25 +54,54 @@ internal class FolderCharts(
 ) : StateHolder<ChartsState>(ChartsState()) {
     private var drawing: Job? = null
 
-    /** Draws charts of [logs] as soon as they have not changed for a moment, unless that is done; cancelling it stops drawing. */
-    suspend fun follow(logs: List<LogEntry>) {
-        if (state.charts != null && state.of == logs) return
-        // While logs are read, or somebody types a search, the list changes faster than it can be drawn.
-        delay(CALM)
-        val job = draw(logs)
+    /** When the list changed for the first time since the last drawing began; null if it did not. */
+    private var changedAt: TimeMark? = null
+
+    /**
+     * Draws charts of the newest of [lists], whenever that changes: soon after it became calm, and while it does not, every few seconds.
+     * Cancelling it stops drawing.
+     */
+    suspend fun follow(lists: Flow<List<LogEntry>>) {
         try {
-            job.join()
+            lists.collectLatest(::show)
         } finally {
-            job.cancel()
+            stop()
         }
     }
 
-    /** Draws charts of [logs]. */
-    fun draw(logs: List<LogEntry>): Job {
+    private suspend fun show(logs: List<LogEntry>) {
+        if (logs.isEmpty() || (state.charts != null && state.of == logs)) {
+            stop()
+            return
+        }
+        // Nobody waits for those of another search, or of another folder. A folder that is being read only grows: if each of its logs
+        // began the drawing anew, there would be none until the last one.
+        if (!state.asked.isPartOf(logs)) stop()
+        // Somebody types a search faster than charts can be drawn.
+        val since = changedAt ?: TimeSource.Monotonic.markNow().also { changedAt = it }
+        delay(minOf(CALM, (if (state.charts == null) LONGEST_CALM else REST) - since.elapsedNow()))
+        val running = drawing?.takeIf { it.isActive }
+        if (running != null) {
+            running.join()
+            // Whoever stopped it does not want the next one either.
+            if (running.isCancelled) return
+        }
+        draw(logs)
+    }
+
+    /** Stops drawing: what was drawn is what is wanted. */
+    private fun stop() {
         drawing?.cancel()
-        val wanted = logs.mapTo(HashSet()) { it.file }
-        // Those of another folder, or of another event, would be taken for the new ones.
-        change { copy(charts = charts?.takeIf { of.any { it.file in wanted } }, asked = logs, isDrawing = true) }
+        drawing = null
+        changedAt = null
+        if (state.isDrawing || state.asked != state.of) change { copy(asked = of, isDrawing = false) }
+    }
+
+    /** Draws charts of [logs]. */
+    fun draw(logs: List<LogEntry>) {
+        drawing?.cancel()
+        changedAt = null
+        change { copy(charts = chartsFor(logs), asked = logs, isDrawing = true) }
         val examined = library.examined
         val job = tasks.run("Drawing charts of ${logs.size} logs", { progress -> drawCharts(logs, examined, progress) }) { drawn ->
             change { ChartsState(drawn, of = logs, asked = logs) }
@@ -71,7 +111,6 @@ internal class FolderCharts(
             job.join()
             if (drawing === job) change { copy(isDrawing = false) }
         }
-        return job
     }
 
     /** Asks for a file, and writes [chart] to it. */
@@ -84,5 +123,16 @@ internal class FolderCharts(
 
     private companion object {
         val CALM = 400.milliseconds
+
+        /** The longest that the first charts of a list wait for calm. */
+        val LONGEST_CALM = 2.seconds
+
+        /** The longest that new charts wait for calm: a machine that reads a folder has other things to do. */
+        val REST = 8.seconds
     }
+}
+
+private fun List<LogEntry>.isPartOf(others: List<LogEntry>): Boolean {
+    val files = others.mapTo(HashSet()) { it.file }
+    return all { it.file in files }
 }

@@ -18,24 +18,23 @@ import badlog.charts.match.matchesOf
  *
  * @property all those for which there is enough data, the most useful first.
  * @property lacking for each other chart a sentence that says what is lacking.
+ * @property undrawn the names of the other charts.
  */
-class Charts internal constructor(val all: List<Chart>, val lacking: List<String>)
+class Charts internal constructor(val all: List<Chart>, val lacking: List<String>, val undrawn: List<String>)
 
 /**
  * Returns the charts of [logs], in the order in which they were played.
  *
- * @param checkpoint called before each chart with the fraction done, 0 to 1; an exception from it stops the work and is passed on.
+ * @param checkpoint called before each chart; an exception from it stops the work and is passed on.
  */
-fun chartsOf(logs: List<ChartedLog>, checkpoint: (Float) -> Unit = {}): Charts {
+fun chartsOf(logs: List<ChartedLog>, checkpoint: () -> Unit = {}): Charts {
     val matches = matchesOf(logs)
-    val charts = ArrayList<Chart>()
-    val lacking = ArrayList<String>()
-    for ((place, kind) in KINDS.withIndex()) {
-        checkpoint(place.toFloat() / KINDS.size)
-        val made = kind.of(matches)
-        if (made.chart != null) charts += made.chart else lacking += made.lacking
+    val made = KINDS.map { kind ->
+        checkpoint()
+        kind.of(matches)
     }
-    return Charts(charts, lacking)
+    val (drawn, others) = made.partition { it.chart != null }
+    return Charts(drawn.mapNotNull { it.chart }, others.map { it.lacking }, others.map { it.name })
 }
 
 private val KINDS = listOf(

@@ -1,12 +1,16 @@
 package badlog.charts
 
 import badlog.charts.match.ChartedLog
+import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
 import badlog.signals.match.MatchOfLog
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -72,6 +76,45 @@ class ChartsSpec : FunSpec({
         chart("battery").reading shouldNotContain "brownout"
     }
 
+    test("a limit is drawn if a match is on its wrong side, however far") {
+        val empty = chartsOf((1..5).map { measuredLog(it, volts = 3.0 + 0.01 * it) })
+        chart("battery", empty).reading shouldContain "red: brownout, 6.75 V"
+        // It is on the axis.
+        textsIn(chart("battery", empty).svg()).mapNotNull { it.toDoubleOrNull() }.max() shouldBeGreaterThan 6.0
+    }
+
+    test("practice is left out if there are enough matches, and the chart says so") {
+        val practice = (21..22).map { measuredLog(it, match = MatchOfLog(type = "Practice"), kind = MatchKind.PRACTICE) }
+        val of4 = chart("battery", chartsOf((1..4).map { measuredLog(it) } + practice)).svg()
+        parsed(of4).getElementsByTagName("circle").length shouldBe 4
+        of4 shouldContain "4 matches, without 2 other logs"
+        textsIn(of4) shouldContain "Battery at its lowest · Mill Creek"
+        val of2 = chart("battery", chartsOf((1..2).map { measuredLog(it) } + practice)).svg()
+        parsed(of2).getElementsByTagName("circle").length shouldBe 4
+        of2 shouldContain "4 logs"
+    }
+
+    test("the title names an event only if all logs are of it") {
+        fun title(vararg events: String?): String {
+            val logs = events.mapIndexed { i, event -> measuredLog(i, match = MatchOfLog(event, "Qualification", "$i")) }
+            return textsIn(chart("battery", chartsOf(logs)).svg()).single { it.startsWith("Battery at its lowest") }
+        }
+        title("Mill Creek", "MILL CREEK", "mill creek ") shouldBe "Battery at its lowest · Mill Creek"
+        title("Mill Creek", null, null) shouldBe "Battery at its lowest"
+        title("Mill Creek", "Mill Creek", "Lake") shouldBe "Battery at its lowest"
+    }
+
+    test("matches whose time is not known are in the order of their names") {
+        val matches = listOf("Final" to "1", "Qualification" to "10", "Elimination" to "3", "Qualification" to "9", "Practice" to "4")
+        val unordered = matches.mapIndexed { i, (type, number) -> measuredLog(20 - i, match = MatchOfLog(null, type, number), began = null) }
+        val axis = textsIn(chart("battery", chartsOf(unordered)).svg()).filter { it.matches(Regex("[A-Z][a-z]?\\d+")) }
+        axis shouldContainExactly listOf("Pr4", "Q9", "Q10", "E3", "F1")
+    }
+
+    test("all that boxes show is explained") {
+        chart("loops-per-match").reading shouldContain "dashed: 20 ms"
+    }
+
     test("a hundred matches have as many names as there is room for") {
         val many = chartsOf((1..100).map { measuredLog(it) })
         textsIn(chart("battery", many).svg()).count { it.matches(Regex("Q\\d+")) } shouldBeInRange 10..30
@@ -87,7 +130,8 @@ class ChartsSpec : FunSpec({
     }
 
     test("a chart with too little data is left out, and a sentence says what is lacking") {
-        chartsOf(emptyList()).run { all.size to lacking.size } shouldBe (0 to 7)
+        chartsOf(emptyList()).run { listOf(all.size, lacking.size) } shouldBe listOf(0, 7)
+        chartsOf(emptyList()).undrawn shouldContainExactly charts.all.map { it.name }
         chartsOf(listOf(measuredLog(1), measuredLog(2))).lacking.first() shouldBe
             "“Battery at its lowest” needs the battery’s voltage in at least 3 logs; only 2 logs show it."
         chartsOf(listOf(measuredLog(1))).lacking.first() shouldContain "only 1 log shows it."
@@ -100,9 +144,8 @@ class ChartsSpec : FunSpec({
     }
 
     test("work can be stopped before each chart") {
-        val seen = ArrayList<Float>()
-        chartsOf(emptyList(), seen::add)
-        seen.size shouldBe 7
-        seen shouldBe seen.sorted()
+        var asked = 0
+        shouldThrow<IllegalStateException> { chartsOf(emptyList()) { check(++asked < 3) } }
+        asked shouldBe 3
     }
 })

@@ -3,11 +3,12 @@ package badlog.charts
 import badlog.charts.match.ChartedLog
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
+import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
 import badlog.signals.match.MatchOfLog
 
 /** Figures that are made up: each is a signal, a topic, a measure, a unit and a value. */
-internal class MadeUp(private val uncertainty: Double = 1.5) {
+internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
     private val names = ArrayList<String>()
     private val values = ArrayList<Double>()
     private val distributions = ArrayList<String>()
@@ -23,16 +24,23 @@ internal class MadeUp(private val uncertainty: Double = 1.5) {
     }
 
     fun figures() = FigureReader().read(
-        FigureText(names.joinToString("\n"), "0;$uncertainty;false;false;" + values.joinToString(";"), distributions.joinToString("\n")),
+        FigureText(names.joinToString("\n"), "${kind.ordinal};1.5;false;false;" + values.joinToString(";"), distributions.joinToString("\n")),
     )
 }
 
 /** A log of match [number] that has everything that charts show; the lowest voltage of the battery is [volts]. */
-internal fun measuredLog(number: Int, volts: Double = 9.0 + 0.1 * (number % 7), change: MadeUp.() -> Unit = {}): ChartedLog {
-    val made = MadeUp()
+internal fun measuredLog(
+    number: Int,
+    volts: Double = 9.0 + 0.1 * (number % 7),
+    match: MatchOfLog = MatchOfLog("Mill Creek", "Qualification", "$number"),
+    kind: MatchKind = MatchKind.MATCH,
+    began: Long? = 600L * number,
+    change: MadeUp.() -> Unit = {},
+): ChartedLog {
+    val made = MadeUp(kind)
         .figure("battery", Measure.LOWEST, volts)
         .figure("battery resistance", Measure.RESISTANCE, 14.0 + number % 5)
-        .figure("packet loss", Measure.TELEOP, 0.5 + 0.1 * (number % 3))
+        .figure("packet loss", Measure.ENABLED, 0.5 + 0.1 * (number % 3))
         .figure("motor temperature", Measure.HIGHEST, 50.0 + number, "Drive/Left/Temperature")
         .figure("motor temperature", Measure.HIGHEST, 40.0 + number, "Drive/Right/Temperature")
         .distribution(
@@ -49,5 +57,5 @@ internal fun measuredLog(number: Int, volts: Double = 9.0 + 0.1 * (number % 7), 
             },
         )
         .distribution("total current", listOf(0.0, 5.0, 20.0, 40.0, 60.0, 100.0 + number, 220.0))
-    return ChartedLog(MatchOfLog("Mill Creek", "Qualification", "$number"), "q$number.bag", began = 600L * number, made.apply(change).figures())
+    return ChartedLog(match, "q$number.bag", began, made.apply(change).figures())
 }

@@ -24,7 +24,6 @@ import badlog.rules.incident.incidentsIn
 import badlog.rules.number.FigureReader
 import badlog.rules.number.LogFigures
 import badlog.rules.worstFirst
-import badlog.signals.match.localSecondOf
 import badlog.signals.overItsTime
 import java.nio.file.Path
 
@@ -128,7 +127,7 @@ class Report(
             title = stored.title,
             matchType = stored.matchType,
             match = stored.matchIn(file.name),
-            began = stored.began ?: localSecondOf(file.modified.floorDiv(MILLIS)),
+            began = stored.began,
             findings = (own + differences.findings + ofHooks).worstFirst(),
             incidents = rules.incidentsIn(own, differences.differences),
             skipped = skipped,
@@ -153,8 +152,4 @@ class Report(
     ) { examination.of(it, file.name) }
 
     private fun Recording.overX(file: LogFile) = if (xTopic == null) overItsTime() else withX(xTopic, file.path)
-
-    private companion object {
-        const val MILLIS = 1000L
-    }
 }

@@ -29,7 +29,7 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * @property title the match, from its values; null if they do not have it, or the file cannot be read.
  * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
  * @property match the match, from its values or the file's name.
- * @property began when it began, in s since 1970 on a clock on the wall; if nothing else says it, when the file was written.
+ * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
  * @property findings the findings, the worst first, and within a severity in the order of time.
  * @property incidents which of them belong together, and what came first; the worst first.
  * @property skipped the rules that were skipped for it, in the order of the rules; a rule that is a mistake here may be valid
@@ -47,7 +47,7 @@ class LogReport internal constructor(
     val title: String?,
     val matchType: String?,
     val match: MatchOfLog,
-    val began: Long,
+    val began: Long?,
     val findings: List<Finding>,
     val incidents: List<Incident>,
     val skipped: List<SkippedRule>,

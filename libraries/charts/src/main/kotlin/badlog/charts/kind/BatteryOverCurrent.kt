@@ -10,6 +10,7 @@ import badlog.charts.look.withLabels
 import badlog.charts.look.within
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
+import badlog.charts.match.LEAST_MATCHES
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomLine
 import org.jetbrains.letsPlot.geom.geomPoint
@@ -19,7 +20,7 @@ import org.jetbrains.letsPlot.tooltips.tooltipsNone
 /** Returns the lowest voltage of each match over the current that it drew. */
 internal fun batteryOverCurrent(matches: ChartedMatches): MadeChart {
     val known = matches.all.filter { currentOf(it).isFinite() && voltageOf(it).isFinite() }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS.title, "the battery’s voltage and the total current", known.size)
+    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the battery’s voltage and the total current", known.size)
     val (currents, voltages) = known.map(::currentOf) to known.map(::voltageOf)
     val usual = if (known.size >= LEAST_USUAL) UsualLine.through(currents, voltages) else null
     val reading = "each point is a match" + if (usual != null) " · far below the dashed line: weak battery, loose lead" else ""

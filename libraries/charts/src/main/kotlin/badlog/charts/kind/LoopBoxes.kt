@@ -10,6 +10,7 @@ import badlog.charts.look.matchAxis
 import badlog.charts.look.matchRange
 import badlog.charts.look.withLabels
 import badlog.charts.match.ChartedMatches
+import badlog.charts.match.LEAST_MATCHES
 import org.jetbrains.letsPlot.Stat
 import org.jetbrains.letsPlot.geom.geomBoxplot
 import org.jetbrains.letsPlot.geom.geomHLine
@@ -21,7 +22,7 @@ import kotlin.math.log10
 /** Returns a box of the loop times of each match. */
 internal fun loopBoxes(matches: ChartedMatches): MadeChart {
     val known = matches.all.mapNotNull { match -> match.figures.distributionOf(LOOP_TIME)?.let { match to it } }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS.title, "the loop time", known.size)
+    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     // A logarithmic axis shows both usual loops and the one that took a second, but not 0.
     fun shown(value: Double) = maxOf(value, LEAST_MILLIS)
     val data = mapOf(
@@ -69,7 +70,7 @@ internal fun loopBoxes(matches: ChartedMatches): MadeChart {
 }
 
 private val TEXTS = ChartTexts("loops-per-match", "Loop times of each match", "In which match were the loops slow?", y = "Loop time (ms)")
-private const val READING = "box: the middle half of the time · whiskers: 5 to 95 % · red: the longest loop"
+private const val READING = "box: the middle half of the time · whiskers: 5 to 95 % · red: the longest loop · dashed: 20 ms"
 private const val LEAST_MILLIS = 0.5
 
 /** Motor safety switches motors off after that. */

@@ -8,6 +8,7 @@ import badlog.charts.look.PointLabel
 import badlog.charts.look.emptyPlot
 import badlog.charts.look.withLabels
 import badlog.charts.match.ChartedMatches
+import badlog.charts.match.LEAST_MATCHES
 import badlog.rules.number.Distribution
 import badlog.viewer.text.exactText
 import badlog.viewer.text.fixedText
@@ -23,7 +24,7 @@ import kotlin.math.pow
 /** Returns how long loops took, over all matches together. */
 internal fun loopHistogram(matches: ChartedMatches): MadeChart {
     val known = matches.all.mapNotNull { it.figures.distributionOf(LOOP_TIME) }.filter { it.binWidth > 0 && it.seconds.sum() > 0 }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS.title, "the loop time", known.size)
+    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     val shares = sharesOf(known)
     val width = known.first().binWidth
     val last = shares.size - 1

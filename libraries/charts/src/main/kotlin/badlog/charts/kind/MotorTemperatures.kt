@@ -10,6 +10,7 @@ import badlog.charts.look.matchAxis
 import badlog.charts.look.matchRange
 import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatches
+import badlog.charts.match.LEAST_MATCHES
 import badlog.charts.match.distinctNames
 import badlog.rules.number.FigureKey
 import badlog.rules.number.Measure
@@ -21,7 +22,7 @@ import org.jetbrains.letsPlot.tooltips.tooltipsNone
 /** Returns how hot motors became in each match: the hottest ones, each as a line. */
 internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
     val known = matches.all.filter { match -> match.figures.keys.any(::isTemperature) }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS.title, "the temperature of a motor", known.size)
+    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the temperature of a motor", known.size)
     val keys = known.flatMapTo(LinkedHashSet()) { match -> match.figures.keys.filter(::isTemperature) }
     val hottest = keys.sortedByDescending { key -> known.maxOf { it.figures[key].takeIf(Double::isFinite) ?: COLD } }.take(MAX_MOTORS)
     val names = hottest.zip(distinctNames(hottest.map { it.topic })).toMap()
@@ -30,7 +31,7 @@ internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
     }.filter { it.celsius.isFinite() }
     val data = mapOf("x" to points.map { it.place }, "y" to points.map { it.celsius }, "motor" to points.map { it.motor })
     val values = points.map { it.celsius }
-    val limit = HOT.takeIf { it.isNear(values) }
+    val limit = HOT.takeIf { it.isShownWith(values, isWorseBelow = false) }
     val motors = if (keys.size > hottest.size) "the ${hottest.size} hottest of ${keys.size} motors" else "each line is a motor"
     val reading = listOfNotNull(motors, limit?.reading).joinToString(" · ")
     val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + listOfNotNull(limit?.value)))

@@ -13,6 +13,7 @@ import badlog.charts.look.withLabels
 import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
+import badlog.charts.match.LEAST_MATCHES
 import badlog.rules.number.LogFigures
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomErrorBar
@@ -62,7 +63,7 @@ internal val LINK_TREND = Trend(
     ChartTexts("packet-loss", "Packet loss", "How good is the link to the field?", "Mean packet loss while enabled (%)"),
     "the share of lost packets",
     isWorseBelow = false,
-) { it.mean("packet loss") }
+) { it.of("packet loss", Measure.ENABLED) }
 
 /** Returns the labels of the matches that are far on the wrong side of the others, the farthest first. */
 private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: Quartiles, isWorseBelow: Boolean): List<PointLabel> {
@@ -75,10 +76,10 @@ private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: 
 /** Returns [trend] over [matches]. */
 internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
     val known = matches.all.filter { trend.figure(it.figures).isFinite() }
-    if (known.size < LEAST_MATCHES) return lacking(trend.texts.title, trend.what, known.size)
+    if (known.size < LEAST_MATCHES) return lacking(trend.texts, trend.what, known.size)
     val values = known.map { trend.figure(it.figures) }
     val middle = Quartiles.of(values)
-    val limit = trend.limit?.takeIf { it.isNear(values) }
+    val limit = trend.limit?.takeIf { it.isShownWith(values, trend.isWorseBelow) }
     val ends = known.flatMap { trend.ends(it.figures) }
     val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + ends + listOfNotNull(limit?.value), least = 0.0))
     val bars = if (ends.isEmpty()) null else "bars: 95 % uncertainty"
@@ -134,9 +135,6 @@ private fun Plot.withUncertainties(known: List<ChartedMatch>, trend: Trend): Plo
         ymax = "high"
     }
 }
-
-/** The mean of [signal] over teleop, or else over the time in which the robot was enabled; NaN for none. */
-private fun LogFigures.mean(signal: String): Double = of(signal, Measure.TELEOP).let { if (it.isNaN()) of(signal, Measure.ENABLED) else it }
 
 private const val MANY = 40
 private const val MAX_LABELS = 20

@@ -17,13 +17,31 @@ internal class UsualLine(val slope: Double, private val intercept: Double) {
     }
 
     companion object {
-        /** Returns the line through the points at [x] and [y]; null if all have the same x. */
+        /**
+         * Returns the line through the points at [x] and [y]; null if all have the same x.
+         *
+         * @throws InterruptedException if the thread was interrupted.
+         */
         fun through(x: List<Double>, y: List<Double>): UsualLine? {
-            val slopes = ArrayList<Double>()
-            for (i in x.indices) for (k in 0 until i) if (x[i] != x[k]) slopes += (y[i] - y[k]) / (x[i] - x[k])
-            if (slopes.isEmpty()) return null
-            val slope = Quartiles.of(slopes).median
+            // There are as many slopes as pairs, and more points would not give another line.
+            val count = minOf(x.size, MOST_POINTS)
+            val chosen = IntArray(count) { (it.toLong() * x.size / count).toInt() }
+            val slopes = DoubleArray(count * (count - 1) / 2)
+            var known = 0
+            for (i in chosen.indices) {
+                if (Thread.interrupted()) throw InterruptedException()
+                for (k in 0 until i) {
+                    val across = x[chosen[i]] - x[chosen[k]]
+                    if (across != 0.0) slopes[known++] = (y[chosen[i]] - y[chosen[k]]) / across
+                }
+            }
+            if (known == 0) return null
+            slopes.sort(0, known)
+            val slope = (slopes[(known - 1) / 2] + slopes[known / 2]) / 2
             return UsualLine(slope, Quartiles.of(x.indices.map { y[it] - slope * x[it] }).median)
         }
+
+        /** They have half a million pairs. */
+        private const val MOST_POINTS = 1000
     }
 }

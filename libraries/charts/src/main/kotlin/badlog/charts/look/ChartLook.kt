@@ -53,7 +53,7 @@ internal fun emptyPlot(texts: ChartTexts, matches: ChartedMatches, shown: Int, r
         subtitle = texts.question,
         x = texts.x,
         y = texts.y,
-        caption = "${if (shown == 1) "1 log" else "$shown logs"} · $reading",
+        caption = "${captionOf(shown, matches.others)} · $reading",
     ) +
     ggsize(Chart.WIDTH, Chart.HEIGHT) +
     theme(
@@ -74,6 +74,12 @@ internal fun emptyPlot(texts: ChartTexts, matches: ChartedMatches, shown: Int, r
         legendTitle = elementBlank(),
         legendText = elementText(size = SMALL_SIZE),
     )
+
+private fun captionOf(shown: Int, others: Int): String = when {
+    others == 0 -> if (shown == 1) "1 log" else "$shown logs"
+    others == 1 -> "$shown matches, without 1 other log"
+    else -> "$shown matches, without $others other logs"
+}
 
 private const val TITLE_SIZE = 20
 private const val TEXT_SIZE = 16

@@ -6,10 +6,14 @@ import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /** A [value] at which something becomes a problem, and what it is called in the [text] below a chart. */
 internal class Limit(val value: Double, val text: String) {
-    /** Returns whether a chart of [values] shows it: a limit far from all of them would press them together. */
-    fun isNear(values: List<Double>): Boolean {
+    /**
+     * Returns whether a chart of [values] shows it: a limit far from all of them would press them together, unless one is a problem. Those
+     * below it are if [isWorseBelow], otherwise those above it.
+     */
+    fun isShownWith(values: List<Double>, isWorseBelow: Boolean): Boolean {
         val span = values.max() - values.min()
-        return value in values.min() - span..values.max() + span
+        val isProblem = if (isWorseBelow) values.min() < value else values.max() > value
+        return isProblem || value in values.min() - span..values.max() + span
     }
 
     /** The text that explains its line. */

@@ -1,6 +1,7 @@
 package badlog.charts.match
 
 import badlog.rules.number.LogFigures
+import badlog.rules.number.MatchKind
 import badlog.signals.match.NaturalOrder
 
 /**
@@ -11,18 +12,37 @@ import badlog.signals.match.NaturalOrder
  */
 internal class ChartedMatch(val label: String, val place: Int, val figures: LogFigures)
 
-/** The matches of charts, in the order of play; [event] is where they were played, empty if that is unknown or differs. */
-internal class ChartedMatches(val all: List<ChartedMatch>, val event: String)
+/**
+ * The matches of charts, in the order of play.
+ *
+ * @property event where they were played, empty if that is unknown or differs.
+ * @property others how many logs were left out because they are not of a match.
+ */
+internal class ChartedMatches(val all: List<ChartedMatch>, val event: String, val others: Int)
 
-/** Returns the matches of [logs] in the order of play; without logs in which nothing was measured, such as those of a test bench. */
+/**
+ * Returns the matches of [logs] in the order of play; without logs in which nothing was measured, such as those of a test bench, and, if
+ * there are enough matches, without practice, in which a robot is driven otherwise.
+ */
 internal fun matchesOf(logs: List<ChartedLog>): ChartedMatches {
     val measured = logs.filter { it.figures.keys.isNotEmpty() || it.figures.distributions.isNotEmpty() }
-    val ordered = measured.sortedWith(compareBy<ChartedLog> { it.began }.thenBy(NaturalOrder) { it.file })
-    val events = ordered.mapNotNullTo(LinkedHashSet()) { it.match.event }
+    val played = measured.filter { it.figures.kind == MatchKind.MATCH }.takeIf { it.size >= LEAST_MATCHES } ?: measured
+    val ordered = played.sortedWith(PLAY)
+    // Logs of an unknown event may be of another one.
+    val events = ordered.map { it.match.event?.trim().orEmpty() }.distinctBy { it.lowercase() }
     val labels = labelsOf(ordered)
     val matches = ordered.mapIndexed { place, log -> ChartedMatch(labels[place], place + 1, log.figures) }
-    return ChartedMatches(matches, events.singleOrNull()?.let { plainText(it, MAX_EVENT) }.orEmpty())
+    return ChartedMatches(matches, events.singleOrNull()?.let { plainText(it, MAX_EVENT) }.orEmpty(), measured.size - played.size)
 }
+
+/** The smallest number of matches of which a chart says more than their numbers do. */
+internal const val LEAST_MATCHES = 3
+
+/** By time; those whose time is not known are behind the others, by the names of their matches. */
+private val PLAY = compareBy<ChartedLog> { it.began ?: Long.MAX_VALUE }
+    .thenBy { if (it.match.number == null) Int.MAX_VALUE else roundOf(it) }
+    .thenBy(NaturalOrder) { it.match.number.orEmpty() }
+    .thenBy(NaturalOrder) { it.file }
 
 /** As long as a name may be in the line below a chart. */
 private const val MAX_EVENT = 36

@@ -1,51 +1,74 @@
 package badlog.charts.match
 
+import badlog.viewer.text.dateText
+
 /** Returns a label for each of [logs], such as `Q42`; no two are equal. */
 internal fun labelsOf(logs: List<ChartedLog>): List<String> {
     val taken = HashSet<String>()
+    val days = logs.filter { numberOf(it).isEmpty() }.mapNotNullTo(HashSet()) { it.began?.floorDiv(DAY) }
     return logs.map { log ->
-        val label = shortName(log)
+        val label = shortName(log, hasDay = days.size > 1)
         generateSequence(1) { it + 1 }.map { if (it == 1) label else "$label ($it)" }.first(taken::add)
     }
 }
 
-private fun shortName(log: ChartedLog): String {
-    val number = log.match.number?.let { plainText(it, MAX_NUMBER) }.orEmpty()
-    if (number.isEmpty()) return plainText(log.file.substringBefore('.'), MAX_LABEL).ifEmpty { "log" }
-    val type = log.match.type.orEmpty()
+/** Returns the place of the type of the match of [log] in the order of play: first practice, last the final. */
+internal fun roundOf(log: ChartedLog): Int = typeOf(log)?.round ?: QUALIFICATION
+
+private fun typeOf(log: ChartedLog): MatchType? = TYPES.firstOrNull { log.match.type.orEmpty().contains(it.word, ignoreCase = true) }
+
+private fun numberOf(log: ChartedLog) = log.match.number?.let { plainText(it, MAX_NUMBER) }.orEmpty()
+
+private fun shortName(log: ChartedLog, hasDay: Boolean): String {
+    val number = numberOf(log)
     // The letters by which The Blue Alliance and teams call matches; a practice match is not P1, which could also be a playoff.
-    val letter = LETTERS.firstOrNull { (word, _) -> type.contains(word, ignoreCase = true) }?.second
-    return (letter ?: "M") + number
+    if (number.isNotEmpty()) return (typeOf(log)?.letter ?: "M") + number
+    // Names of logs without a match differ in what is too long for an axis: mostly the time.
+    return log.began?.let { timeText(it, hasDay) } ?: middleCut(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
 }
+
+/** Returns the time of [second] as `12:34`, or, with its day, as `16 Mar, 12:34`. */
+private fun timeText(second: Long, hasDay: Boolean): String {
+    val (date, time) = dateText(second).split(", ")
+    return if (hasDay) "${date.substringBeforeLast(' ')}, $time" else time
+}
+
+/** Returns [name], if it is too long without its middle: names of logs differ at their end. */
+private fun middleCut(name: String): String =
+    if (name.length <= MAX_LABEL) name else name.take(BEGIN_OF_NAME).trim() + "…" + name.takeLast(MAX_LABEL - BEGIN_OF_NAME - 1).trim()
 
 /**
  * Returns [text], which comes from a file, with nothing in it that a chart could take for markup, and shortened to [max] characters. Charts are
  * drawn by a library that knows tags and formulas in texts.
  */
 internal fun plainText(text: String, max: Int): String {
-    val plain = text.map {
-        if (it.isLetterOrDigit() ||
-            it in " -_.,:+#/()'’"
-        ) {
-            it
-        } else {
-            ' '
-        }
-    }.joinToString("").replace(Regex(" {2,}"), " ").trim()
+    val plain = text.map { if (it.isLetterOrDigit() || it in PLAIN) it else ' ' }.joinToString("").replace(Regex(" {2,}"), " ").trim()
     return if (plain.length <= max) plain else plain.take(max - 1).trim() + "…"
 }
 
-private val LETTERS = listOf(
-    "qual" to "Q",
-    "quarter" to "QF",
-    "semi" to "SF",
-    "final" to "F",
-    "elim" to "E",
-    "playoff" to "E",
-    "practice" to "Pr",
-    "test" to "T",
+/** A type of matches whose names have [word]; its matches are called by [letter], and played in [round]. */
+private class MatchType(val word: String, val letter: String, val round: Int)
+
+/** The round of matches of an unknown type, too. */
+private const val QUALIFICATION = 1
+private val TYPES = listOf(
+    MatchType("qual", "Q", QUALIFICATION),
+    MatchType("quarter", "QF", 2),
+    MatchType("semi", "SF", 3),
+    MatchType("final", "F", 4),
+    MatchType("elim", "E", 2),
+    MatchType("playoff", "E", 2),
+    MatchType("practice", "Pr", 0),
+    MatchType("test", "T", 0),
 )
+
+private const val PLAIN = " -_.,:+#/()'’"
 
 /** Sets of a playoff, such as 2-1, are short. */
 private const val MAX_NUMBER = 6
 private const val MAX_LABEL = 14
+private const val BEGIN_OF_NAME = 4
+
+/** File systems allow names of 255 characters. */
+private const val MAX_FILE = 255
+private const val DAY = 86_400L

@@ -1,5 +1,6 @@
 package badlog.charts.kind
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -11,6 +12,16 @@ class UsualLineSpec : FunSpec({
         val line = checkNotNull(UsualLine.through(x, y))
         line.slope shouldBe (-0.1 plusOrMinus 1e-9)
         line.at(10.0) shouldBe (11.0 plusOrMinus 1e-9)
+    }
+
+    test("thousands of points have a line, for which nobody waits") {
+        val x = List(20_000) { (it * 7919 % 20_000).toDouble() }
+        UsualLine.through(x, x.map { 3 * it - 1 })!!.run { slope to at(0.0) } shouldBe (3.0 to -1.0)
+    }
+
+    test("calculating a line can be interrupted") {
+        Thread.currentThread().interrupt()
+        shouldThrow<InterruptedException> { UsualLine.through(listOf(1.0, 2.0), listOf(1.0, 2.0)) }
     }
 
     test("points above each other have no line") {

@@ -14,7 +14,7 @@ import javax.xml.parsers.DocumentBuilderFactory
 class MatchLabelsSpec : FunSpec({
     val figures = measuredLog(1).figures
 
-    fun log(type: String? = null, number: String? = null, file: String = "log.bag", event: String? = null) = ChartedLog(MatchOfLog(event, type, number), file, 0, figures)
+    fun log(type: String? = null, number: String? = null, file: String = "log.bag", event: String? = null, began: Long? = null) = ChartedLog(MatchOfLog(event, type, number), file, began, figures)
 
     fun label(type: String? = null, number: String? = null, file: String = "log.bag") = labelsOf(listOf(log(type, number, file))).single()
 
@@ -28,9 +28,18 @@ class MatchLabelsSpec : FunSpec({
         label(number = "7") shouldBe "M7"
     }
 
-    test("a log of no match is called by its file") {
+    test("a log of no match is called by its time, with the day if there are others") {
+        fun labels(vararg began: Long) = labelsOf(began.map { log(file = "FRC_20240316_104100.wpilog", began = it) })
+        val morning = 1_710_585_660L
+        labels(morning, morning + 3600, morning + 3601) shouldContainExactly listOf("10:41", "11:41", "11:41 (2)")
+        labels(morning, morning + 86_400) shouldContainExactly listOf("16 Mar, 10:41", "17 Mar, 10:41")
+        // The day of a match says nothing of it.
+        labelsOf(listOf(log(began = morning), log("Qualification", "1", began = 0))) shouldContainExactly listOf("10:41", "Q1")
+    }
+
+    test("a log of no match and no time is called by its file") {
         label(file = "practice.bag.gz") shouldBe "practice"
-        label(file = "a-name-that-is-much-too-long-for-an-axis.wpilog") shouldBe "a-name-that-i…"
+        label(file = "a-name-that-is-much-too-long-for-an-axis.wpilog") shouldBe "a-na…r-an-axis"
         label(file = ".bag") shouldBe "log"
     }
 

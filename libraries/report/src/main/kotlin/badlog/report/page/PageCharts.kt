@@ -17,8 +17,9 @@ class PageChart(val name: String, val title: String, val question: String, val r
  *
  * @property all those that were drawn.
  * @property lacking what is lacking for each of the others, as a sentence.
+ * @property undrawn the names of the others.
  */
-class PageCharts(val all: List<PageChart>, val lacking: List<String>) {
+class PageCharts(val all: List<PageChart>, val lacking: List<String>, val undrawn: List<String> = emptyList()) {
     companion object {
         /** No charts, since nobody asked for them. */
         val NONE: PageCharts = PageCharts(emptyList(), emptyList())

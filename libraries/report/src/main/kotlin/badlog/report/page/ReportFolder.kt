@@ -91,22 +91,60 @@ class ReportFolder(
     }
 
     /**
-     * Writes the index of [result], and the files of [charts], which it shows.
+     * Writes the index of [result], and the files of [charts], which it shows; former files of those that were not drawn are removed.
      *
+     * @param leaveOut receives for each chart whose files cannot be written, so that the index does not show it, why, as a sentence.
      * @return its path.
      * @throws ExportException if it cannot be written, or another file is in its place.
      */
-    fun writeIndex(result: ReportResult, title: String = "Report", charts: PageCharts = PageCharts.NONE): Path {
+    fun writeIndex(
+        result: ReportResult,
+        title: String = "Report",
+        charts: PageCharts = PageCharts.NONE,
+        leaveOut: (String) -> Unit = {},
+    ): Path {
         check(index)
-        val files = charts.all.flatMap { filesOf(it) }
-        files.forEach { (file, _) -> check(file) }
+        charts.undrawn.forEach(::removeFormer)
+        val written = charts.all.filter { chart ->
+            try {
+                write(chart)
+                true
+            } catch (e: ExportException) {
+                leaveOut(e.message.orEmpty())
+                false
+            }
+        }
+        val shown = PageCharts(written, charts.lacking)
         try {
-            for ((file, bytes) in files) writeAtomically(file) { it.write(bytes) }
-            writeAtomically(index) { it.write(reportPage(result, title, charts) { log -> pages[log] }.encodeToByteArray()) }
+            writeAtomically(index) { it.write(reportPage(result, title, shown) { log -> pages[log] }.encodeToByteArray()) }
         } catch (e: UnwritableFileException) {
             throw ExportException.Unwritable(index, e.message, e)
         }
         return index
+    }
+
+    private fun write(chart: PageChart) {
+        val files = filesOf(chart)
+        files.forEach { (file, _) -> check(file) }
+        for ((file, bytes) in files) {
+            try {
+                writeAtomically(file) { it.write(bytes) }
+            } catch (e: UnwritableFileException) {
+                throw ExportException.Unwritable(file, e.message, e)
+            }
+        }
+    }
+
+    /** Removes what badlog drew before of the chart [name]: whoever finds it beside the index would take it for one of these logs. */
+    private fun removeFormer(name: String) {
+        val place = folder.resolve(PageCharts.FOLDER)
+        // The picture is known by the other file, which is therefore the last to go.
+        val files = listOf("png", "svg").map { place.resolve("$name.$it") }
+        try {
+            for (file in files) if (Files.exists(file) && realPath(file) !in read && isOfBadlog(file)) Files.delete(file)
+        } catch (_: IOException) {
+            // The index does not show it.
+        }
     }
 
     private fun filesOf(chart: PageChart): List<Pair<Path, ByteArray>> {

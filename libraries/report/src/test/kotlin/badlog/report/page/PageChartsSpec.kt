@@ -1,6 +1,5 @@
 package badlog.report.page
 
-import badlog.exporter.ExportException
 import badlog.exporter.HtmlExporter
 import badlog.exporter.PageParts
 import badlog.page.Chromium
@@ -13,7 +12,6 @@ import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
 import badlog.rules.RuleSet
-import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -21,6 +19,8 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.name
+import kotlin.io.path.nameWithoutExtension
 
 private const val SVG = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 900 420\" width=\"900\" height=\"420\"><rect width=\"900\" height=\"420\" fill=\"green\"/></svg>"
 
@@ -31,11 +31,11 @@ private val CHARTS = PageCharts(listOf(chart("battery"), chart("loop-times")), l
 /** The charts on the index page of a report. */
 class PageChartsSpec : FunSpec({
     /** Writes a report with [charts] of one log into [out]. */
-    fun report(folder: Path, out: Path, charts: PageCharts, isForced: Boolean = false): Path {
+    fun report(folder: Path, out: Path, charts: PageCharts, isForced: Boolean = false, leaveOut: (String) -> Unit = { error(it) }): Path {
         folder.put("logs/Q1.bag", batteryBag(6.0))
         val logs = logsIn(folder.resolve("logs"))
         val pages = ReportFolder(out, logs, RuleSet.NONE, isForced = isForced, exporter = HtmlExporter(parts = PageParts("", "")))
-        return pages.writeIndex(Report(RuleSet.NONE).over(logs), charts = charts)
+        return pages.writeIndex(Report(RuleSet.NONE).over(logs), charts = charts, leaveOut = leaveOut)
     }
 
     test("each chart is two files beside the index, which shows the one and links both") {
@@ -66,10 +66,38 @@ class PageChartsSpec : FunSpec({
             for (name in listOf("battery.svg", "loop-times.png")) {
                 val other = if (name.endsWith("png")) out.resolve("charts/loop-times.svg") else out.resolve("charts/$name")
                 Files.writeString(other, "<svg>mine</svg>")
-                shouldThrow<ExportException> { report(folder, out, CHARTS) }.message shouldContain "badlog did not make it"
+                val leftOut = ArrayList<String>()
+                // The chart alone is left out.
+                val index = Files.readString(report(folder, out, CHARTS, leaveOut = leftOut::add))
+                leftOut.single() shouldContain "badlog did not make it"
+                Regex("<img src=\"charts/([a-z-]+)").findAll(index).map { it.groupValues[1] }.toList() shouldBe
+                    CHARTS.all.map { it.name } - other.nameWithoutExtension
                 Files.readString(other) shouldBe "<svg>mine</svg>"
                 report(folder, out, CHARTS, isForced = true)
             }
+        }
+    }
+
+    test("a picture whose other file is gone is not known as badlog’s, and costs no more than its chart") {
+        inFolder { folder ->
+            val out = folder.resolve("out")
+            report(folder, out, CHARTS)
+            Files.delete(out.resolve("charts/battery.svg"))
+            val leftOut = ArrayList<String>()
+            Files.readString(report(folder, out, CHARTS, leaveOut = leftOut::add)) shouldContain "charts/loop-times.svg"
+            leftOut.single() shouldContain "battery.png exists already"
+        }
+    }
+
+    test("what badlog drew before of charts that are no longer drawn is removed, and nothing else") {
+        inFolder { folder ->
+            val out = folder.resolve("out")
+            report(folder, out, CHARTS)
+            Files.writeString(out.resolve("charts/resistance.svg"), "<svg>mine</svg>")
+            Files.copy(out.resolve("charts/loop-times.svg"), out.resolve("charts/of last year.svg"))
+            report(folder, out, PageCharts(listOf(chart("battery")), listOf("“Loop times” needs more."), listOf("loop-times", "resistance", "packet-loss")))
+            Files.list(out.resolve("charts")).use { all -> all.map { it.name }.sorted().toList() } shouldBe
+                listOf("battery.png", "battery.svg", "of last year.svg", "resistance.svg")
         }
     }
 
