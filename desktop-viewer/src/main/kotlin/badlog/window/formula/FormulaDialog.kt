@@ -63,9 +63,12 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     // A log that grows keeps its topics.
     val writer = remember(sheet, open.file) { FormulaWriter(sheet.start, vocabularyFor(open, sheet.before)) }
     val close = formulas::closeSheet
-    val reason = writer.error?.message ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
-    val isReady = reason == null && writer.topic != null
-    val keep = { if (isReady) keepFormula(formulas, sheet, writer) }
+
+    fun reason() = writer.error?.message ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
+
+    fun isReady() = reason() == null && writer.topic != null
+    // What is ready is asked when the key comes: it may come before the text of the key before it is drawn.
+    val keep = { if (isReady()) keepFormula(formulas, sheet, writer) }
     Column(
         modifier
             .sheet("Formula sheet", widest = 640.dp)
@@ -80,6 +83,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
             ToolButton("Close the formula sheet", Icons.Close, onClick = close)
         }
         FormulaField(writer)
+        val reason = reason()
         if (reason != null) {
             Text(reason, color = palette.error)
         } else {
@@ -93,7 +97,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
                     if (formulas.remove(before)) close()
                 }
             }
-            ToolButton("Save the formula (Enter)", text = "OK", isOn = isReady, isEnabled = isReady, onClick = keep)
+            ToolButton("Save the formula (Enter)", text = "OK", isOn = isReady(), isEnabled = isReady(), onClick = keep)
         }
     }
 }

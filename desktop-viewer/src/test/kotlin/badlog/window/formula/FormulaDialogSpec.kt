@@ -45,6 +45,22 @@ class FormulaDialogSpec : FunSpec({
 
     val field = "Definition of the formula"
 
+    test("a formula is kept by Enter also when that comes right after the key that completed it") {
+        val viewer = viewerOf(bag(12))
+        over(viewer) {
+            onNodeWithContentDescription("New formula… (F)").performClick()
+            onNodeWithContentDescription(field).performTextInput("Power [W] = volt")
+            onNodeWithContentDescription("Insert System/Battery Voltage").assertExists()
+            mainClock.autoAdvance = false
+            onNodeWithContentDescription(field).performKeyInput {
+                pressKey(Key.Tab, 1)
+                pressKey(Key.Enter, 1)
+            }
+            mainClock.autoAdvance = true
+            waitFor { viewer.current.recording?.signal("Power") != null && viewer.formulas.sheet == null }
+        }
+    }
+
     test("a formula is written with suggested names, drawn, calculated in what is compared, changed, and removed") {
         val viewer = viewerOf(bag(12))
         val other = bag(6)
