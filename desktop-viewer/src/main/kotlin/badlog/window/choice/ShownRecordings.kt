@@ -42,7 +42,7 @@ internal class ShownRecordings(
     /** What is calculated of a recording: neither is repeated while both stay the same. */
     private data class Wanted(val recording: OpenRecording, val choices: RecordingChoices)
 
-    private val works = HashMap<Path, Pair<Wanted, Job>>()
+    private val jobs = HashMap<Path, Pair<Wanted, Job>>()
     private val later = ArrayList<() -> Unit>()
 
     /** What could not be calculated, and is not tried again. */
@@ -55,12 +55,12 @@ internal class ShownRecordings(
     suspend fun run() = supervisorScope { snapshotFlow { wanted() }.collect { follow(it) } }
 
     private fun CoroutineScope.follow(all: List<Wanted>) {
-        for (file in works.keys - all.mapTo(HashSet()) { it.recording.file }) works.remove(file)?.second?.cancel()
+        for (file in jobs.keys - all.mapTo(HashSet()) { it.recording.file }) jobs.remove(file)?.second?.cancel()
         for (each in all) {
             val file = each.recording.file
-            if (works[file]?.first == each) continue
-            works.remove(file)?.second?.cancel()
-            if (isToDo(each)) works[file] = each to launch { calculate(each, this@follow) }
+            if (jobs[file]?.first == each) continue
+            jobs.remove(file)?.second?.cancel()
+            if (isToDo(each)) jobs[file] = each to launch { calculate(each, this@follow) }
         }
         catchUp()
     }
@@ -88,7 +88,7 @@ internal class ShownRecordings(
         try {
             val folder = library()
             val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) }
-            works.remove(wanted.recording.file)
+            jobs.remove(wanted.recording.file)
             // It may have grown, or be closed, in the moment before this.
             if (wanted in wanted()) show(made)
         } catch (e: CancellationException) {

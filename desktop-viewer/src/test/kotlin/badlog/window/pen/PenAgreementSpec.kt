@@ -10,9 +10,11 @@ import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 import badlog.viewer.draw.pen.SvgPen
+import badlog.viewer.draw.pen.TextSide
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
 import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.Data
 import org.jetbrains.skia.Surface
@@ -51,6 +53,28 @@ class PenAgreementSpec : FunSpec({
             difference(screen, blank) shouldBeGreaterThan 0.1
             difference(screen, file) shouldBeLessThan difference(screen, blank) * TOLERANCE
         }
+    }
+
+    test("a text is drawn between its ends, whether it is written letter by letter or has to be shaped, as Arabic and accents that are letters of their own") {
+        for (text in listOf("-12.5 V", "Größe (µΩ) – Δ", "سلام", "e\u0301", "🤖")) {
+            val blank = pixels { }
+            val screen = pixels { surface ->
+                val pen = SkiaPen(surface.canvas, density = 1.0)
+                pen.text(text, 20.0, 50.0, 16.0, colors.line(0), TextSide.RIGHT)
+                pen.widthOf(text, 16.0) shouldBeGreaterThan 5.0
+                pen.widthOf(text, 16.0) shouldBeLessThan 160.0
+            }
+            difference(screen, blank) shouldBeGreaterThan 0.05
+            // Nothing before its beginning, nor beyond its end.
+            for (y in 0 until HEIGHT) for (x in (0 until 17) + (190 until WIDTH)) screen.getColor(x, y) shouldBe WHITE
+        }
+    }
+
+    test("letters that need no shaping are as wide as if they were shaped") {
+        val pen = Surface.makeRasterN32Premul(WIDTH, HEIGHT).use { SkiaPen(it.canvas, density = 1.0) }
+        // The last letter has to be shaped, so all of that text is.
+        fun shaped(text: String) = pen.widthOf("$text\u0301", 16.0) - pen.widthOf("e\u0301", 16.0) + pen.widthOf("e", 16.0)
+        for (text in listOf("12.5e", "0.001e", "-40e")) abs(shaped(text) - pen.widthOf(text, 16.0)) shouldBeLessThan 1.0
     }
 })
 
