@@ -72,6 +72,7 @@ class PenAgreementSpec : FunSpec({
 
     test("letters that need no shaping are as wide as if they were shaped") {
         val pen = Surface.makeRasterN32Premul(WIDTH, HEIGHT).use { SkiaPen(it.canvas, density = 1.0) }
+
         // The last letter has to be shaped, so all of that text is.
         fun shaped(text: String) = pen.widthOf("$text\u0301", 16.0) - pen.widthOf("e\u0301", 16.0) + pen.widthOf("e", 16.0)
         for (text in listOf("12.5e", "0.001e", "-40e")) abs(shaped(text) - pen.widthOf(text, 16.0)) shouldBeLessThan 1.0
