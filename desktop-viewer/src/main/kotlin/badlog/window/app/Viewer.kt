@@ -201,7 +201,7 @@ internal class Viewer(
         formulas.replaceAll(layouts.formulasFor(recording.file, recording.layout))
         topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
-        board.replace(layouts.graphsOf(recording))
+        layouts.showGraphs(recording)
         view.show(recording.span)
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)

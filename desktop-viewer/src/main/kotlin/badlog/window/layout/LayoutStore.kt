@@ -103,6 +103,16 @@ internal class LayoutStore(
     }
 
     /**
+     * Shows the graphs for [recording], which was just opened; those of formulas that are still to be calculated appear with them. That is so
+     * if the log was read before the formulas of its folder were known.
+     */
+    fun showGraphs(recording: OpenRecording) {
+        val first = fittedTo(recording)?.board ?: recording.standardGraphs
+        board.replace(first)
+        whenStillOpen { open -> if (board.kept.showsSame(first)) board.replace(graphsOf(open)) }
+    }
+
+    /**
      * Returns the formulas to calculate in the log in [file]: including those of the [layout] beside it, if nobody has arranged the graphs
      * of this folder. May be called on any thread.
      */

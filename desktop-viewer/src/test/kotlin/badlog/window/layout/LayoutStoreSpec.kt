@@ -22,6 +22,7 @@ import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 import java.nio.file.Files
@@ -111,6 +112,29 @@ class LayoutStoreSpec : FunSpec({
             waitFor { viewer.current.recording?.signal("B")?.definition == "B = 1" }
         }
         started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
+    }
+
+    test("a graph of a formula is shown also if the log was read before the formulas of its folder were known") {
+        val home = tempdir().toPath()
+        val folder = Files.createDirectories(home.resolve("logs"))
+        val log = Files.writeString(folder.resolve("one.bag"), armBag(500))
+        started(home, folder, recordingOf(armBag(500), log)) {
+            it.formulas.replaceAll(listOf("Arm/Twice = 2 * Arm/Angle"))
+            it.board.replace(Board().withGraph(listOf("Arm/Twice")))
+        }
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(100, 100) {
+            setContent {
+                LaunchedEffect(Unit) { viewer.layouts.autosave() }
+                LaunchedEffect(Unit) { viewer.shown.run() }
+            }
+            viewer.library.change { LibraryState(folder) }
+            waitForIdle()
+            viewer.show(OpenRecording.read(log, folder))
+            waitFor { viewer.board.state.graphs.singleOrNull()?.lines == listOf("Arm/Twice") && !viewer.shown.isWaiting }
+            viewer.current.recording?.signal("Arm/Twice").shouldNotBeNull()
+            viewer.notices.all shouldHaveSize 0
+        }
     }
 
     test("two windows over one folder keep each other's formulas") {
