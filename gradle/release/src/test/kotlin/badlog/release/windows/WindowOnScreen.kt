@@ -60,7 +60,7 @@ internal class WindowOnScreen(private val process: Process, private val output: 
         const val FROM = 0.54
         const val TO = 0.76
         const val MIDDLE = 0.63
-        const val VIDEO_FROM_RIGHT = 282
+        const val VIDEO_FROM_RIGHT = 314
         const val VIDEO_FROM_TOP = 18
     }
 }
