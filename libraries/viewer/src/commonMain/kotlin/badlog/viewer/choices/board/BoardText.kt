@@ -3,21 +3,17 @@ package badlog.viewer.choices.board
 import badlog.core.analysis.Span
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.text.addressText
-import badlog.viewer.text.nameOfAddress
 
 /**
  * Returns the board as the shortest text that is valid in any address: only letters, digits and `-_./:;,=+~`. Graphs are separated by `;`,
  * the lines of a graph by `,`. Then follow, each after a `,` and a letter with `=`, the title, unless it is the first line's name, and the
  * other settings: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden. `p=` makes a plot of y over x,
- * with `w=` for the visible x, and `o=red` or `o=auto` for the origin of poses. Names are written by [addressText]; a line without a name
- * is just `~`.
+ * with `w=` for the visible x, and `o=red` or `o=auto` for the origin of poses. Lines are written by [lineTexts], a title by [addressText]; a
+ * line without a name is just `~`.
  */
 fun Board.toText(): String = graphs.joinToString(";") { graph ->
     buildString {
-        graph.lines.forEachIndexed { i, line ->
-            if (i > 0) append(',')
-            append(if (line.isEmpty()) "~" else addressText(line))
-        }
+        lineTexts(graph.lines).joinTo(this, ",")
         if (graph.title != graph.lines.firstOrNull()) {
             append(",t=").append(addressText(graph.title))
         }
@@ -69,7 +65,7 @@ private fun graphOf(id: Int, text: String): BoardGraph {
                 else -> throw BoardException("Graph $id has “${part[0]}”, which is unknown here; update badlog to open this.")
             }
         } else if (part.isNotEmpty()) {
-            lines += if (part == "~") "" else nameOf(part)
+            lines += linesOfText(part)
         }
     }
     return graph.copy(
@@ -78,9 +74,6 @@ private fun graphOf(id: Int, text: String): BoardGraph {
         hidden = lines.filterIndexedTo(HashSet()) { i, _ -> i in hidden },
     )
 }
-
-private fun nameOf(text: String): String =
-    nameOfAddress(text) ?: throw BoardException("“$text” has a “~” that is not a character; copy the whole address again.")
 
 /** Returns [span] as `0.5:90`, which [spanOf] reads. */
 internal fun spanText(span: Span): String = "${numberOf(span.from)}:${numberOf(span.to)}"

@@ -29,6 +29,7 @@ class BoardSpec : FunSpec({
         Arb.string(0..12),
         Arb.string(1..8, Codepoint.alphanumeric()),
         Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
+        Arb.element("I[0]", "I[1]", "I[2]", "I[11]", "I[01]", "I[0]/x", "I[1]/x", "I[1][0]", "[2]", "I[", "I[]", "I]0[", "I[-1]", "I[4294967297]", "I:0:"),
     )
     // Adding zero makes 0 of -0, whose sign JavaScript does not write.
     val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
@@ -121,6 +122,21 @@ class BoardSpec : FunSpec({
         val chosen = BoardGraph(1, "Arm", listOf("Arm/Angle", "Goal (deg)"), isFilled = true, yRange = Span(0.5, 90.25), height = 120)
         Board(listOf(chosen, BoardGraph(2, "Mode", listOf("Mode")))).toText() shouldBe
             "Arm/Angle,Goal+~0028deg~0029,t=Arm,f=,y=0.5:90.25,h=120;Mode"
+    }
+
+    test("the elements of an array are a range in an address") {
+        val modules = (0..3).map { "Modules[$it]/speed" }
+        val lines = modules + listOf("Currents[7]", "Currents[9]", "Currents[8]", "Mode")
+        Board(listOf(BoardGraph(1, modules[0], lines, hidden = setOf("Mode")))).toText() shouldBe
+            "Modules:0-3:/speed,Currents:7:,Currents:9:,Currents:8:,Mode,x=7"
+        for (range in listOf("3-0", "-3", "0-", "0-4000", "a", "")) {
+            shouldThrow<BoardException> { boardOfText("Modules:$range:/speed") }.message shouldBe
+                "“$range” is not a range of elements; copy the whole address again."
+        }
+    }
+
+    test("the elements of an array as links named them before they were ranges are read") {
+        boardOfText("Modules~005b0~005d/speed,Modules~005b1~005d/speed").lines() shouldBe listOf(listOf("Modules[0]/speed", "Modules[1]/speed"))
     }
 
     test("whatever is done to a board, its graphs have ids of their own, and lines, each once") {
