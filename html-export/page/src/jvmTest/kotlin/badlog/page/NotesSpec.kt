@@ -75,7 +75,7 @@ internal class NotesSpec : PageSpec({
             texts("#notes .event-go") shouldBe listOf("3.000")
             keepScreenshot("note-written")
             elements("#notes .note-tools button")[0].click()
-            texts("#note-title").single() shouldStartWith "Note at 3.0"
+            texts("#note-dialog h2").single() shouldStartWith "Note at 3.0"
             press(" again", Keys.ENTER)
             reload()
             texts("#notes .note-text") shouldBe listOf("hit by 254 again")

@@ -28,6 +28,7 @@ import badlog.page.folder.folderOf
 import badlog.page.formula.FormulaDialog
 import badlog.page.formula.FormulaGraphs
 import badlog.page.formula.Formulas
+import badlog.page.graph.GraphsInSight
 import badlog.page.graph.VisibleGraphs
 import badlog.page.header.Downloads
 import badlog.page.header.ExportMenu
@@ -39,9 +40,7 @@ import badlog.page.header.ZoomBar
 import badlog.page.header.additionProblems
 import badlog.page.header.infoSection
 import badlog.page.header.pageHeader
-import badlog.page.layout.KeptLayouts
-import badlog.page.layout.LayoutButtons
-import badlog.page.layout.LayoutDialog
+import badlog.page.layout.PageLayouts
 import badlog.page.note.NoteDialog
 import badlog.page.note.NoteList
 import badlog.page.note.PageNotes
@@ -64,12 +63,9 @@ import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn
-import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
-import badlog.viewer.choices.board.fittedTo
-import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.note.Note
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
@@ -140,11 +136,11 @@ internal class LogPage(
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
-    private val layoutDialog = LayoutDialog(KeptLayouts(), scene.notice, ::layoutNow, ::switchTo)
-    private val layouts = LayoutButtons(about.name, scene.notice, ::layoutNow, layoutDialog, ::open)
+    private val layouts = PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
-    private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.element)
+    private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
+    private val inSight = GraphsInSight { boardSection.cards + folders.cards }
     private val opened = ReaderParts(search, values, boardSection)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
@@ -169,7 +165,7 @@ internal class LogPage(
     )
 
     val element: HTMLElement = element("div", "log-page") {
-        addButton("skip", "Skip to the graphs") { skip() }
+        addButton("skip", "Skip to the graphs") { inSight.focusFirst() }
         appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
         axisChoice?.let(::appendChild)
         appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
@@ -194,7 +190,7 @@ internal class LogPage(
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
         appendChild(noteDialog.element)
-        appendChild(layoutDialog.element)
+        appendChild(layouts.dialog.element)
         appendChild(scene.notice.element)
         appendChild(live.element)
     }
@@ -216,7 +212,7 @@ internal class LogPage(
         }
         BoardDrag(board, graphs, boardSection)
         val keys = BoardKeys(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, layoutDialog, help, video, live)
+        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, layouts.dialog, help, video, live)
     }
 
     /** What stays of it when the log has grown. */
@@ -328,33 +324,15 @@ internal class LogPage(
 
     private fun linesNow() = BoardLines(formulas.view, hookGraphs)
 
-    private fun layoutNow() = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
-
-    private fun open(opened: BoardLayout) = open(opened, "Opened the layout.")
-
-    private fun switchTo(layout: BoardLayout, name: String) {
-        val others = layout.formulas.filter { nameIn(it) !in formulas.names }
-        open(BoardLayout(layout.board, formulas = others), "Layout “$name”.")
-    }
-
-    private fun open(opened: BoardLayout, said: String) {
-        val problems = formulaGraphs.addAll(opened.formulas, isRemembered = true)
-        val fitted = opened.board?.fittedTo { board.lines[it] != null }
-        board.change { fitted?.board ?: boardAbove(view, signals) }
-        opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
-        scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
-        boardSection.bringIntoSight()
-    }
-
     private fun openDropped(files: List<File>) {
-        val logs = files.filterNot { layouts.open(it) || video.open(it) }
+        val logs = files.filterNot { layouts.buttons.open(it) || video.open(it) }
         val name = OpenedLog.logsIn(logs).firstOrNull()?.fileName ?: return
         scene.notice.ask(name, "Compare with this log" to { compareBar.open(logs) }, "Open instead" to { opening.open(logs) })
     }
 
     private fun saveCopy() {
         val compared = comparison.files + compareBar.waiting
-        Promise.resolve(Unit).then { copyWith(notes.now.notes, layoutNow().toJson(), compared, comparison.removed) }
+        Promise.resolve(Unit).then { copyWith(notes.now.notes, layouts.now().toJson(), compared, comparison.removed) }
             .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
             .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }
@@ -366,7 +344,7 @@ internal class LogPage(
 
     private fun goWith(address: PageAddress) {
         if (address.board != null && address.finding == null) return boardSection.bringIntoSight()
-        showAnyGraph()
+        inSight.showAny()
         address.moment?.let { findings.visitAt(it, address.finding) }
     }
 
@@ -379,29 +357,12 @@ internal class LogPage(
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         evidence.show(place, incident, isWhole)
         values.refresh()
-        if (evidence.cards.isEmpty()) showAnyGraph()
-    }
-
-    private fun skip() {
-        val first = (boardSection.cards + folders.cards).firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
-        first.element.bringIntoSight()
-        first.focus()
-    }
-
-    /** Scrolls to the first graph if none is on the screen, so that the cursor is visible. */
-    private fun showAnyGraph() {
-        val boxes = (boardSection.cards + folders.cards).map { it.element to it.element.getBoundingClientRect() }
-            .filter { (_, box) -> box.height > 0 }
-        if (boxes.any { (_, box) -> box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE }) return
-        boxes.firstOrNull()?.first?.bringIntoSight()
+        if (evidence.cards.isEmpty()) inSight.showAny()
     }
 
     private companion object {
         /** Milliseconds between two runs of the rules over a log that is followed. */
         const val RULES_PAUSE = 400
-
-        /** The number of pixels of a graph that are enough to see its cursor. */
-        const val MIN_VISIBLE = 120
 
         /** Hardly any graph is lower than this, in pixels. */
         const val LOWEST = 100

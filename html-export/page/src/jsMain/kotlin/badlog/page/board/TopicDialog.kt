@@ -1,10 +1,8 @@
 package badlog.page.board
 
-import badlog.page.dom.Icon
+import badlog.page.dom.Dialog
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
-import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.pathGraphs
@@ -17,7 +15,6 @@ import org.w3c.dom.HTMLInputElement
 /** The dialog in which a person adds topics of the log by name to the board, or to one of its graphs. */
 internal class TopicDialog(private val scene: Scene) {
     private val board = scene.board
-    private lateinit var heading: HTMLElement
     private lateinit var input: HTMLInputElement
     private lateinit var list: HTMLElement
     private lateinit var rest: HTMLElement
@@ -25,19 +22,15 @@ internal class TopicDialog(private val scene: Scene) {
     /** The graph that topics are added to; null for graphs of their own. */
     private var graph: Int? = null
 
-    val element: HTMLElement = element("dialog", "help topic-dialog") {
-        id = "topic-dialog"
-        add("div", "help-head") {
-            heading = add("h2")
-            addIconButton("", Icon.CLOSE, "Close") { close() }
-        }
+    private val dialog = Dialog("topic-dialog", "topic-dialog") {
         add("div", "formula-body") {
             input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
             list = add("ul", "topic-list")
             rest = add("p", "unit") { setAttribute("role", "status") }
         }
-        addEventListener("click", { if (it.target == this) close() })
     }
+
+    val element: HTMLElement = dialog.element
 
     init {
         input.type = "search"
@@ -51,19 +44,14 @@ internal class TopicDialog(private val scene: Scene) {
 
     /** Opens it for the graph of the board with the id [graph], or for new graphs. */
     fun open(graph: Int? = null) {
-        if (element.hasAttribute("open")) return
+        if (dialog.isOpen) return
         this.graph = graph
         val name = board.now.graphs.find { it.id == graph }?.title
-        heading.showText(if (name == null) "Add topics to the board" else "Add topics to “$name”")
-        element.setAttribute("aria-label", heading.textContent.orEmpty())
-        element.asDynamic().showModal()
+        dialog.title = if (name == null) "Add topics to the board" else "Add topics to “$name”"
+        dialog.open()
         input.value = ""
         list()
         input.focus()
-    }
-
-    private fun close() {
-        element.asDynamic().close()
     }
 
     private fun list() {

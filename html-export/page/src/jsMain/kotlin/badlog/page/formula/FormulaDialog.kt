@@ -1,10 +1,10 @@
 package badlog.page.formula
 
+import badlog.page.dom.Dialog
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
-import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.viewer.choices.formula.Suggestions
@@ -38,13 +38,7 @@ internal class FormulaDialog(
     /** The definition that is being changed; null while a new one is added. */
     private var changed: String? = null
 
-    val element: HTMLElement = element("dialog", "help formula-dialog") {
-        id = "formula-dialog"
-        setAttribute("aria-label", "Add a formula")
-        add("div", "help-head") {
-            add("h2", "", "Add a formula")
-            addIconButton("", Icon.CLOSE, "Close") { close() }
-        }
+    private val dialog = Dialog("formula-dialog", "formula-dialog") {
         add("div", "formula-body") {
             add("p", "formula-hint", "A name, a unit in brackets if it has one, = and a calculation with topics, as in")
             add("code", "", "Power [W] = Battery Voltage * Total Current")
@@ -57,8 +51,9 @@ internal class FormulaDialog(
             pointer = add("pre", "pointer")
             own = add("ul", "formula-list")
         }
-        addEventListener("click", { if (it.target == this) close() })
     }
+
+    val element: HTMLElement = dialog.element
 
     init {
         input.id = "formula"
@@ -80,8 +75,8 @@ internal class FormulaDialog(
 
     /** Opens it. */
     fun open() {
-        if (element.hasAttribute("open")) return
-        element.asDynamic().showModal()
+        if (dialog.isOpen) return
+        dialog.open()
         listOwn()
         edit(null)
     }
@@ -93,13 +88,10 @@ internal class FormulaDialog(
             input.value = ""
         }
         changed = definition
+        dialog.title = if (definition == null) "New formula" else "Change the formula"
         submitButton.textContent = if (definition == null) "Add graph" else "Change graph"
         check(isFinal = false)
         input.focus()
-    }
-
-    private fun close() {
-        element.asDynamic().close()
     }
 
     private fun submit() {
@@ -108,7 +100,7 @@ internal class FormulaDialog(
         val replaced = changed
         input.value = ""
         changed = null
-        close()
+        dialog.close()
         if (replaced == null) onAdd(text) else onChange(replaced, text)
     }
 

@@ -1,10 +1,10 @@
 package badlog.page.layout
 
+import badlog.page.dom.Dialog
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
-import badlog.page.dom.element
 import badlog.page.view.Notice
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.keptLayoutAfter
@@ -29,21 +29,16 @@ internal class LayoutDialog(
     private lateinit var name: HTMLInputElement
     private lateinit var list: HTMLElement
 
-    val element: HTMLElement = element("dialog", "help topic-dialog") {
-        id = "layout-dialog"
-        setAttribute("aria-label", "Layouts")
-        add("div", "help-head") {
-            add("h2", "", "Layouts")
-            addIconButton("", Icon.CLOSE, "Close") { close() }
-        }
+    private val dialog = Dialog("layout-dialog", "topic-dialog", "Layouts") {
         add("div", "formula-body") {
             add("p", "unit", "This browser keeps them for all logs; ${Action.NEXT_LAYOUT.shortcut} shows the next one.")
             list = add("ul", "topic-list")
             name = add("input", "formula-input").unsafeCast<HTMLInputElement>()
             addButton("", "Keep this board", "Keep this board (Enter)") { keep() }.id = "keep-layout"
         }
-        addEventListener("click", { if (it.target == this) close() })
     }
+
+    val element: HTMLElement = dialog.element
 
     init {
         name.id = "layout-name"
@@ -63,9 +58,9 @@ internal class LayoutDialog(
 
     /** Opens it. */
     fun open() {
-        if (element.hasAttribute("open")) return
+        if (dialog.isOpen) return
         list()
-        element.asDynamic().showModal()
+        dialog.open()
         name.value = kept.shown.orEmpty()
         name.focus()
         // Typing another name keeps another layout.
@@ -90,11 +85,7 @@ internal class LayoutDialog(
         if (wanted.isEmpty()) return name.focus()
         val isKept = kept.keep(wanted, layoutNow())
         notice.say(if (isKept) "Kept as “$wanted”." else "This browser does not let the page keep layouts; download it instead.")
-        close()
-    }
-
-    private fun close() {
-        element.asDynamic().close()
+        dialog.close()
     }
 
     private fun list() {
@@ -102,7 +93,7 @@ internal class LayoutDialog(
         for (each in kept.names) {
             list.add("li") {
                 addButton("text-button", each) {
-                    close()
+                    dialog.close()
                     switchTo(each)
                 }.setAttribute("aria-pressed", (each == kept.shown).toString())
                 addIconButton("", Icon.CLOSE, "Remove “$each”") {

@@ -1,9 +1,9 @@
 package badlog.page.note
 
+import badlog.page.dom.Dialog
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.viewer.choices.note.Note
@@ -15,7 +15,6 @@ import org.w3c.dom.events.KeyboardEvent
 
 /** The dialog in which a person writes and changes [notes], and the button that opens it. */
 internal class NoteDialog(private val scene: Scene, private val notes: PageNotes) {
-    private lateinit var heading: HTMLElement
     private lateinit var text: HTMLTextAreaElement
 
     val button: HTMLElement = element("div", "formula-button") {
@@ -27,23 +26,18 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
         }
     }
 
-    val element: HTMLElement = element("dialog", "help note-dialog") {
-        id = "note-dialog"
-        setAttribute("aria-labelledby", "note-title")
-        add("div", "help-head") {
-            heading = add("h2") { id = "note-title" }
-            addIconButton("", Icon.CLOSE, "Close") { close() }
-        }
+    private val dialog = Dialog("note-dialog", "note-dialog") {
         add("div", "formula-body") {
             text = add("textarea", "note-entry").unsafeCast<HTMLTextAreaElement>()
             add("div", "note-actions") {
                 addButton("", "Save note", "Save the note (Enter)") { save() }.id = "save-note"
             }
         }
-        addEventListener("click", { if (it.target == this) close() })
         // By the browser's own Escape, too.
         addEventListener("close", { notes.change { cancelled() } })
     }
+
+    val element: HTMLElement = dialog.element
 
     init {
         text.rows = 3
@@ -65,22 +59,18 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
     fun edit(note: Note) = open { changing(note) }
 
     private fun open(begin: Notebook.() -> Notebook) {
-        if (element.hasAttribute("open")) return
+        if (dialog.isOpen) return
         notes.change(begin)
         val draft = notes.now.draft ?: return
         if (draft.replaced == null) notes.now.fullness?.let { return scene.notice.say(it) }
-        heading.textContent = "Note at ${scene.xText(draft.x)}"
+        dialog.title = "Note at ${scene.xText(draft.x)}"
         text.value = draft.text
-        element.asDynamic().showModal()
+        dialog.open()
         text.focus()
     }
 
     private fun save() {
         notes.change { typed(text.value).kept() }
-        close()
-    }
-
-    private fun close() {
-        element.asDynamic().close()
+        dialog.close()
     }
 }

@@ -6,9 +6,9 @@ import badlog.rules.RuleSet
 import badlog.rules.over
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
-import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.foundIn
 import kotlin.js.Promise
 
 /** Finds out what lists show of logs: what they hold, and what [rules] find in them. Used in a worker, or on the page if there is none. */
@@ -23,14 +23,10 @@ internal class LogExamination(private val rules: RuleSet) {
         if (!known.isGray) onKnown(known.with(summary, found(view, name)))
     }
 
-    private fun found(view: LogView, name: String) = LogFound(
-        0,
-        try {
-            rules.over(view, name, isEverywhere = true).findings.map { FoundRule(it.rule, it.severity) }
-                .sortedByDescending { it.severity }.distinctBy { it.name }
-        } catch (problem: Throwable) {
-            console.error(problem)
-            null
-        },
-    )
+    private fun found(view: LogView, name: String) = try {
+        rules.foundIn(rules.over(view, name, isEverywhere = true).findings, key = 0)
+    } catch (problem: Throwable) {
+        console.error(problem)
+        LogFound(0, null)
+    }
 }

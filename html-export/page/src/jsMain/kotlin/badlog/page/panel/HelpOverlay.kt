@@ -1,9 +1,7 @@
 package badlog.page.panel
 
-import badlog.page.dom.Icon
+import badlog.page.dom.Dialog
 import badlog.page.dom.add
-import badlog.page.dom.addIconButton
-import badlog.page.dom.element
 import badlog.viewer.input.Action
 import badlog.viewer.input.GRAPH_GESTURES
 import badlog.viewer.input.HelpLine
@@ -12,18 +10,12 @@ import org.w3c.dom.HTMLElement
 
 /** The keys and gestures, in a dialog. */
 internal class HelpOverlay {
-    val element: HTMLElement = element("dialog", "help") {
-        id = "help"
-        setAttribute("aria-label", "Keys and gestures")
-        // A click on the dialog itself is outside its content.
-        addEventListener("click", { if (it.target == this) close() })
-    }
+    private val dialog = Dialog("help", title = "Keys and gestures") {}
+    private var hasContent = false
+
+    val element: HTMLElement = dialog.element
 
     private fun HTMLElement.addContent() {
-        add("div", "help-head") {
-            add("h2", "", "Keys and gestures")
-            addIconButton("", Icon.CLOSE, "Close") { close() }
-        }
         val lines = GRAPH_GESTURES + Action.entries.map { it.help } + OTHERS + SEARCH_HELP
         for ((group, ofGroup) in lines.groupBy { it.group }) {
             add("h3", "", group)
@@ -38,12 +30,10 @@ internal class HelpOverlay {
 
     /** Opens or closes it. */
     fun toggle() {
-        if (element.firstChild == null) element.addContent()
-        if (element.hasAttribute("open")) close() else element.asDynamic().showModal()
-    }
-
-    private fun close() {
-        element.asDynamic().close()
+        if (dialog.isOpen) return dialog.close()
+        if (!hasContent) element.addContent()
+        hasContent = true
+        dialog.open()
     }
 
     private companion object {

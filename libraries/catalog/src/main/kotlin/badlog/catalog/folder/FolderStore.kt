@@ -9,9 +9,9 @@ import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
 import badlog.rules.toJson
 import badlog.signals.vocabulary.toJson
-import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.foundIn
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.time.Duration.Companion.seconds
@@ -93,12 +93,5 @@ internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) 
     fun found(file: LogFile): LogFound? = results?.get(file)?.let(::foundIn)
 
     /** Returns what they found in [log]. */
-    fun foundIn(log: ExaminedLog): LogFound = LogFound(
-        key,
-        if (log.unreadable != null) {
-            null
-        } else {
-            log.findings.map { FoundRule(it.rule, it.severity) }.sortedByDescending { it.severity }.distinctBy { it.name }
-        },
-    )
+    fun foundIn(log: ExaminedLog): LogFound = if (log.unreadable == null) rules.foundIn(log.findings, key) else LogFound(key, null)
 }

@@ -1,14 +1,22 @@
 package badlog.viewer.catalog
 
 import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.RuleSet
+import badlog.rules.incident.Incident
+import badlog.rules.incident.incidentsIn
+import badlog.viewer.text.minutesText
+import badlog.viewer.text.roundedText
+import badlog.viewer.text.withUnit
 
 /**
  * What the rules found in a log of the folder.
  *
  * @property key identifies the rules that were run; with other rules, they are run again.
  * @property rules those that found something, each once, the worst first; null if they could not be run.
+ * @property verdict what to say of the log first; null if there is nothing worse than a note.
  */
-data class LogFound(val key: Int, val rules: List<FoundRule>?) {
+data class LogFound(val key: Int, val rules: List<FoundRule>?, val verdict: Verdict? = null) {
     /** The worst severity; null if nothing was found. */
     val worst: Severity? get() = rules?.maxOfOrNull { it.severity }
 
@@ -18,3 +26,36 @@ data class LogFound(val key: Int, val rules: List<FoundRule>?) {
 
 /** A rule that found something. */
 data class FoundRule(val name: String, val severity: Severity)
+
+/**
+ * What rules say of a log first, for those who have only a moment.
+ *
+ * @property severity how serious it is.
+ * @property headline what happened and when, without a full stop: `Browned out at 1:33`.
+ * @property sentences what led to it and what followed, in order; at least one.
+ * @property next what to look at next, as a sentence; empty if not known.
+ */
+data class Verdict(val severity: Severity, val headline: String, val sentences: List<String>, val next: String)
+
+/** Returns what lists show of [findings], which these rules have found in a log; [key] identifies the rules. */
+fun RuleSet.foundIn(findings: List<Finding>, key: Int): LogFound {
+    val worst = findings.maxOfOrNull { it.severity } ?: return LogFound(key, emptyList())
+    // A worse finding that belongs to no incident comes before an incident.
+    val incident = incidentsIn(findings).firstOrNull()?.takeIf { it.severity == worst }
+    val first = incident?.worst ?: findings.first { it.severity == worst }
+    val rules = (listOf(first) + findings).map { FoundRule(it.rule, it.severity) }.sortedByDescending { it.severity }.distinctBy { it.name }
+    return LogFound(key, rules, if (worst == Severity.NOTE) null else verdictOf(first, incident))
+}
+
+private fun verdictOf(first: Finding, incident: Incident?) = Verdict(
+    first.severity,
+    if (first.time.isNaN()) first.rule else "${first.rule} at ${timeText(first)}",
+    incident?.sentences?.map { it.text } ?: listOf(first.text),
+    incident?.next?.ifEmpty { null } ?: first.next,
+)
+
+/** The worst of its findings, of several the one that came first. */
+private val Incident.worst: Finding get() = (causes + effects).filter { it.severity == severity }.minBy { if (it.time.isNaN()) Double.MAX_VALUE else it.time }
+
+private fun timeText(finding: Finding) =
+    secondsOf(finding.time, finding.timeUnit)?.let { minutesText(it, decimals = 0) } ?: withUnit(roundedText(finding.time), finding.timeUnit)

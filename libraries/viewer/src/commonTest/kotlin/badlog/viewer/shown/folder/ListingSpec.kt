@@ -21,7 +21,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.checkAll
 
-private data class AnyLog(
+internal data class AnyLog(
     override val path: String,
     override val summary: LogSummary,
     override val found: LogFound?,

@@ -1,0 +1,48 @@
+package badlog.page.layout
+
+import badlog.page.formula.FormulaGraphs
+import badlog.page.formula.Formulas
+import badlog.page.view.Scene
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardLayout
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.formula.nameIn
+
+/**
+ * The board, with the formulas, as a layout that is kept, downloaded, opened and switched to.
+ *
+ * @param log the name of the log's file.
+ * @param startBoard returns the graphs that the log begins with.
+ * @param onOpen called when a layout is shown.
+ */
+internal class PageLayouts(
+    private val scene: Scene,
+    private val formulas: Formulas,
+    private val graphs: FormulaGraphs,
+    log: String,
+    private val startBoard: () -> Board,
+    private val onOpen: () -> Unit,
+) {
+    private val board = scene.board
+
+    val dialog: LayoutDialog = LayoutDialog(KeptLayouts(), scene.notice, ::now, ::switchTo)
+
+    val buttons: LayoutButtons = LayoutButtons(log, scene.notice, ::now, dialog) { open(it, "Opened the layout.") }
+
+    /** What is shown, as a layout. */
+    fun now(): BoardLayout = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
+
+    private fun switchTo(layout: BoardLayout, name: String) {
+        val others = layout.formulas.filter { nameIn(it) !in formulas.names }
+        open(BoardLayout(layout.board, formulas = others), "Layout “$name”.")
+    }
+
+    private fun open(opened: BoardLayout, said: String) {
+        val problems = graphs.addAll(opened.formulas, isRemembered = true)
+        val fitted = opened.board?.fittedTo { board.lines[it] != null }
+        board.change { fitted?.board ?: startBoard() }
+        opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
+        scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
+        onOpen()
+    }
+}

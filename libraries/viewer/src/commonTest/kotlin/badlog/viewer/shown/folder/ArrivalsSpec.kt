@@ -1,0 +1,70 @@
+package badlog.viewer.shown.folder
+
+import badlog.core.recording.Severity
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FoundRule
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.Verdict
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class ArrivalsSpec : FunSpec({
+    val date = LogDate(0, DateSource.VALUES)
+    val summary = LogSummary(date = date, content = Content.SOMETHING)
+    val nothing = LogFound(0, emptyList())
+
+    fun log(path: String, size: Long = 1000, found: LogFound? = nothing, modified: Long = 0, of: LogSummary = summary) =
+        AnyLog(path, of, found, size, modified)
+
+    fun Arrivals<AnyLog>.paths() = waiting.map { it.path }
+    val opened = Arrivals<AnyLog>().knowing(listOf(log("a.bag"), log("b.bag", found = null)))
+
+    test("what was in the folder before, did not arrive, even if the rules run over it only now") {
+        opened.paths() shouldBe emptyList()
+        opened.knowing(listOf(log("a.bag"), log("b.bag"))).paths() shouldBe emptyList()
+    }
+
+    test("a log arrives when the rules have run over it, and waits until somebody deals with it") {
+        val copied = opened.knowing(listOf(log("a.bag"), log("c.bag", found = null)))
+        copied.paths() shouldBe emptyList()
+        val complete = copied.knowing(listOf(log("a.bag"), log("c.bag")))
+        complete.latest?.path shouldBe "c.bag"
+        complete.knowing(listOf(log("a.bag"), log("c.bag"), log("d.bag", modified = 1))).paths() shouldBe listOf("c.bag", "d.bag")
+        complete.dealtWith().knowing(listOf(log("a.bag"), log("c.bag"))).paths() shouldBe emptyList()
+    }
+
+    test("a log that was being written arrives when it has grown and ended, once") {
+        val grown = opened.knowing(listOf(log("a.bag", size = 2000, found = null)))
+        grown.paths() shouldBe emptyList()
+        val ended = grown.knowing(listOf(log("a.bag", size = 3000)))
+        ended.paths() shouldBe listOf("a.bag")
+        ended.knowing(listOf(log("a.bag", size = 4000))).waiting.map { it.size } shouldBe listOf(4000L)
+    }
+
+    test("a log that is removed does not wait any more, and one over which other rules run says what they find") {
+        val arrived = opened.knowing(listOf(log("c.bag"), log("d.bag", modified = 1)))
+        val otherwise = LogFound(1, listOf(FoundRule("Hot motor", Severity.WARNING)))
+        val after = arrived.knowing(listOf(log("d.bag", found = otherwise, modified = 1)))
+        after.waiting.single().found shouldBe otherwise
+    }
+
+    test("idle logs and files that cannot be read do not arrive") {
+        val idle = log("idle.bag", of = LogSummary(date = date, content = Content.NO_SAMPLES))
+        val broken = log("broken.bag", of = LogSummary.unreadable("broken.bag", 0, "It cannot be read."))
+        opened.knowing(listOf(idle, broken)).paths() shouldBe emptyList()
+    }
+
+    test("the sentence says which match it is, how bad it is, and what happened") {
+        val match = LogSummary(MatchOfLog(null, "Qualification", "78"), date, content = Content.SOMETHING)
+        val rules = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Hot motor", Severity.WARNING), FoundRule("Loop overrun", Severity.WARNING))
+        val found = LogFound(0, rules, Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), ""))
+        arrivalText(log("a.bag", found = found, of = match)) shouldBe
+            "Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33."
+        arrivalText(log("a.bag"), others = 2) shouldBe "a.bag arrived: no errors, no warnings. 2 other logs arrived before."
+        arrivalText(log("a.bag", found = LogFound(0, null))) shouldBe "a.bag arrived: the rules could not be run over it."
+    }
+})

@@ -1,0 +1,44 @@
+package badlog.viewer.catalog
+
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import badlog.rules.BUILT_IN
+import badlog.rules.Finding
+import badlog.rules.RuleSet
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class LogFoundSpec : FunSpec({
+    fun finding(rule: String, severity: Severity, from: Double, topic: String? = null, unit: String = "s", next: String = "") =
+        Finding(rule, severity, topic, "$rule.", from, listOf(Span(from, from + 2)), 1, unit, next = next)
+
+    fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN.foundIn(findings.toList(), 7).verdict
+
+    test("the verdict is the worst of the worst incident, when it happened, and how it came about") {
+        val left = finding("Motor stalled", Severity.WARNING, 92.0, "Drive/Left/Output")
+        val right = finding("Motor stalled", Severity.WARNING, 92.1, "Drive/Right/Output")
+        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), left, right, finding("Browned out", Severity.ERROR, 93.4)), 7)
+        found.verdict!!.headline shouldBe "Browned out at 1:33"
+        found.verdict.severity shouldBe Severity.ERROR
+        found.verdict.sentences.first() shouldBe "Likely cause: the robot pushed against something that did not move. Motor stalled."
+        found.rules!!.map { it.name } shouldBe listOf("Browned out", "CAN errors", "Motor stalled")
+        found.key shouldBe 7
+    }
+
+    test("a finding that belongs to no incident is the verdict if it is worse than every incident") {
+        val stalled = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 20.0, it) }
+        val alone = finding("Team rule", Severity.ERROR, 5.0, next = "Ask Ada.")
+        verdict(*stalled.toTypedArray(), alone) shouldBe Verdict(Severity.ERROR, "Team rule at 0:05", listOf("Team rule."), "Ask Ada.")
+    }
+
+    test("what is about the whole log has no time, and a time that is not in seconds keeps its unit") {
+        val whole = Finding("Weak battery", Severity.WARNING, null, "Weak.", Double.NaN, emptyList(), 1, "s")
+        verdict(whole)!!.headline shouldBe "Weak battery"
+        verdict(finding("Jump", Severity.WARNING, 12.0, unit = "m"))!!.headline shouldBe "Jump at 12 m"
+    }
+
+    test("notes alone, or nothing, are no verdict") {
+        verdict(finding("Note", Severity.NOTE, 3.0)) shouldBe null
+        RuleSet.BUILT_IN.foundIn(emptyList(), 7) shouldBe LogFound(7, emptyList())
+    }
+})
