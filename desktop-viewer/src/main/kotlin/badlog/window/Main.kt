@@ -7,7 +7,7 @@ import badlog.window.app.ViewerWindow
 import badlog.window.app.opensClickedFiles
 import java.nio.file.Path
 
-/** Opens the window with the folder or file named in [args], or otherwise with the last folder. */
+/** Opens the window with the folder or file named in [args], or otherwise with the last folder; with [StartPlace.PIT], in the pit view. */
 fun main(args: Array<String>) {
     val samples = System.getProperty("badlog.samples")?.let(Path::of)
     application {
@@ -15,7 +15,7 @@ fun main(args: Array<String>) {
             folders = UserFolders.ofSystem(),
             start = { viewer ->
                 opensClickedFiles(viewer.loader)
-                StartPlace.of(args.firstOrNull(), viewer.settings.state, samples)
+                StartPlace.of(args, viewer.settings.state, samples)
             },
         )
     }

@@ -25,11 +25,17 @@ internal class OpenCommand(private val computer: Computer) :
     private val isBrowser by option("--browser").flag()
         .help("Open ${EmptyPage.NAME}, a page that opens any logs and folders.")
 
-    override val examples: List<String> = listOf("open match.bag", "open logs", "open match.bag --page", "open --browser")
+    private val isPit by option(
+        "--pit",
+    ).flag().help("Open the window with the pit view: the last log and what is wrong in it, in large letters.")
+
+    override val examples: List<String> =
+        listOf("open match.bag", "open logs", "open match.bag --page", "open --browser", "open logs --pit")
 
     override fun makeTask(): Task {
         if (isBrowser && paths.size < 2) return OpenBrowserTask(paths.singleOrNull(), computer, isJson)
         val path = paths.singleOrNull() ?: throw UsageError("name one log or one folder to open")
-        return OpenTask(path, isPage, computer, isJson)
+        if (isPit && isPage) throw UsageError("name --page or --pit: the pit view is a part of the window")
+        return OpenTask(path, isPage, isPit, computer, isJson)
     }
 }

@@ -21,9 +21,15 @@ import kotlin.io.path.div
  * Opens [path] in the window of [computer], or the page of its newest log in the browser.
  *
  * @param isPage whether to always open the page.
+ * @param isPit whether to open the window's pit view.
  */
-internal class OpenTask(private val path: Path, private val isPage: Boolean, private val computer: Computer, private val isJson: Boolean) :
-    Task {
+internal class OpenTask(
+    private val path: Path,
+    private val isPage: Boolean,
+    private val isPit: Boolean,
+    private val computer: Computer,
+    private val isJson: Boolean,
+) : Task {
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("open", console, isJson)
         if (Files.exists(path)) open(outcomes, console) else outcomes.failed(path, "There is no file or folder $path; check the spelling.")
@@ -34,10 +40,17 @@ internal class OpenTask(private val path: Path, private val isPage: Boolean, pri
         // The window would read the standard input's file when that is gone; a page has it inside.
         val window = if (isPage || console.isStandIn(path)) null else computer.window()
         if (window != null) {
-            if (computer.start(listOf(window.toString(), path.toAbsolutePath().normalize().toString()))) {
+            val program = listOf(window.toString(), path.toAbsolutePath().normalize().toString())
+            if (computer.start(if (isPit) program + "--pit" else program)) {
                 return outcomes.opened(path, "window", "Opened $path in the window.")
             }
-            console.warn("The window, $window, cannot be started; opening the page instead.")
+            if (!isPit) console.warn("The window, $window, cannot be started; opening the page instead.")
+        }
+        if (isPit) {
+            return outcomes.failed(
+                path,
+                "The pit view is a part of the window, which cannot be started; “badlog doctor” says whether it is installed.",
+            )
         }
         openPage(outcomes, console)
     }

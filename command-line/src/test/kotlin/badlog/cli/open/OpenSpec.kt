@@ -46,6 +46,19 @@ class OpenSpec : FunSpec({
         }
     }
 
+    test("the window opens with the pit view, which no page replaces") {
+        inFolder { folder ->
+            val log = folder.with("logs/a.bag", BAG)
+            val desk = Desk(folder, hasWindow = true)
+            desk.open(log.parent, "--pit").code shouldBe ExitCode.WHOLE
+            desk.started shouldBe listOf(listOf("${desk.window}", "${log.parent}", "--pit"))
+            desk.open(log.parent, "--pit", "--page").code shouldBe ExitCode.USAGE
+            val without = Desk(folder, hasWindow = false)
+            without.open(log.parent, "--pit").err shouldContain "The pit view is a part of the window, which cannot be started"
+            without.started.shouldBeEmpty()
+        }
+    }
+
     test("without the window, the page of the newest log opens in the browser, and nothing is written beside the logs") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = false)

@@ -7,6 +7,7 @@ import badlog.window.export.EXPORT_PAGE
 import badlog.window.export.PageSaver
 import badlog.window.export.figure.FigureSaver
 import badlog.window.folder.Library
+import badlog.window.folder.SHOW_KEY
 import badlog.window.formula.FormulaStore
 import badlog.window.layout.LayoutFiles
 import badlog.window.layout.SAVE_LAYOUT
@@ -49,14 +50,18 @@ private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
 private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)
 
 /** Returns the keys for the folder of logs. */
-internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener): List<Command> = listOf(
+internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener, showNewLog: () -> Unit): List<Command> = listOf(
     Command("Logs", "Open a folder of logs", listOf(KeyPress(Key.O, "O", ctrl = true))) { opener.askForFolder() },
     Command("Logs", "Open a log", listOf(KeyPress(Key.O, "O", ctrl = true, shift = true))) { opener.askForLog() },
     Command("Logs", "Open the previous log of the list", listOf(KeyPress(Key.PageUp, "Page up"))) { opener.step(-1) },
     Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
+    Command("Logs", "Show the log that arrived last, and the worst in it", listOf(KeyPress(Key.A, SHOW_KEY)), showNewLog),
     Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
     Command("Logs", "Show or hide the table of logs", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
     Command("Logs", "Show or hide charts of the listed logs", listOf(KeyPress(Key.C, "C"))) { panels.change { toggled(MainView.CHARTS) } },
+    Command("Logs", "Pit view: the last logs in large letters, or the graphs", listOf(KeyPress(Key.I, "I"))) {
+        panels.change { toggled(MainView.PIT) }
+    },
 )
 
 /** Returns the keys for the list of topics. */

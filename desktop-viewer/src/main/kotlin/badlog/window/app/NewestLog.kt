@@ -40,6 +40,9 @@ internal class NewestLog(
         keptUntil = millis
     }
 
+    /** Returns whether [file] was opened here, and not by a person. */
+    fun hasShown(file: Path): Boolean = file == shown
+
     /** Shows it whenever there is a newer one, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         since = TimeSource.Monotonic.markNow()

@@ -1,10 +1,14 @@
 package badlog.window.app
 
+import androidx.compose.runtime.snapshotFlow
 import badlog.window.folder.Library
 import badlog.window.layout.LayoutStore
 import badlog.window.log.RecordingLoader
 import badlog.window.settings.Settings
+import badlog.window.sidebar.MainView
+import badlog.window.sidebar.WindowPanels
 import badlog.window.task.Notices
+import kotlinx.coroutines.flow.first
 import java.awt.Desktop
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
@@ -16,9 +20,17 @@ import java.nio.file.Path
  * @property folder the folder whose logs it lists, or null.
  * @property file the log it shows, or null for the newest of [folder].
  * @property complaint why it is not what was requested, as a sentence, or null.
+ * @property isPit whether it begins with the pit view.
  */
-internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?) {
+internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?, val isPit: Boolean = false) {
     companion object {
+        /** What a person writes, besides the folder, to begin with the pit view. */
+        const val PIT: String = "--pit"
+
+        /** Returns what [arguments] name, see the other function, and whether to begin with the pit view. */
+        fun of(arguments: Array<String>, settings: Settings, samples: Path?): StartPlace =
+            of(arguments.firstOrNull { it != PIT }, settings, samples).copy(isPit = PIT in arguments)
+
         /**
          * Returns what [argument] names, a folder or a file; without it, the last folder, or [samples] at the first start.
          * Anything that no longer exists is skipped.
@@ -59,6 +71,12 @@ internal fun openFirst(
     val last = if (start.file == null) start.folder?.let(layouts::lastOpenIn) else null
     last?.let { newest.keep(it.file, it.millis) }
     (start.file ?: last?.file)?.let { loader.open(it) }
+}
+
+/** Shows the pit view as soon as the folder is known: what was open there last is restored before that. */
+internal suspend fun beginWithPit(library: Library, panels: WindowPanels) {
+    snapshotFlow { library.state.hasLooked }.first { it }
+    panels.change { copy(main = MainView.PIT) }
 }
 
 /** On a Mac, a double-clicked file is sent as a message to the running program. */

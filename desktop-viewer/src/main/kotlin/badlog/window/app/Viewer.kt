@@ -25,6 +25,7 @@ import badlog.window.files.sayNoLog
 import badlog.window.findings.LogFindings
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
+import badlog.window.folder.NewLogs
 import badlog.window.formula.FormulaStore
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.graphCommands
@@ -66,6 +67,7 @@ import badlog.window.welcome.SampleLog
 import badlog.window.welcome.WelcomeActions
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import java.awt.Toolkit
 import java.nio.file.Path
 
 /**
@@ -147,6 +149,7 @@ internal class Viewer(
         robots,
     )
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
+    val newLogs: NewLogs = NewLogs(library, current, settings, newest::hasShown, ring = { Toolkit.getDefaultToolkit().beep() })
     val logActions = LibraryActions(
         open = opener::open,
         openInGraphs = ::openInGraphs,
@@ -158,6 +161,7 @@ internal class Viewer(
         closeLog = ::closeLog,
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
         toggleCharts = { panels.change { toggled(MainView.CHARTS) } },
+        togglePit = { panels.change { toggled(MainView.PIT) } },
         showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
@@ -170,6 +174,7 @@ internal class Viewer(
             library,
             panels,
             opener,
+            ::showNewLog,
         ) + topicCommands(topics, panels) + actionCommands(actions::perform) +
             graphCommands(
                 view,
@@ -192,6 +197,7 @@ internal class Viewer(
         scope.launch { video.run() }
         scope.launch { settings.autosave() }
         scope.launch { newest.run() }
+        scope.launch { newLogs.run() }
     }
 
     /** Shows [recording], which was just read, in one step for all observers. */
@@ -249,6 +255,11 @@ internal class Viewer(
         if (!entry.isReadable) return
         panels.change { copy(main = MainView.GRAPHS, inspector = InspectorTab.FINDINGS) }
         findings.showWorst(entry.file)
+    }
+
+    /** Shows the log that arrived last, and the worst in it. */
+    fun showNewLog() {
+        newLogs.takeLatest()?.let(::openFindings)
     }
 
     private suspend fun awaitDrawn() {

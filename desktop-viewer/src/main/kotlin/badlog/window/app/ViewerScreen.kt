@@ -18,12 +18,14 @@ import badlog.viewer.input.SEARCH_HELP
 import badlog.window.charts.ChartsPane
 import badlog.window.compare.CompareBar
 import badlog.window.export.ExportMenu
+import badlog.window.folder.ArrivalBar
 import badlog.window.folder.LibraryPane
 import badlog.window.folder.LogTable
 import badlog.window.folder.ShownLogs
 import badlog.window.formula.FormulaDialog
 import badlog.window.graph.GraphPane
 import badlog.window.layout.LayoutMenu
+import badlog.window.pit.PitPane
 import badlog.window.settings.PaneWidths
 import badlog.window.settings.SettingsStore
 import badlog.window.sidebar.FrontPart
@@ -50,6 +52,8 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         LayoutMenu(current, layouts, keptLayouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
+                    // The pit view shows new logs by itself.
+                    if (panels.state.main != MainView.PIT) ArrivalBar(newLogs, ::showNewLog)
                     Box(Modifier.weight(1f).fillMaxWidth()) {
                         Body(panels.state, isNarrow, isWithoutLogs, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
                         val open = current.recording
@@ -107,7 +111,7 @@ private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, sett
 
 @Composable
 private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: Panes) {
-    val hasLogs = panels.library && panels.main != MainView.LOGS && panels.main != MainView.CHARTS
+    val hasLogs = panels.library && (panels.main == MainView.GRAPHS || panels.main == MainView.STATISTICS)
     val hasTopics = panels.topics && panels.main == MainView.GRAPHS
     val hasDetails = panels.inspector != null && panels.main == MainView.GRAPHS
     val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
@@ -152,6 +156,8 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())
 
             MainView.CHARTS -> ChartsPane(charts, library, settings, logActions, Modifier.fillMaxSize())
+
+            MainView.PIT -> PitPane(library, logActions, Modifier.fillMaxSize())
 
             MainView.STATISTICS -> StatisticsTable(
                 statistics,

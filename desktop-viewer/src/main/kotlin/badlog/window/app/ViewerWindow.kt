@@ -66,7 +66,11 @@ internal fun ApplicationScope.ViewerWindow(
     }
     LaunchedEffect(viewer) {
         viewer.start()
-        viewer.scope.launch { with(viewer) { openFirst(start(this), library, layouts, newest, loader, notices) } }
+        viewer.scope.launch {
+            val first = start(viewer)
+            with(viewer) { openFirst(first, library, layouts, newest, loader, notices) }
+            if (first.isPit) beginWithPit(viewer.library, viewer.panels)
+        }
         endWhenStuck(failures, isInSight = { !place.isMinimized }) {
             saveAll()
             exitApplication()

@@ -16,6 +16,7 @@ import java.nio.file.Path
  * @property closeLog closes the open log.
  * @property toggleTable shows all logs as a table, or the graphs again.
  * @property toggleCharts shows charts of the listed logs, or the graphs again.
+ * @property togglePit shows the last logs in large letters, or the graphs again.
  * @property showGraphs shows the graphs again.
  */
 internal class LibraryActions(
@@ -29,6 +30,7 @@ internal class LibraryActions(
     val closeLog: () -> Unit,
     val toggleTable: () -> Unit,
     val toggleCharts: () -> Unit,
+    val togglePit: () -> Unit,
     val showGraphs: () -> Unit,
 )
 

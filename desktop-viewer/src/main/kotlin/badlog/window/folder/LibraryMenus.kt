@@ -60,6 +60,16 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
                 actions.closeLog()
             }
         }
+        if (folder != null) {
+            HorizontalDivider()
+            MenuLine("Pit view (I)") {
+                isOpen = false
+                actions.togglePit()
+            }
+            MenuLine("Sound when a log arrives", Icons.Check.takeIf { settings.state.ringsForLogs }) {
+                settings.change { copy(ringsForLogs = !ringsForLogs) }
+            }
+        }
         val others = settings.state.recentFolders.filter { it != folder?.toString() }
         if (others.isNotEmpty()) HorizontalDivider()
         for (recent in others) {

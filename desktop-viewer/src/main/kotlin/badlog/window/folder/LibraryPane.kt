@@ -36,6 +36,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.shown.folder.Listing
+import badlog.viewer.shown.folder.sameMatches
 import badlog.window.robot.RobotBar
 import badlog.window.robot.RobotLink
 import badlog.window.settings.SettingsStore
@@ -76,6 +77,7 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
     val visible = library.state.visible
     val topic = settings.state.previewTopic
     val previews = remember(visible, topic) { Previews(visible, topic) }
+    val ofOneMatch = remember(visible) { sameMatches(visible) }
     val list = rememberLazyListState()
     StayAtTop(list, visible)
     KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
@@ -88,6 +90,7 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
                     isOpen = shown.open == entry.file,
                     isSelected = library.state.selected == entry.file,
                     isChecked = entry.file in shown.checked,
+                    isOneOfMatch = entry.path in ofOneMatch,
                     onOpen = { actions.open(entry) },
                     onCheck = { actions.check(entry.file) },
                 )

@@ -35,15 +35,17 @@ internal data class LibraryState(
     val visible: List<LogEntry> get() = listing.visible
 
     /**
-     * The log that began last, of those that are not idle, or else of all readable ones; null if there are none. A table of
-     * numbers counts only if there is no robot's log: it may be of anything, and usually only its file's time shows its age.
+     * The readable logs of robots, in no particular order. Tables of numbers count only if there is no other log: they may be of anything, and
+     * usually only the file's time shows how old they are.
      */
-    val newest: LogEntry?
+    val ofRobots: List<LogEntry>
         get() {
             val readable = entries.filter { it.isReadable }
-            val logs = readable.filter { LogName.of(it.fileName).isOnlyOfLogs }.ifEmpty { readable }
-            return logs.filter { !it.isGray }.maxWithOrNull(AGE) ?: logs.maxWithOrNull(AGE)
+            return readable.filter { LogName.of(it.fileName).isOnlyOfLogs }.ifEmpty { readable }
         }
+
+    /** The log that began last, of those that are not idle, or else of all readable ones; null if there are none. */
+    val newest: LogEntry? get() = ofRobots.filter { !it.isGray }.maxWithOrNull(AGE) ?: ofRobots.maxWithOrNull(AGE)
 
     /** Whether there is certainly no log to show: no folder is open, or the one that is open has been read and has no logs. */
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)

@@ -41,10 +41,14 @@ import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.shown.folder.batteryText
 import badlog.viewer.shown.folder.durationText
+import badlog.viewer.shown.folder.foundLines
+import badlog.viewer.shown.folder.foundText
 import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
 import badlog.viewer.shown.folder.problemText
 import badlog.viewer.text.dateText
+import badlog.window.findings.findingColor
+import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
@@ -58,6 +62,7 @@ internal fun LogRow(
     isOpen: Boolean,
     isSelected: Boolean,
     isChecked: Boolean,
+    isOneOfMatch: Boolean,
     onOpen: () -> Unit,
     onCheck: () -> Unit,
 ) {
@@ -80,7 +85,7 @@ internal fun LogRow(
         }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-                Text(rowTitle(entry, palette), Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.Ellipsis)
+                Text(rowTitle(entry, isOneOfMatch, palette), Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.Ellipsis)
                 AllianceMark(entry)
                 ProblemBadge(entry)
             }
@@ -94,6 +99,7 @@ internal fun LogRow(
                     overflow = TextOverflow.Ellipsis,
                 )
             }
+            FoundLine(entry)
             RowPreview(entry, previews, palette)
         }
     }
@@ -107,11 +113,37 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
     PreviewCurve(topic, range, color, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
 }
 
-private fun rowTitle(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {
+/** The worst that the rules found; empty if that is no more than a note. */
+@Composable
+private fun FoundLine(entry: LogEntry) {
+    val verdict = entry.found?.verdict ?: return
+    val palette = LocalPalette.current
+    val color = palette.findingColor(verdict.severity)
+    Tip(foundLines(entry)) {
+        Row(
+            Modifier.semantics { contentDescription = "${verdict.severity.word}: ${foundText(entry)}" },
+            Arrangement.spacedBy(4.dp),
+            Alignment.CenterVertically,
+        ) {
+            Icon(Icons.Diamond, contentDescription = null, Modifier.size(11.dp), color)
+            Text(
+                foundText(entry).orEmpty(),
+                color = color,
+                fontSize = 12.sp,
+                lineHeight = 16.sp,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+    }
+}
+
+private fun rowTitle(entry: LogEntry, isOneOfMatch: Boolean, palette: Palette): AnnotatedString = buildAnnotatedString {
     val color = if (entry.isGray) palette.muted else palette.text
     val weight = if (entry.isGray) FontWeight.Normal else FontWeight.SemiBold
     withStyle(SpanStyle(color, fontWeight = weight)) { append(entry.title) }
-    if (entry.summary.match.match != null) entry.summary.match.event?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
+    val more = if (isOneOfMatch) entry.fileName else entry.summary.match.event.takeIf { entry.summary.match.match != null }
+    more?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
 }
 
 private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {

@@ -17,6 +17,7 @@ import kotlinx.serialization.Serializable
  * @property stations whether the Driver Station's log of the same match is shown with a log, by the log's path; the latest last.
  * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
  * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
+ * @property ringsForLogs whether there is a sound when a log arrives.
  */
 @Serializable
 internal data class Settings(
@@ -31,6 +32,7 @@ internal data class Settings(
     val stations: Map<String, Boolean> = emptyMap(),
     val videos: Map<String, String> = emptyMap(),
     val fields: Map<String, String> = emptyMap(),
+    val ringsForLogs: Boolean = false,
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
@@ -67,6 +69,7 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         stations = theirs.stations.latest(mine.stations.filter { (log, isShown) -> before.stations[log] != isShown }),
         videos = merged(mine.videos, before.videos, theirs.videos),
         fields = merged(mine.fields, before.fields, theirs.fields),
+        ringsForLogs = of(Settings::ringsForLogs),
     )
 }
 

@@ -82,6 +82,9 @@ internal enum class MainView {
 
     /** Charts of the folder's logs. */
     CHARTS,
+
+    /** The last log and the ones before it, in large letters. */
+    PIT,
 }
 
 /** Which parts of this window are open. */

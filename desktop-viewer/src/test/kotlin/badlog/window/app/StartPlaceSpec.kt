@@ -17,6 +17,13 @@ class StartPlaceSpec : FunSpec({
         StartPlace.of("$file", Settings(), null) shouldBe StartPlace(folder, file, null)
     }
 
+    test("the pit view may be asked for before or after the folder") {
+        for (arguments in listOf(arrayOf("$folder", "--pit"), arrayOf("--pit", "$folder"))) {
+            StartPlace.of(arguments, Settings(), null) shouldBe StartPlace(folder, null, null, isPit = true)
+        }
+        StartPlace.of(arrayOf("$folder"), Settings(), null).isPit shouldBe false
+    }
+
     test("without one it is the folder of last time that is still there") {
         val remembered = Settings(recentFolders = listOf("$folder/gone", "\u0000", "$folder"))
         StartPlace.of(null, remembered, null) shouldBe StartPlace(folder, null, null)

@@ -175,7 +175,7 @@ class LibraryScreenSpec : FunSpec({
     test("page up and page down open the logs one after the other") {
         onFolder(sampleFolder()) { viewer ->
             viewer.library.change { copy(selected = viewer.library.state.visible[1].file) }
-            libraryCommands(viewer.library, viewer.panels, viewer.opener).single { it.keys.single().key == Key.PageUp }.action()
+            libraryCommands(viewer.library, viewer.panels, viewer.opener, viewer::showNewLog).single { it.keys.single().key == Key.PageUp }.action()
             waitFor { viewer.current.recording?.file == viewer.library.state.visible[0].file }
         }
     }

@@ -136,7 +136,8 @@ internal class LogPage(
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
-    private val layouts = PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
+    private val layouts =
+        PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)

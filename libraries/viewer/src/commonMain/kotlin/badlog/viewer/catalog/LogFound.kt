@@ -8,6 +8,7 @@ import badlog.rules.incident.incidentsIn
 import badlog.viewer.text.minutesText
 import badlog.viewer.text.roundedText
 import badlog.viewer.text.withUnit
+import kotlin.math.floor
 
 /**
  * What the rules found in a log of the folder.
@@ -54,8 +55,10 @@ private fun verdictOf(first: Finding, incident: Incident?) = Verdict(
     incident?.next?.ifEmpty { null } ?: first.next,
 )
 
-/** The worst of its findings, of several the one that came first. */
-private val Incident.worst: Finding get() = (causes + effects).filter { it.severity == severity }.minBy { if (it.time.isNaN()) Double.MAX_VALUE else it.time }
+/** The worst of its findings; of several the last, to which the others have led. */
+private val Incident.worst: Finding
+    get() = (causes + effects).filter { it.severity == severity }.maxBy { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }
 
-private fun timeText(finding: Finding) =
-    secondsOf(finding.time, finding.timeUnit)?.let { minutesText(it, decimals = 0) } ?: withUnit(roundedText(finding.time), finding.timeUnit)
+// As a clock shows it: it is 1:33 until it is 1:34.
+private fun timeText(finding: Finding) = secondsOf(finding.time, finding.timeUnit)?.let { minutesText(floor(it), decimals = 0) }
+    ?: withUnit(roundedText(finding.time), finding.timeUnit)

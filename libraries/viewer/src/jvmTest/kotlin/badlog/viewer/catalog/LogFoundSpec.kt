@@ -9,19 +9,19 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class LogFoundSpec : FunSpec({
-    fun finding(rule: String, severity: Severity, from: Double, topic: String? = null, unit: String = "s", next: String = "") =
-        Finding(rule, severity, topic, "$rule.", from, listOf(Span(from, from + 2)), 1, unit, next = next)
+    fun finding(rule: String, severity: Severity, from: Double, topic: String? = null, unit: String = "s", next: String = "") = Finding(rule, severity, topic, "$rule.", from, listOf(Span(from, from + 2)), 1, unit, next = next)
 
     fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN.foundIn(findings.toList(), 7).verdict
 
     test("the verdict is the worst of the worst incident, when it happened, and how it came about") {
         val left = finding("Motor stalled", Severity.WARNING, 92.0, "Drive/Left/Output")
         val right = finding("Motor stalled", Severity.WARNING, 92.1, "Drive/Right/Output")
-        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), left, right, finding("Browned out", Severity.ERROR, 93.4)), 7)
+        val effects = listOf(finding("Low battery", Severity.ERROR, 92.9), finding("Browned out", Severity.ERROR, 93.7))
+        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), left, right) + effects, 7)
         found.verdict!!.headline shouldBe "Browned out at 1:33"
         found.verdict.severity shouldBe Severity.ERROR
         found.verdict.sentences.first() shouldBe "Likely cause: the robot pushed against something that did not move. Motor stalled."
-        found.rules!!.map { it.name } shouldBe listOf("Browned out", "CAN errors", "Motor stalled")
+        found.rules!!.map { it.name } shouldBe listOf("Browned out", "Low battery", "CAN errors", "Motor stalled")
         found.key shouldBe 7
     }
 

@@ -27,8 +27,24 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
         return Arrivals(known + arrived.associate { it.path to it.size }, before + arrived.sortedBy { it.modified })
     }
 
-    /** Returns the same without any that wait: somebody has seen them. */
+    /** Whether the logs that were there before are known. */
+    val hasBegun: Boolean get() = known != null
+
+    /** Returns the same without any that wait: somebody has dealt with them. */
     fun dealtWith(): Arrivals<E> = if (waiting.isEmpty()) this else Arrivals(known, emptyList())
+
+    /** Returns the same without the log at [path], which somebody has opened. */
+    fun without(path: String): Arrivals<E> = if (waiting.none { it.path == path }) {
+        this
+    } else {
+        Arrivals(
+            known,
+            waiting.filter {
+                it.path !=
+                    path
+            },
+        )
+    }
 }
 
 /** Returns `Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33.`, and how many [others] did besides. */

@@ -17,8 +17,7 @@ class ArrivalsSpec : FunSpec({
     val summary = LogSummary(date = date, content = Content.SOMETHING)
     val nothing = LogFound(0, emptyList())
 
-    fun log(path: String, size: Long = 1000, found: LogFound? = nothing, modified: Long = 0, of: LogSummary = summary) =
-        AnyLog(path, of, found, size, modified)
+    fun log(path: String, size: Long = 1000, found: LogFound? = nothing, modified: Long = 0, of: LogSummary = summary) = AnyLog(path, of, found, size, modified)
 
     fun Arrivals<AnyLog>.paths() = waiting.map { it.path }
     val opened = Arrivals<AnyLog>().knowing(listOf(log("a.bag"), log("b.bag", found = null)))

@@ -1,0 +1,58 @@
+package badlog.window.folder
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import badlog.core.recording.Severity
+import badlog.viewer.shown.folder.arrivalText
+import badlog.window.findings.findingColor
+import badlog.window.findings.findingSoft
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.ToolButton
+
+/** Says which log has arrived and what is wrong in it, until somebody shows it or puts it off; empty if none has. */
+@Composable
+internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
+    val latest = logs.state.latest ?: return
+    val palette = LocalPalette.current
+    val severity = latest.found?.verdict?.severity ?: Severity.NOTE
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .background(palette.findingSoft(severity))
+            .padding(horizontal = 12.dp, vertical = 4.dp)
+            .semantics { contentDescription = "New log" },
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        Icon(Icons.Diamond, contentDescription = null, Modifier.size(16.dp), palette.findingColor(severity))
+        Text(
+            arrivalText(latest, logs.state.waiting.size - 1),
+            Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+            fontWeight = FontWeight.Medium,
+            maxLines = 2,
+            overflow = TextOverflow.Ellipsis,
+        )
+        ToolButton("Show the new log and the worst in it ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
+        ToolButton("Hide this; the log stays in the list", text = "Later") { logs.leave() }
+    }
+}
+
+/** The key that shows the log that arrived last. */
+internal const val SHOW_KEY = "A"

@@ -1,0 +1,132 @@
+package badlog.window.pit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.TextUnit
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.catalog.folder.LogEntry
+import badlog.viewer.shown.folder.PitLogs
+import badlog.viewer.shown.folder.batteryText
+import badlog.viewer.shown.folder.durationText
+import badlog.viewer.shown.folder.verdictText
+import badlog.viewer.text.dateText
+import badlog.window.findings.findingColor
+import badlog.window.findings.findingSoft
+import badlog.window.folder.Library
+import badlog.window.folder.LibraryActions
+import badlog.window.folder.LibraryEmptiness
+import badlog.window.folder.ReadingLine
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.Palette
+import badlog.window.theme.ToolButton
+
+/** What a pit wants to know between two matches, in letters that are read from two meters: the last log and the ones before it. */
+@Composable
+internal fun PitPane(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
+    val entries = library.state.entries
+    val logs = remember(entries) { PitLogs.of(library.state.ofRobots) }
+    Column(modifier.background(LocalPalette.current.surface).semantics { contentDescription = "Pit view" }) {
+        Row(Modifier.fillMaxWidth().padding(8.dp), Arrangement.End) {
+            ToolButton("Back to the graphs", Icons.Graph, text = "Graphs") { actions.showGraphs() }
+        }
+        ReadingLine(library)
+        if (logs == null) {
+            LibraryEmptiness(library, actions)
+        } else {
+            LastLog(logs.last, Modifier.weight(1f).fillMaxWidth()) { actions.openFindings(logs.last) }
+            Row(Modifier.fillMaxWidth().padding(24.dp), Arrangement.spacedBy(16.dp)) {
+                for (log in logs.before) EarlierLog(log, Modifier.weight(1f)) { actions.openFindings(log) }
+            }
+        }
+    }
+}
+
+@Composable
+private fun LastLog(log: LogEntry, modifier: Modifier, onOpen: () -> Unit) {
+    val palette = LocalPalette.current
+    val verdict = log.found?.verdict
+    Column(modifier.verticalScroll(rememberScrollState()).padding(horizontal = 24.dp), Arrangement.spacedBy(12.dp)) {
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(24.dp), Alignment.Bottom) {
+            Large(log.title, Modifier.weight(1f), TITLE, weight = FontWeight.SemiBold)
+            val facts = listOfNotNull(dateText(log.summary.date.second), durationText(log), batteryText(log))
+            Large(facts.joinToString(" · "), Modifier, SMALL, palette.muted)
+        }
+        Column(
+            Modifier
+                .fillMaxWidth()
+                .background(log.softColor(palette), RoundedCornerShape(12.dp))
+                .clickable(role = Role.Button, onClickLabel = "Show what was found in ${log.title}", onClick = onOpen)
+                .padding(24.dp),
+            Arrangement.spacedBy(16.dp),
+        ) {
+            Large(verdictText(log.found), Modifier, HEADLINE, log.color(palette), FontWeight.Bold)
+            for (sentence in verdict?.sentences.orEmpty()) Large(sentence)
+            verdict?.next?.takeIf { it.isNotEmpty() }?.let { Large("Next: $it", weight = FontWeight.SemiBold) }
+        }
+    }
+}
+
+@Composable
+private fun EarlierLog(log: LogEntry, modifier: Modifier, onOpen: () -> Unit) {
+    val palette = LocalPalette.current
+    Column(
+        modifier
+            .background(log.softColor(palette), RoundedCornerShape(12.dp))
+            .clickable(role = Role.Button, onClickLabel = "Show what was found in ${log.title}", onClick = onOpen)
+            .padding(16.dp),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        Large(log.title, Modifier, SMALL, weight = FontWeight.SemiBold, lines = 1)
+        Large(verdictText(log.found), Modifier, SMALL, log.color(palette), lines = 2)
+    }
+}
+
+@Composable
+private fun Large(
+    text: String,
+    modifier: Modifier = Modifier,
+    size: TextUnit = BODY,
+    color: Color = LocalPalette.current.text,
+    weight: FontWeight = FontWeight.Normal,
+    lines: Int = 3,
+) = Text(
+    text,
+    modifier,
+    color,
+    fontSize = size,
+    fontWeight = weight,
+    lineHeight = size * LINE,
+    maxLines = lines,
+    overflow = TextOverflow.Ellipsis,
+)
+
+private fun LogEntry.color(palette: Palette) = found?.verdict?.let { palette.findingColor(it.severity) } ?: palette.text
+
+private fun LogEntry.softColor(palette: Palette) = found?.verdict?.let { palette.findingSoft(it.severity) } ?: palette.raised
+
+private val HEADLINE = 56.sp
+private val TITLE = 40.sp
+private val BODY = 28.sp
+private val SMALL = 24.sp
+private const val LINE = 1.25

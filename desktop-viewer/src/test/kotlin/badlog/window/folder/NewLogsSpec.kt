@@ -1,0 +1,117 @@
+package badlog.window.folder
+
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertCountEquals
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.putSamples
+import badlog.files.UserFolders
+import badlog.viewer.shown.folder.verdictText
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.MainView
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.FileTime
+import kotlin.io.path.div
+
+@OptIn(ExperimentalTestApi::class)
+class NewLogsSpec : FunSpec({
+    /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
+    fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {
+        val home = tempdir().toPath()
+        val logs = tempdir().toPath().also { it.putSamples() }
+        val name = "qualification-42.bag"
+        val match = Files.move(logs / name, home / name)
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(1366, 768) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.newest.run() }
+            viewer.scope.launch { viewer.newLogs.run() }
+            viewer.library.open(logs)
+            waitFor { viewer.newLogs.state.hasBegun && viewer.current.recording != null }
+            try {
+                steps(viewer) {
+                    Files.setLastModifiedTime(match, FileTime.fromMillis(System.currentTimeMillis() - 3_600_000))
+                    Files.move(match, logs / name)
+                }
+            } finally {
+                viewer.library.close()
+            }
+        }
+    }
+
+    fun DesktopComposeUiTest.awaitBar(viewer: Viewer) {
+        waitFor { viewer.newLogs.state.latest != null }
+        onNodeWithText("Qualification 42 arrived: ", substring = true).assertExists()
+        onNodeWithText("Browned out at 1:33.", substring = true).assertExists()
+    }
+
+    test("the logs that a folder has when it is opened did not arrive") {
+        onFolder { viewer, _ ->
+            waitFor { viewer.library.state.entries.all { it.found != null || it.isGray } }
+            onAllNodesWithContentDescription("New log").assertCountEquals(0)
+        }
+    }
+
+    test("a log that arrives is announced, takes nothing away, and is shown at the worst in it") {
+        onFolder { viewer, arrives ->
+            val before = viewer.current.recording
+            arrives()
+            awaitBar(viewer)
+            viewer.current.recording shouldBe before
+            onNodeWithContentDescription("Show the new log and the worst in it (A)").performClick()
+            waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }
+            viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
+            onAllNodesWithContentDescription("New log").assertCountEquals(0)
+        }
+    }
+
+    test("what was put off is announced no more, and neither is what a person opens in the list") {
+        onFolder { viewer, arrives ->
+            arrives()
+            awaitBar(viewer)
+            onNodeWithText("Later").performClick()
+            viewer.newLogs.state.latest shouldBe null
+        }
+        onFolder { viewer, arrives ->
+            arrives()
+            awaitBar(viewer)
+            onNodeWithContentDescription("Log qualification-42.bag").performClick()
+            waitFor { viewer.newLogs.state.latest == null }
+        }
+    }
+
+    test("the list has the worst finding of each log, which the pit view says in large letters") {
+        onFolder { viewer, arrives ->
+            arrives()
+            awaitBar(viewer)
+            onNodeWithContentDescription("error: Browned out", substring = true).assertExists()
+            waitFor { viewer.library.state.entries.all { it.found != null || it.isGray || !it.isReadable } }
+            viewer.panels.change { toggled(MainView.PIT) }
+            waitForIdle()
+            onNodeWithContentDescription("Pit view").assertExists()
+            // It goes on by itself, so that the bar is not needed.
+            onAllNodesWithContentDescription("New log").assertCountEquals(0)
+            onAllNodesWithText("Browned out at 1:33").assertCountEquals(1)
+            val last = viewer.library.state.entries.single { it.fileName == "qualification-57.bag.gz" }
+            onNodeWithText(verdictText(last.found)).assertExists()
+            onNodeWithText("Next: ", substring = true).assertExists()
+            onNodeWithText("Browned out at 1:33").performClick()
+            waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }
+            viewer.panels.state.main shouldBe MainView.GRAPHS
+        }
+    }
+})

@@ -1,0 +1,47 @@
+package badlog.viewer.shown.folder
+
+import badlog.core.recording.Severity
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FoundRule
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.Verdict
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class PitLogsSpec : FunSpec({
+    val error = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)), Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), ""))
+
+    fun log(path: String, second: Long, match: String? = null, found: LogFound? = LogFound(0, emptyList()), content: Content = Content.SOMETHING) = AnyLog(path, LogSummary(MatchOfLog("Mill Creek", match?.let { "Qualification" }, match), LogDate(second, DateSource.VALUES), content = content), found)
+
+    fun pit(vararg logs: AnyLog) = PitLogs.of(logs.toList())
+
+    test("a pit sees the log that began last, and the three before it, the latest first") {
+        val pit = pit(log("b", 2), log("e", 5), log("a", 1), log("d", 4), log("c", 3))
+        pit?.last?.path shouldBe "e"
+        pit?.before?.map { it.path } shouldBe listOf("d", "c", "b")
+    }
+
+    test("idle logs and files that cannot be read are nothing to see") {
+        pit(log("idle", 9, content = Content.NO_SAMPLES)) shouldBe null
+        pit(log("idle", 9, content = Content.NO_SAMPLES), log("a", 1))?.last?.path shouldBe "a"
+    }
+
+    test("of two logs of one match, a pit sees the one with the worst finding, and lists tell them apart by their files") {
+        val robot = log("robot", 10, "42", error)
+        val station = log("station", 11, "42")
+        val other = log("other", 5, "41")
+        pit(robot, station, other)?.run { last.path to before.map { it.path } } shouldBe ("robot" to listOf("other"))
+        sameMatches(listOf(robot, station, other, log("x", 1), log("y", 2))) shouldBe setOf("robot", "station")
+    }
+
+    test("a log in a few words") {
+        verdictText(null) shouldBe "The rules are still running"
+        verdictText(LogFound(0, null)) shouldBe "The rules could not be run"
+        verdictText(LogFound(0, emptyList())) shouldBe "No errors, no warnings"
+        verdictText(error) shouldBe "Browned out at 1:33"
+    }
+})
