@@ -28,6 +28,7 @@ import badlog.cli.report.ReportCommand
 import badlog.cli.sql.SqlCommand
 import badlog.cli.table.TableCommand
 import badlog.exporter.BADLOG_VERSION
+import badlog.formats.READABLE_LOGS
 import com.github.ajalt.clikt.completion.CompletionGenerator
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -108,8 +109,8 @@ internal class BadlogCommand(
     }
 
     override fun help(context: Context): String = paragraph(
-        "Works on robot logs: bags, WPILOGs and CSV files, gzipped and damaged ones too. A file's content decides its format, not " +
-            "its name. Logs are never changed.",
+        "Works on robot logs: $READABLE_LOGS; gzipped and damaged ones too. A file's content decides its format, not its name. " +
+            "Logs are never changed.",
     )
 
     override fun helpEpilog(context: Context): String =

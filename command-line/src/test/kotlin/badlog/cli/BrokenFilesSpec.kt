@@ -134,7 +134,7 @@ class BrokenFilesSpec : FunSpec({
             ended.code shouldBe ExitCode.SALVAGED
             status(ended) shouldContainExactly listOf("whole", "whole", "salvaged", "skipped", "failed")
             badlog("info", folder).err shouldBe
-                "Skipped ${folder / "sub/photo.gz"}: This file is neither a bag, nor a CSV file, nor a WPILOG: it has bytes that never occur in text.\n" +
+                "Skipped ${folder / "sub/photo.gz"}: This file is not a log that badlog can read: it has bytes that never occur in text.\n" +
                 "3 logs: 2 complete, 1 incomplete.\n"
         }
     }

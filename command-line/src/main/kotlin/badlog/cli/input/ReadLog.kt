@@ -6,6 +6,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.WpilogFormat
 import badlog.report.withX
 import badlog.terminal.Progress
 import java.nio.file.Path
@@ -33,7 +34,7 @@ internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sin
 /** Any bytes with line ends count as a damaged table; nobody would recognize a WPILOG in that form. */
 private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
-        FileName.of(file).ending.lowercase() == ".wpilog"
+        FileName.of(file).ending.lowercase() in WpilogFormat.endings
 
 /** Thrown if the bytes of a file are not a log at all. The message is one sentence for the user. */
 internal class NotALog(override val message: String) : Exception(message)

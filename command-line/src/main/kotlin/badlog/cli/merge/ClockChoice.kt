@@ -1,10 +1,11 @@
 package badlog.cli.merge
 
 import badlog.cli.input.Failure
+import badlog.cli.input.FileName
 import badlog.cli.search.signalsBeside
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
-import badlog.files.LogName
+import badlog.formats.revlog.RevlogFormat
 import badlog.signals.clock.ClockFit
 import badlog.signals.clock.EnabledEdge
 import badlog.signals.clock.enabledEdges
@@ -91,7 +92,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return MovedLogs(all, moves)
     }
 
-    private fun isOfMotors(part: LogPart) = LogName.of(part.file.fileName.toString()).ending.equals(LogName.REVLOG, ignoreCase = true)
+    private fun isOfMotors(part: LogPart) = FileName.of(part.file).ending.lowercase() in RevlogFormat.endings
 
     /**
      * Returns the move of a log of REV's motor controllers, which does not show when the robot was enabled, beside [robot]; null if no

@@ -60,7 +60,7 @@ class FindSpec : FunSpec({
             val ended = badlog("find", folder, "max(Speed) > 5", "--no-cache")
             ended.code shouldBe ExitCode.WHOLE
             ended.out shouldContain "Found in 1 of 1 log."
-            ended.err shouldContain "Skipped ${folder / "photo.gz"}: This file is neither a bag"
+            ended.err shouldContain "Skipped ${folder / "photo.gz"}: This file is not a log"
             badlog("find", folder, folder / "nix.bag", "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.SALVAGED
             folder.with("cut.bag", CUT_BAG)
             badlog("find", folder, "max(Speed) > 3", "--no-cache").code shouldBe ExitCode.SALVAGED

@@ -266,7 +266,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     }
 
     companion object {
-        const val NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG"
+        const val NO_LOG = "This file is not a log that badlog can read"
 
         private const val BINARY = "$NO_LOG: it has bytes that never occur in text."
         private const val UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."

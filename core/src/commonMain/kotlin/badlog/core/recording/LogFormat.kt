@@ -5,6 +5,12 @@ package badlog.core.recording
  * passes those it knows.
  */
 public interface LogFormat {
+    /** What people call one log of this format, such as `WPILOG`; an `s` makes it several. */
+    public val title: String
+
+    /** What the names of such files end in: in lower case, each with its dot. A file's content decides what it really is. */
+    public val endings: List<String>
+
     /** The number of bytes at a file's start that [matches] needs. */
     public val signatureSize: Int
 

@@ -35,6 +35,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.formats.READABLE_LOGS
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.sameMatches
 import badlog.window.robot.RobotBar
@@ -204,8 +205,8 @@ private fun emptinessOf(library: LibraryState): String = when {
     library.trouble != null -> "No logs found."
 
     else ->
-        "No logs here yet. Bags (.bag, .badbag), tables (.csv), logs of WPILib (.wpilog) and of the Driver Station (.dslog) " +
-            "in this folder and its subfolders are listed, compressed (.gz) ones too. New logs appear automatically."
+        "No logs here yet. Those in this folder and its subfolders are listed: $READABLE_LOGS; compressed (.gz) ones, too. New logs " +
+            "appear automatically."
 }
 
 /** The progress of reading the folder, and what prevents it; empty if everything is known. */

@@ -29,6 +29,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.formats.READABLE_LOGS
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -106,7 +107,7 @@ private fun SampleCard(actions: WelcomeActions, modifier: Modifier) = Card(
 @Composable
 private fun OwnLogsCard(actions: WelcomeActions, modifier: Modifier) = Card(
     "Open your logs",
-    "Or drop a folder or files here: bags (.bag), WPILOGs (.wpilog), Driver Station logs (.dslog), tables (.csv).",
+    "Or drop a folder or files here: $READABLE_LOGS.",
     modifier,
 ) {
     ToolButton("Open a folder of your logs", Icons.Folder, text = "Open folder…", isOn = true, onClick = actions.askForFolder)

@@ -1,7 +1,9 @@
 package badlog.web
 
+import badlog.formats.LOG_ENDINGS
 import edu.wpi.first.wpilibj.DriverStation
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeLessThan
@@ -48,6 +50,15 @@ class LogServerSpec : FunSpec({
             server.get("/logs/?format=json").text shouldBe
                 """{"dirs":[{"name":"day 2"}],"files":[{"name":"a.bag","size":3,"modified":1772892000123},""" +
                 """{"name":"b.wpilog","size":100000,"modified":1772892132000}]}"""
+        }
+    }
+
+    test("a listing has every kind of log that can be read") {
+        withServer { server ->
+            val names = LOG_ENDINGS.map { "log$it" }
+            for (name in names) server.logs.resolve(name).writeText("log")
+            val listing = server.get("/logs/?format=json").text
+            names.filterNot { "\"$it\"" in listing }.shouldBeEmpty()
         }
     }
 

@@ -1,5 +1,7 @@
 package badlog.files
 
+import badlog.formats.LOG_ENDINGS
+
 /**
  * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. Only the content shows what a file really
  * is.
@@ -18,14 +20,10 @@ public class LogName private constructor(public val stem: String, public val end
     public companion object {
         private const val GZIP = ".gz"
         private const val CSV = ".csv"
-        internal const val DSLOG = ".dslog"
-        internal const val DSEVENTS = ".dsevents"
         internal const val HOOT = ".hoot"
-        internal const val WPILOG = ".wpilog"
 
-        /** The ending of logs of REV's motor controllers. */
-        public const val REVLOG: String = ".revlog"
-        private val ENDINGS = listOf(".bag", ".badbag", CSV, WPILOG, ".wpilogxz", REVLOG, HOOT, DSLOG, DSEVENTS)
+        /** What the names of logs end in that can be read or be made readable here; `.gz` may follow. */
+        public val ENDINGS: List<String> = LOG_ENDINGS + listOf(".wpilogxz", HOOT)
 
         /** Returns the parts of [name], which must not include folders. */
         public fun of(name: String): LogName {

@@ -4,6 +4,10 @@ import badlog.core.recording.LogFormat
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
+import badlog.formats.driverstation.DriverStationFormat
+import badlog.formats.driverstation.DriverStationFormat.FIRST_ENDING
+import badlog.formats.driverstation.DriverStationFormat.SECOND_ENDING
+import badlog.formats.wpilog.WpilogFormat
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -13,7 +17,7 @@ import java.nio.file.Path
  * the Driver Station usually has a `.dsevents` with the same name beside it.
  */
 public fun partsOfLog(file: Path): List<Path> =
-    listOfNotNull(file, sibling(file, LogName.DSLOG, LogName.DSEVENTS)?.takeIf(Files::isRegularFile))
+    listOfNotNull(file, sibling(file, FIRST_ENDING, SECOND_ENDING)?.takeIf(Files::isRegularFile))
 
 /**
  * Returns the files below [folder] with names of Driver Station logs; a pair is included once.
@@ -25,7 +29,7 @@ public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFil
     FolderScan.of(folder, checkpoint).files.filter { file ->
         val name = LogName.of(file.name)
         val ending = name.ending.lowercase()
-        ending in STATION_ENDINGS || (ending == LogName.WPILOG && name.stem.startsWith(STATION_STEM, ignoreCase = true))
+        ending in DriverStationFormat.endings || (ending in WpilogFormat.endings && name.stem.startsWith(STATION_STEM, ignoreCase = true))
     }
 
 /** Whether it is a log of the Driver Station: until 2026 in a format of its own, from 2027 on a WPILOG with nothing else in it. */
@@ -58,8 +62,6 @@ public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -
     null
 }
 
-private val STATION_ENDINGS = setOf(LogName.DSLOG, LogName.DSEVENTS)
-
 /** How the names of its logs begin from 2027 on. */
 private const val STATION_STEM = "FIRST_DS"
 
@@ -84,7 +86,7 @@ public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
 }
 
 /** Returns the log whose second file is [file], if it exists; null if [file] has a name of a separate log. */
-public fun firstPartOf(file: Path): Path? = sibling(file, LogName.DSEVENTS, LogName.DSLOG)
+public fun firstPartOf(file: Path): Path? = sibling(file, SECOND_ENDING, FIRST_ENDING)
 
 private fun sibling(file: Path, from: String, to: String): Path? {
     val name = file.fileName?.toString().orEmpty()

@@ -3,7 +3,9 @@ package badlog.exporter.program
 import badlog.exporter.BADLOG_VERSION
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
+import badlog.files.LogName
 import badlog.files.ResultPlace
+import badlog.formats.READABLE_LOGS
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
@@ -49,7 +51,7 @@ internal class ArgumentParser {
 
     private class Command : CoreCliktCommand(NAME) {
         private val paths by argument("INPUT").path().multiple()
-            .help("A bag, a CSV file or a WPILOG, also gzipped, or a folder of them.")
+            .help("A log, also gzipped, or a folder of logs: $READABLE_LOGS.")
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
             .help("Write to this file; a name without an ending is a folder.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
@@ -86,8 +88,7 @@ internal class ArgumentParser {
             Makes a web page of each log: one that opens from disk and needs nothing else.
             With one INPUT the page is INPUT.html beside it. A second argument is the page (OUTPUT)
             when it ends in .html or .htm, when it is an older page, or when it does not exist yet and is
-            not named like a log (.bag, .badbag, .csv, .wpilog, .wpilogxz, .revlog,
-            .dslog, .dsevents, .gz).
+            not named like a log (${LogName.ENDINGS.joinToString()}, .gz).
             What exists is a log by its content, never by its name.
         """.trimIndent()
 

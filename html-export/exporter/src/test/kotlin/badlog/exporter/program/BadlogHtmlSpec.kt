@@ -163,7 +163,7 @@ class BadlogHtmlSpec : FunSpec({
             (folder / "x.bag").writeBytes(byteArrayOf(1, 2, 3))
             val ended = run(folder / "x.bag")
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "${folder / "x.bag"}: This file is neither"
+            ended.err shouldContain "${folder / "x.bag"}: This file is not a log"
             val found = run(folder)
             found.code shouldBe ExitCode.NOTHING
             found.err shouldContain "no log was found"

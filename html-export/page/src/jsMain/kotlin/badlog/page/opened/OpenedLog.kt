@@ -1,5 +1,8 @@
 package badlog.page.opened
 
+import badlog.formats.LOG_ENDINGS
+import badlog.formats.driverstation.DriverStationFormat.FIRST_ENDING
+import badlog.formats.driverstation.DriverStationFormat.SECOND_ENDING
 import badlog.page.dom.place
 import badlog.page.embedded.LogBytes
 import badlog.page.embedded.markupOf
@@ -58,22 +61,15 @@ internal class OpenedLog(
     }
 
     companion object {
-        /** The endings of a Driver Station log's two files. */
-        private const val FIRST = ".dslog"
-        private const val SECOND = ".dsevents"
-
-        /** The endings of logs that a page can read. */
-        private val ENDINGS = listOf(".bag", ".badbag", ".csv", ".wpilog", ".revlog", FIRST, SECOND)
-
         /** Returns the logs in [files], of which some may be no logs, in order. */
         fun logsIn(files: List<File>): List<OpenedLog> {
             // Files from different places may have the same name.
             for (same in files.groupBy(::pathOf).values) {
                 same.drop(1).forEachIndexed { i, file -> file.place = "${pathOf(file)} (${i + 2})" }
             }
-            val seconds = files.filter { it.name.endsWith(SECOND, ignoreCase = true) }.associateByTo(HashMap(), ::withoutEnding)
-            val logs = files.filterNot { it.name.endsWith(SECOND, ignoreCase = true) }.map { first ->
-                val second = if (first.name.endsWith(FIRST, ignoreCase = true)) seconds.remove(withoutEnding(first)) else null
+            val seconds = files.filter { it.name.endsWith(SECOND_ENDING, ignoreCase = true) }.associateByTo(HashMap(), ::withoutEnding)
+            val logs = files.filterNot { it.name.endsWith(SECOND_ENDING, ignoreCase = true) }.map { first ->
+                val second = if (first.name.endsWith(FIRST_ENDING, ignoreCase = true)) seconds.remove(withoutEnding(first)) else null
                 OpenedLog(listOfNotNull(first, second))
             }
             return logs + seconds.values.map { OpenedLog(listOf(it)) }
@@ -87,7 +83,7 @@ internal class OpenedLog(
             val name = path.removeSuffix(".gz").lowercase()
             // Systems keep data of their own in files and folders with such names.
             val isHidden = path.split('/').any { it.startsWith('.') || it.startsWith('$') }
-            return !isHidden && ENDINGS.any(name::endsWith)
+            return !isHidden && LOG_ENDINGS.any(name::endsWith)
         }
 
         /** Returns whether only logs have such names as [name]; tables of all kinds end in `.csv`. */

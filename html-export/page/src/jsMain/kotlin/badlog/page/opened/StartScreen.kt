@@ -1,5 +1,6 @@
 package badlog.page.opened
 
+import badlog.formats.READABLE_LOGS
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
@@ -45,7 +46,7 @@ internal class StartScreen(
                 onSample?.let { addButton("", "Try the sample", onClick = it).id = "try-sample" }
             }
         }
-        add("p", "screen-text", READABLE)
+        add("p", "screen-text", "It reads $READABLE_LOGS, each also gzipped, and pages of badlog.")
     }
 
     /** Asks [question] above everything else, with a button [label] that calls [onAccept]; nothing while another question waits. */
@@ -60,12 +61,6 @@ internal class StartScreen(
             }
         }
         element.insertBefore(offer, element.querySelector(".start-drop"))
-    }
-
-    private companion object {
-        const val READABLE =
-            "It reads bags of badlog, WPILOG (WPILib, AdvantageKit), logs of the Driver Station (.dslog with .dsevents), CSV, " +
-                ".revlog of REV's devices, each also gzipped, and pages of badlog."
     }
 }
 

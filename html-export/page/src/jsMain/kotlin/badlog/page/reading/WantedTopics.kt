@@ -24,11 +24,7 @@ internal class WantedTopics(val names: Set<String>) {
     /** Returns [read] without the others. */
     fun of(read: Recording): Recording = read.copy(topics = read.topics.filter { it.name in names })
 
-    private val wpilog = object : LogFormat {
-        override val signatureSize get() = WpilogFormat.signatureSize
-
-        override fun matches(bytes: ByteArray, size: Int) = WpilogFormat.matches(bytes, size)
-
+    private val wpilog = object : LogFormat by WpilogFormat {
         override fun parser(keepSamples: Boolean): LogParser = WpilogParser(keepSamples) { entry ->
             // An entry of a struct or an array has several topics.
             names.any { it.startsWith(entry) && (it.length == entry.length || it[entry.length] in "/[") }

@@ -1,5 +1,6 @@
 package badlog.page.served
 
+import badlog.formats.TEXT_ENDINGS
 import badlog.page.dom.json
 import badlog.page.dom.place
 import org.khronos.webgl.ArrayBuffer
@@ -22,7 +23,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
     private var whole = file.size.toInt()
 
     // Bytes that are no text may be line feeds anywhere.
-    private val isText = TEXTS.any { file.name.endsWith(it, ignoreCase = true) }
+    private val isText = TEXT_ENDINGS.any { file.name.endsWith(it, ignoreCase = true) }
 
     /** How long to wait before the next [more], in ms: whole logs are asked for seldom. */
     var pause = PAUSE
@@ -60,7 +61,6 @@ internal class GrowingFile(private val file: File, private val address: String) 
 
         /** 2 Mbit/s, half of what a robot has on a field. */
         const val WHOLE_BYTES_PER_MILLI = 250
-        val TEXTS = listOf(".bag", ".badbag", ".csv")
         const val LINE_FEED: Byte = 10
         const val PART: Short = 206
     }

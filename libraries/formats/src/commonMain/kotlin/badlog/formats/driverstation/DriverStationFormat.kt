@@ -5,6 +5,16 @@ import badlog.core.recording.LogParser
 
 /** The logs of the FRC Driver Station: a `.dslog`, a `.dsevents`, or the bytes of the first and then those of the second. */
 public object DriverStationFormat : LogFormat {
+    /** The ending of a log's first file, with what was measured. */
+    public const val FIRST_ENDING: String = ".dslog"
+
+    /** The ending of its second file, with messages, which has the first one's name. */
+    public const val SECOND_ENDING: String = ".dsevents"
+
+    override val title: String get() = "Driver Station log"
+
+    override val endings: List<String> get() = listOf(FIRST_ENDING, SECOND_ENDING)
+
     override val signatureSize: Int get() = SIGNATURE_SIZE
 
     override fun matches(bytes: ByteArray, size: Int): Boolean = size >= SIGNATURE_SIZE && isHeader(bytes, 0)

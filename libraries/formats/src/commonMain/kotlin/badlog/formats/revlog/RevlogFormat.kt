@@ -7,6 +7,10 @@ import badlog.formats.wpilog.WpilogParser
 
 /** The `.revlog` of REV's devices, read as the WPILOG that [RevlogConversion] makes of it. */
 public object RevlogFormat : LogFormat {
+    override val title: String get() = "REV log"
+
+    override val endings: List<String> get() = listOf(".revlog")
+
     override val signatureSize: Int get() = SIGNATURE_SIZE
 
     /** It has no signature: its first record shows what it is. */

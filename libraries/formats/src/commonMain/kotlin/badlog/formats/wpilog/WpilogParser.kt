@@ -16,6 +16,10 @@ import badlog.formats.column.addTooMany
 
 /** WPILOG, the format of WPILib's DataLog. */
 public object WpilogFormat : LogFormat {
+    override val title: String get() = "WPILOG"
+
+    override val endings: List<String> get() = listOf(".wpilog")
+
     override val signatureSize: Int get() = RecordSplitter.MAGIC.length
 
     override fun matches(bytes: ByteArray, size: Int): Boolean =
