@@ -11,7 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.files.LogName
 import badlog.signals.clock.ClockFit
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import kotlin.math.ceil
@@ -43,7 +43,7 @@ internal fun StationOffer(stations: StationChoice) {
 internal fun alignmentText(fit: ClockFit): String {
     // The Driver Station logs every 20 ms: a better precision is impossible.
     val error = ceil(maxOf(fit.error, PERIOD) * HUNDRED) / HUNDRED
-    return "± ${roundedText(error)} s" + if (fit.edges == 0) ", aligned by the clocks only" else ""
+    return "± ${numberText(error)} s" + if (fit.edges == 0) ", aligned by the clocks only" else ""
 }
 
 private const val PERIOD = 0.02

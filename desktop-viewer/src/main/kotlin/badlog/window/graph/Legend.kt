@@ -21,7 +21,6 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextLayoutResult
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
@@ -35,6 +34,8 @@ import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.timesOf
+import badlog.viewer.text.exactText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.unitText
 import badlog.window.graph.plot.DrawnLine
 import badlog.window.graph.plot.PlotPicture
@@ -68,11 +69,7 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
         if (line.signal.states == null) LineColor(line.color, isHidden)
         val name = listOfNotNull(line.title.takeIf { hasName }, line.label?.let { shortLabel(it, LABEL_LETTERS) }).joinToString(" · ")
         if (name.isNotEmpty()) LineName(name, isHidden)
-        if (line.signal.states == null) {
-            LegendValue(scene, spec.id, line)
-        } else {
-            Tip({ statesText(scene, line) }) { LegendValue(scene, spec.id, line) }
-        }
+        Tip({ tipText(scene, spec.id, line) }) { LegendValue(scene, spec.id, line) }
         if (isHovered && hasName && spec.lines.size > 1) {
             Icon(
                 Icons.Close,
@@ -84,6 +81,12 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
             )
         }
     }
+}
+
+/** Returns the value of [line] with all digits, or how long it was in each state. */
+private fun tipText(scene: GraphScene, id: Int, line: DrawnLine): String {
+    if (line.signal.states != null) return statesText(scene, line)
+    return readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.view.cursor, scene.view.secondCursor, ::exactText)
 }
 
 /** Returns how long and how often [line] was in each of its states in the visible range, or between the cursors. */
@@ -105,19 +108,15 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     Spacer(
         Modifier.width(valueWidth(line, isComparing = scene.view.secondCursor != null)).height(17.dp).drawBehind {
             val picture = scene.pictureOf(scene.plots.state(id))
-            fun measured(isShort: Boolean): TextLayoutResult {
-                val text = readingOf(picture, line, scene.view.cursor, isShort, scene.view.secondCursor)
-                return letters.measure(
-                    text.ifEmpty { picture?.legendOf(line) ?: unitText(line.signal.unit) },
-                    if (text.isEmpty()) unit else style,
-                    TextOverflow.Ellipsis,
-                    softWrap = false,
-                    maxLines = 1,
-                    Constraints(maxWidth = size.width.toInt()),
-                )
-            }
-            // A rounded number is more useful than one that is cut off.
-            val layout = measured(isShort = false).let { if (it.hasVisualOverflow) measured(isShort = true) else it }
+            val text = readingOf(picture, line, scene.view.cursor, scene.view.secondCursor)
+            val layout = letters.measure(
+                text.ifEmpty { picture?.legendOf(line) ?: unitText(line.signal.unit) },
+                if (text.isEmpty()) unit else style,
+                TextOverflow.Ellipsis,
+                softWrap = false,
+                maxLines = 1,
+                Constraints(maxWidth = size.width.toInt()),
+            )
             drawText(layout, topLeft = Offset(0f, (size.height - layout.size.height) / 2))
         },
     )
@@ -133,16 +132,22 @@ private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
 }
 
 /**
- * Returns the value of [line] at the [cursor], compared with a [second] one; empty without a cursor, and until [picture] has the
- * line.
+ * Returns the value of [line] at the [cursor], formatted by [sampleText], compared with a [second] one; empty without a cursor, and until
+ * [picture] has the line.
  */
-internal fun readingOf(picture: PlotPicture?, line: DrawnLine, cursor: Double?, isShort: Boolean = false, second: Double? = null): String {
+internal fun readingOf(
+    picture: PlotPicture?,
+    line: DrawnLine,
+    cursor: Double?,
+    second: Double? = null,
+    sampleText: (Double) -> String = ::numberText,
+): String {
     if (picture == null || cursor == null) return ""
     val isThere = picture.lines.any { it.line == line } || picture.lanes.any { it.line == line }
     if (!isThere) return ""
     val a = cursor - line.offset
-    if (second == null) return valueText(line.signal, a, isShort)
-    return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit) { line.signal.numberText(it, isShort) }
+    if (second == null) return valueText(line.signal, a, sampleText)
+    return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit, sampleText)
 }
 
 /** More characters of a recording's name would leave no room for others. */

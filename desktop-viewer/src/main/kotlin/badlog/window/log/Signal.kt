@@ -10,8 +10,7 @@ import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.shown.outline.traits
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
-import badlog.viewer.text.exactText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
@@ -53,9 +52,6 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 
     /** Its samples; the first call may calculate them, so not to be called while drawing. */
     val series: Series get() = line.data
-
-    /** Returns a number of it as text: a logged one exact, a calculated one without the digits that a calculation makes up. */
-    fun numberText(number: Double, isShort: Boolean = false): String = if (isDerived || isShort) roundedText(number) else exactText(number)
 }
 
 /** Returns whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
@@ -66,11 +62,10 @@ internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = n
 }
 
 /**
- * Returns the value of [signal] at [position], or at its end for null: a number with its unit or the name of a state; `–` for a
- * gap. A logged number is exact, a calculated one without the digits that a calculation makes up; neither has more than six where
- * it is to be short, as beside a name that it would crowd out.
+ * Returns the value of [signal] at [position], or at its end for null: a number, formatted by [sampleText], with its unit, or the name of a
+ * state; `–` for a gap.
  */
-internal fun valueText(signal: Signal, position: Double?, isShort: Boolean = false): String {
+internal fun valueText(signal: Signal, position: Double?, sampleText: (Double) -> String = ::numberText): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
-    return signal.line.textOf(index) { withUnit(signal.numberText(it, isShort), signal.unit) }
+    return signal.line.textOf(index) { withUnit(sampleText(it), signal.unit) }
 }

@@ -36,6 +36,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorValues
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.cursorText
+import badlog.viewer.text.exactText
 import badlog.viewer.text.unitText
 import badlog.window.findings.LogFindings
 import badlog.window.log.AxisView
@@ -47,6 +48,7 @@ import badlog.window.log.valueText
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
+import badlog.window.theme.Tip
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map
@@ -100,8 +102,8 @@ internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisVie
 
 private data class CursorQuestion(val query: String, val graphs: Board, val found: Set<String>, val x: Double?)
 
-/** A line of the panel: the [name] of a topic, its value, and whether that just [hasChanged]. */
-internal data class CursorRow(val name: String, val text: String, val hasChanged: Boolean)
+/** A line of the panel: the [name] of a topic, its value, also [exact] to the last digit, and whether that just [hasChanged]. */
+internal data class CursorRow(val name: String, val text: String, val exact: String, val hasChanged: Boolean)
 
 /**
  * Returns the topics whose name or unit [query] finds; without a search, those of the graphs of [board].
@@ -118,7 +120,8 @@ internal fun cursorSignals(open: OpenRecording, board: Board, query: String, fou
 internal fun cursorRows(signals: List<Signal>, values: CursorValues, x: Double?): List<CursorRow> =
     values.at(x ?: Double.NaN).map { value ->
         val signal = signals[value.line]
-        CursorRow(signal.name, if (x == null) "" else valueText(signal, x), value.hasChanged)
+        if (x == null) return@map CursorRow(signal.name, "", "", value.hasChanged)
+        CursorRow(signal.name, valueText(signal, x), valueText(signal, x, ::exactText), value.hasChanged)
     }
 
 /** A topic, its value, and a pin that draws it, or goes to its graph if [isDrawn]. */
@@ -139,6 +142,8 @@ private fun CursorLine(row: CursorRow, isDrawn: Boolean, onPin: () -> Unit) {
             if (isDrawn) palette.accent else palette.muted,
         )
         Text(row.name, Modifier.weight(1f), color = palette.muted, maxLines = 1, overflow = TextOverflow.StartEllipsis)
-        Text(row.text, Modifier.weight(0.8f), fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Tip(row.exact, Modifier.weight(0.8f)) {
+            Text(row.text, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        }
     }
 }

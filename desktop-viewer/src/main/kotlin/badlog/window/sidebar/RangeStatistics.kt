@@ -9,6 +9,7 @@ import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.exactText
+import badlog.viewer.text.numberText
 import badlog.window.compare.DrawnRecording
 import badlog.window.log.OpenRecording
 import badlog.window.log.Signal
@@ -30,8 +31,8 @@ internal class RangeStatistics(val part: NamedSpan, val xUnit: String, val signa
  */
 internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
 
-/** A name with its value, in a separate line if [isWide]; [unit] is `ul` for none. */
-internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false)
+/** A name with its value, also [exact] to the last digit, in a separate line if [isWide]; [unit] is `ul` for none. */
+internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
 /** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so do not use it on the window's thread. */
 internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
@@ -54,7 +55,10 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, p
 
 private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
     val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
-    return shown.map { StatCell(it.title, it.textOf(statistics, signal.isDerived), it.unitOf(signal.unit, xUnit)) }
+    return shown.map {
+        val value = it.of(statistics)
+        StatCell(it.title, numberText(value), it.unitOf(signal.unit, xUnit), exact = exactText(value))
+    }
 }
 
 // Sums of the numbers of states are meaningless.
@@ -78,7 +82,7 @@ internal fun RangeStatistics.toTsv(): String {
     val columns = signals.flatMap { signal -> signal.cells.map { it.name } }.distinct()
     val head = listOf("topic", "unit", "log", "from", "to") + columns
     val lines = signals.map { signal ->
-        val cells = signal.cells.associate { it.name to it.text }
+        val cells = signal.cells.associate { it.name to it.exact }
         listOf(signal.signal, signal.unit, signal.recording, exactText(part.span.from), exactText(part.span.to)) +
             columns.map { cells[it].orEmpty() }
     }

@@ -3,9 +3,8 @@ package badlog.window.sidebar
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
-import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.text.exactText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.shortNames
 import badlog.viewer.text.withUnit
 import java.nio.file.Path
@@ -50,7 +49,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         DateColumn -> row.date
 
         is FigureColumn -> withUnit(
-            textOf(column.statistic, column.of(row)),
+            numberText(column.of(row)),
             if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS,
         )
     }
@@ -84,9 +83,6 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
 /** Returns [text] as a cell of CSV: quoted if necessary. */
 internal fun csvCell(text: String): String = if (text.any { it in ",\"\r\n" }) "\"" + text.replace("\"", "\"\"") + "\"" else text
-
-// How many samples there are is known exactly, however many they are.
-private fun textOf(statistic: Statistic, value: Double) = if (statistic.isCount) exactText(value) else roundedText(value)
 
 private fun sorted(rows: List<StatisticsRow>, choice: StatisticsChoice): List<StatisticsRow> = when (val column = choice.sort) {
     null -> rows

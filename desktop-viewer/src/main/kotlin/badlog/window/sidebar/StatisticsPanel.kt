@@ -29,7 +29,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.shown.statistics.Statistic
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 import badlog.window.compare.ComparedRecordings
 import badlog.window.compare.DrawnRecording
@@ -39,6 +39,7 @@ import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.conflate
@@ -121,8 +122,8 @@ internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: Axi
 
 private fun rangeText(statistics: RangeStatistics): String {
     val (from, to) = statistics.part.span
-    val ends = "${roundedText(from)} – ${withUnit(roundedText(to), statistics.xUnit)}"
-    return "${withUnit(roundedText(statistics.part.width), statistics.xUnit)}  ($ends)"
+    val ends = "${numberText(from)} – ${withUnit(numberText(to), statistics.xUnit)}"
+    return "${withUnit(numberText(statistics.part.width), statistics.xUnit)}  ($ends)"
 }
 
 @Composable
@@ -153,7 +154,9 @@ private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
         val muted = LocalPalette.current.muted
         Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
         // A number that is cut off would be a different one, so two lines are better.
-        Text(withUnit(cell.text, cell.unit), Modifier.weight(1f), fontSize = 12.sp, lineHeight = 15.sp)
+        Tip(withUnit(cell.exact, cell.unit), Modifier.weight(1f)) {
+            Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp)
+        }
     }
 }
 

@@ -80,7 +80,7 @@ internal fun ToolButton(
     }
 }
 
-/** Shows [text] as a tooltip when the pointer rests on [content]. */
+/** Shows [text] as a tooltip when the pointer rests on [content]; nothing for an empty one. */
 @Composable
 internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) = Tip({ text }, modifier, content)
 
@@ -91,8 +91,10 @@ internal fun Tip(text: () -> String, modifier: Modifier = Modifier, content: @Co
     TooltipArea(
         tooltip = {
             val palette = LocalPalette.current
+            val shown = remember(text) { text() }
+            if (shown.isEmpty()) return@TooltipArea
             Text(
-                remember(text) { text() },
+                shown,
                 Modifier
                     .widthIn(max = 420.dp)
                     .border(1.dp, palette.border, RoundedCornerShape(4.dp))

@@ -214,7 +214,7 @@ internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
         withContext(Dispatchers.Default) { signal.series.isOrdered }
         value = signal
     }
-    val text by remember(view) { derivedStateOf { ready?.let { valueText(it, view.cursor, isShort = true) }.orEmpty() } }
+    val text by remember(view) { derivedStateOf { ready?.let { valueText(it, view.cursor) }.orEmpty() } }
     ValueText(text)
 }
 

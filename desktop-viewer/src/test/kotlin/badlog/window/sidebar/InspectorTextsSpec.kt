@@ -74,4 +74,12 @@ class InspectorTextsSpec : FunSpec({
         lines.map { it.count { char -> char == '\t' } }.dropLast(1).distinct().size shouldBe 1
         lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")
     }
+
+    test("statistics are shown with six digits, and copied with all of them") {
+        val open = recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,11.599600000000002", "1,11.599600000000002")))
+        val statistics = rangeStatistics(listOf(DrawnRecording(open)), listOf("A"), NamedSpan("Selection", Span(0.0, 1.0)))
+        statistics.signals.single().cells.first { it.name == "max" }.text shouldBe "11.5996"
+        val (head, cells) = statistics.toTsv().lines().map { it.split('\t') }
+        cells[head.indexOf("max")] shouldBe "11.599600000000002"
+    }
 })

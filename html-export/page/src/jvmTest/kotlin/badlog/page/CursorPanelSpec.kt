@@ -4,6 +4,7 @@ import badlog.core.bag.BagTopic
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import org.openqa.selenium.WebElement
 
 /** The panel of values at the cursor. */
 internal class CursorPanelSpec : PageSpec({
@@ -38,6 +39,24 @@ internal class CursorPanelSpec : PageSpec({
             rows() shouldBe listOf("Still12 V", "Jump7 A", "Modeauto")
             press("v")
             element("#cursor-values").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("legend, list and statistics show six digits of a number, and all of them where the pointer rests") {
+        onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("Seventh")), 11) { row, column -> if (column == 0) row else "${row + 1 / 7.0}" })) {
+            press("v")
+            graph("Seventh").click(0.4)
+            graph("Seventh").value("Seventh") shouldBe "4.14286"
+            rows() shouldBe listOf("Seventh4.14286")
+            fun titleOver(element: WebElement): String {
+                act { moveToElement(element) }
+                return element.getDomAttribute("title").orEmpty()
+            }
+            titleOver(graph("Seventh").legend("Seventh")).lines().last() shouldBe "4.142857142857143"
+            titleOver(element(".cursor-value-text")) shouldBe "4.142857142857143"
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Seventh").card)
+            val maximum = elements(".statistics tbody td")[1]
+            maximum.text to maximum.getDomAttribute("title") shouldBe ("10.1429" to "10.142857142857142")
         }
     }
 

@@ -122,7 +122,7 @@ internal class LogFigure(
     private fun valueOf(line: DrawnLine): String? {
         val read = line.signal.line
         val cursor = cursors.x ?: return null
-        return "${read.textOf(read.indexAt(cursor - line.offset), line.signal::numberText)} ${unitText(line.signal.unit)}".trim()
+        return "${read.textOf(read.indexAt(cursor - line.offset))} ${unitText(line.signal.unit)}".trim()
     }
 
     private fun drawXy(sheet: Sheet, graph: BoardGraph) {

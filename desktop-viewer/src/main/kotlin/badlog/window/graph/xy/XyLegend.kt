@@ -65,7 +65,7 @@ private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
     val letters = rememberTextMeasurer()
     val style = remember(palette) { TextStyle(color = palette.text, fontSize = 12.sp, fontWeight = FontWeight.Medium) }
     Spacer(
-        Modifier.width(if (xy.plot.isField) FIELD_WIDTH else PLAIN_WIDTH).height(17.dp).drawBehind {
+        Modifier.width(VALUE_WIDTH).height(17.dp).drawBehind {
             val cursor = scene.view.cursor ?: return@drawBehind
             val text = trace.textAt(cursor - xy.drawn.offset, xy.plot.isField)
             drawText(letters.measure(text, style, softWrap = false, maxLines = 1))
@@ -73,7 +73,6 @@ private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
     )
 }
 
-private val FIELD_WIDTH = 130.dp
-private val PLAIN_WIDTH = 90.dp
+private val VALUE_WIDTH = 130.dp
 private const val MAX_ENTRIES = 8
 private const val LABEL_LETTERS = 20

@@ -4,6 +4,7 @@ import badlog.catalog.folder.loggedTopic
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.axis.AxisSide
+import badlog.viewer.text.exactText
 import badlog.window.compare.DrawnRecording
 import badlog.window.graph.bagOf
 import badlog.window.graph.readingOf
@@ -130,12 +131,13 @@ class PictureMakingSpec : FunSpec({
         readingOf(mixed, mixed.lines.single().line, 1.9) shouldBe "3 V"
     }
 
-    test("the legend reads the very sample, digits and all") {
+    test("the legend reads the very sample, with six digits, and its tooltip with all") {
         val recording = recordingOf(bagOf(101) { 12.34567 + it })
         val made = picture(recording)
-        readingOf(made, made.lines.single().line, 5.04) shouldBe "62.34567 V"
-        readingOf(made, made.lines.single().line, 5.06) shouldBe "63.34567 V"
-        readingOf(made, made.lines.single().line, -100.0) shouldBe "12.34567 V"
+        readingOf(made, made.lines.single().line, 5.04) shouldBe "62.3457 V"
+        readingOf(made, made.lines.single().line, 5.06) shouldBe "63.3457 V"
+        readingOf(made, made.lines.single().line, -100.0) shouldBe "12.3457 V"
+        readingOf(made, made.lines.single().line, 5.04, sampleText = ::exactText) shouldBe "62.34567 V"
         readingOf(made, made.lines.single().line, null) shouldBe ""
     }
 

@@ -31,7 +31,7 @@ internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw:
         for (constant in outline.constants) {
             add(constant.name, "${constant.name} ${constant.text}", { constant.graph.series[0].traits }) {
                 add("td").addButton("listed-graph", constant.name, "Draw ${constant.name}") { onDraw(draw(constant.graph)) }
-                add("td", "constant-value", constant.text)
+                add("td", "constant-value", constant.text).title = constant.exact
                 add("td").addPin(scene.board, constant.graph.asBoardGraph())
             }
         }

@@ -11,11 +11,12 @@ import badlog.page.view.Cursor
 import badlog.viewer.draw.axis.graphAxes
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.figure.LegendEntry
+import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.text.exactText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.shortNames
 import badlog.viewer.text.unitText
 import org.w3c.dom.HTMLElement
@@ -32,6 +33,8 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
     private val names = legendNames(graph)
     private val values = ArrayList<HTMLElement>()
     private val units = ArrayList<HTMLElement>()
+    private var cursors = Cursors()
+    private var xUnit = ""
     private val entries = graph.series.mapIndexed { index, series -> addEntry(index, series) }
 
     private fun addEntry(index: Int, series: GraphSeries): HTMLElement {
@@ -42,7 +45,10 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
             add("bdi", "legend-name", names[index])
             values += add("span", "value")
             units += add("bdi", "unit graph-unit")
-            if (graph.showsStates) addEventListener("pointerenter", { title = "$hint\n${statesOf(index)}" })
+            addEventListener("pointerenter", {
+                val more = if (graph.showsStates) statesOf(index) else textOf(series, ::exactText)
+                title = if (more.isEmpty()) hint else "$hint\n$more"
+            })
         }
     }
 
@@ -62,16 +68,15 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
 
     /** Shows the values at [cursor], whose x is in [xUnit]; compared where there is a second one. */
     fun update(cursor: Cursor, xUnit: String) {
-        val a = cursor.now.x
-        val b = cursor.now.second
-        graph.series.forEachIndexed { index, series ->
-            val text = when {
-                a == null -> ""
-                b == null -> series.textOf(series.indexAt(a), ::numberText)
-                else -> series.comparisonText(a, b, xUnit, ::numberText)
-            }
-            values[index].showText(text)
-        }
+        cursors = cursor.now
+        this.xUnit = xUnit
+        graph.series.forEachIndexed { index, series -> values[index].showText(textOf(series, ::numberText)) }
+    }
+
+    private fun textOf(series: GraphSeries, sampleText: (Double) -> String): String {
+        val a = cursors.x ?: return ""
+        val b = cursors.second ?: return series.textOf(series.indexAt(a), sampleText)
+        return series.comparisonText(a, b, xUnit, sampleText)
     }
 
     /** Returns what it says about the lines that are drawn, with their colors if it [hasColors]. */
@@ -80,8 +85,6 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
             val texts = listOf(names[i], values[i].textContent, units[i].textContent).filterNot { it.isNullOrEmpty() }
             LegendEntry(texts.joinToString(" "), if (hasColors) i % LINE_COLORS else null)
         }
-
-    private fun numberText(number: Double) = if (graph.isVirtual) roundedText(number) else exactText(number)
 }
 
 /** Returns the names of the lines of [graph] in a legend. */

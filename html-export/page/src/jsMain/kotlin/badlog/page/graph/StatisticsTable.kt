@@ -13,6 +13,8 @@ import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.countText
+import badlog.viewer.text.exactText
+import badlog.viewer.text.numberText
 import org.w3c.dom.HTMLElement
 
 /** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
@@ -52,12 +54,8 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                             add("span", "", names[index])
                         }
                         for (statistic in Statistic.entries) {
-                            val isCount = statistic.isCount
-                            add(
-                                "td",
-                                "",
-                                if (isCount) countText(statistic.of(statistics).toInt()) else statistic.textOf(statistics, graph.isVirtual),
-                            )
+                            val value = statistic.of(statistics)
+                            add("td", "", if (statistic.isCount) countText(value.toInt()) else numberText(value)).title = exactText(value)
                         }
                     }
                 }

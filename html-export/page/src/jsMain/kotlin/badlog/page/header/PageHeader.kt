@@ -9,7 +9,7 @@ import badlog.page.view.Scene
 import badlog.viewer.text.bytesText
 import badlog.viewer.text.countText
 import badlog.viewer.text.durationText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 import org.w3c.dom.HTMLElement
 
@@ -31,7 +31,7 @@ private fun factsOf(view: LogView, logged: Recording, about: About): List<String
     if (view.title != null) facts += about.name
     val width = view.xAxis.range?.run { endInclusive - start } ?: 0.0
     if (!view.xAxis.isIndex && width > 0) {
-        facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(roundedText(width), view.xAxis.unit)
+        facts += if (view.xAxis.unit == "s") durationText(width) else withUnit(numberText(width), view.xAxis.unit)
     }
     facts += countText(logged.topics.size, "topic")
     facts += samplesText(logged)

@@ -9,6 +9,8 @@ import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.text.countText
+import badlog.viewer.text.exactText
+import badlog.viewer.text.numberText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
@@ -89,8 +91,8 @@ internal class LogStatistics {
         val unit = topics.firstNotNullOf { it }.unit
         add("th", "", if (unit == Topic.UNITLESS || unit.isEmpty()) name else "$name [$unit]").setAttribute("scope", "row")
         for (topic in topics) {
-            val text = topic?.let { statistic.textOf(it.statistics, isDerived = true) }.orEmpty()
-            add("td", "is-number", text)
+            val value = topic?.let { statistic.of(it.statistics) }
+            add("td", "is-number", value?.let(::numberText).orEmpty()).title = value?.let(::exactText).orEmpty()
         }
     }
 

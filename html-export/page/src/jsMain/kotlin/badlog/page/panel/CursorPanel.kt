@@ -16,7 +16,7 @@ import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.unitText
 import badlog.viewer.text.withUnit
 import org.w3c.dom.HTMLElement
@@ -127,10 +127,11 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         private lateinit var value: HTMLElement
         private lateinit var pin: HTMLElement
         private var called = ""
+        private var exactValue = { "" }
 
         val element: HTMLElement = parent.add("div", "cursor-value") {
             name = add("bdi", "cursor-value-name")
-            value = add("bdi", "cursor-value-text")
+            value = add("bdi", "cursor-value-text") { addEventListener("pointerenter", { title = exactValue() }) }
             pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.board.change { withOwnToggled(called) } }
         }
 
@@ -143,9 +144,8 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
             // The name of a topic derived by an attribute may exist only in its graph.
             pin.isHidden = scene.board.lines[called] == null
             pin.setAttribute("aria-pressed", isPinned.toString())
-            val text = line.textOf(line.indexAt(x)) { withUnit(if (line.isDerived) roundedText(it) else exactText(it), line.unit) }
-            value.showText(text)
-            value.title = text
+            exactValue = { line.textOf(line.indexAt(x)) { withUnit(exactText(it), line.unit) } }
+            value.showText(line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) })
         }
     }
 

@@ -14,7 +14,7 @@ import badlog.core.analysis.statisticsOf
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject
@@ -54,8 +54,8 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
         val statistics = view.statisticsOf(line, range.from, range.to)
         for (statistic in Statistic.entries) {
             putJsonObject(statistic.title) {
-                // Calculated values have only meaningful digits.
-                put("value", number(statistic.textOf(statistics, line.isDerived).toDoubleOrNull()))
+                // Without digits that nobody reads.
+                put("value", number(numberText(statistic.of(statistics)).toDoubleOrNull()))
                 put("unit", unitOf(statistic.unitOf(line.unit, view.xAxis.unit)))
             }
         }
@@ -70,8 +70,8 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
             for (time in times.take(StateTime.MOST)) {
                 addJsonObject {
                     put("state", time.state)
-                    put("time", number(roundedText(time.time).toDoubleOrNull()))
-                    put("share", number(roundedText(time.share).toDoubleOrNull()))
+                    put("time", number(numberText(time.time).toDoubleOrNull()))
+                    put("share", number(numberText(time.share).toDoubleOrNull()))
                     put("times", time.count)
                 }
             }

@@ -29,9 +29,15 @@ fun exactText(value: Double): String = when {
     }
 }
 
-/** Returns a calculated number, which is not exact to its last digit, with six digits. */
-fun roundedText(value: Double): String =
-    if (value.isFinite() && value != 0.0) shortened(exponentialDigits(value, ROUNDED)) else exactText(value)
+/**
+ * Returns [value] as people read it, sample or calculated: a whole number in full, any other with six significant digits, but without zeros
+ * in place of digits before the point. Files, copies and tooltips have the [exactText].
+ */
+fun numberText(value: Double): String = when {
+    abs(value) < MAX_PLAIN && (value == floor(value) || abs(value) >= MILLION) -> fixedDigits(value, 0)
+    value.isFinite() -> shortened(exponentialDigits(value, ROUNDED))
+    else -> exactText(value)
+}
 
 /** Returns [value] with [decimals] decimals; in the form of [exactText] if it is not finite, or 1e15 or more. */
 fun fixedText(value: Double, decimals: Int): String =
@@ -65,6 +71,7 @@ private fun shortened(digits: String): String {
 }
 
 private const val MAX_PLAIN = 1e15
+private const val MILLION = 1e6
 private const val MIN_EXPONENT = -4
 private const val MAX_EXPONENT = 15
 

@@ -43,12 +43,24 @@ class NumberTextSpec : FunSpec({
         exactText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
     }
 
-    test("a calculated number has six digits, without digits that only come from rounding") {
-        roundedText(1 / 3.0) shouldBe "0.333333"
-        roundedText(0.1 + 0.2) shouldBe "0.3"
-        roundedText(1234567.0) shouldBe "1234570"
+    test("people read whole numbers in full, and six digits of all others, but never a zero in place of a digit before the point") {
+        numberText(1 / 3.0) shouldBe "0.333333"
+        numberText(0.1 + 0.2) shouldBe "0.3"
+        numberText(11.599600000000002) shouldBe "11.5996"
+        numberText(123456.75) shouldBe "123457"
+        numberText(1234567.0) shouldBe "1234567"
+        numberText(-1234567.89) shouldBe "-1234568"
+        numberText(0.000123456789) shouldBe "0.000123457"
+        numberText(1.23456789e-9) shouldBe "1.23457e-9"
+        numberText(1.23456789e300) shouldBe "1.23457e300"
+        numberText(-0.0) shouldBe "0"
+        numberText(Double.NaN) shouldBe "–"
+        numberText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
         checkAll(Arb.double(-1e300, 1e300).filter { it.isFinite() && abs(it) > 1e-300 }) { value ->
-            roundedText(value).toDouble() / value shouldBe (1.0 plusOrMinus 6e-6)
+            numberText(value).toDouble() / value shouldBe (1.0 plusOrMinus 6e-6)
+        }
+        checkAll(Arb.double(-1e14, 1e14).filter { it.isFinite() && abs(it) > 1e6 }) { value ->
+            numberText(value).toDouble() shouldBe (value plusOrMinus 0.5)
         }
     }
 

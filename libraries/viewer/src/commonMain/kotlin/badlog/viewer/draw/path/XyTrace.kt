@@ -8,6 +8,7 @@ import badlog.signals.pose.Trail
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.text.fixedText
+import badlog.viewer.text.numberText
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos
@@ -56,20 +57,14 @@ class XyTrace internal constructor(
     /** Returns the heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
     fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
 
-    /** Returns its place and heading at [time] for a legend: `3.21, 4.50 m · 87°`; empty for nowhere. */
+    /** Returns its numbers at [time] for a legend, or its place and heading on a field: `3.21, 4.50 m · 87°`; empty for nowhere. */
     fun textAt(time: Double, isField: Boolean): String {
         val index = indexAt(time)
         if (index < 0) return ""
-        val place = "${fixedText(trail.x[index], 2)}, ${fixedText(trail.y[index], 2)}"
+        if (!isField) return "${numberText(trail.x[index])}, ${numberText(trail.y[index])}"
+        val place = "${fixedText(trail.x[index], 2)}, ${fixedText(trail.y[index], 2)} m"
         val angle = headingAt(time)
-        val degrees = angle / PI * HALF_TURN
-        return if (!isField) {
-            place
-        } else if (angle.isNaN()) {
-            "$place m"
-        } else {
-            "$place m · ${fixedText(degrees, 0)}°"
-        }
+        return if (angle.isNaN()) place else "$place · ${fixedText(angle / PI * HALF_TURN, 0)}°"
     }
 
     /** Returns, for an array, the places at [time] in sequence, alternating x and y. */

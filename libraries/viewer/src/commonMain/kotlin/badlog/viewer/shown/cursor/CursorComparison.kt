@@ -2,7 +2,7 @@ package badlog.viewer.shown.cursor
 
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.Units
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
@@ -10,16 +10,16 @@ import badlog.viewer.text.withUnit
  * -1.4 V/s`. States and gaps have no difference and slope.
  *
  * @param xUnit the unit of x.
- * @param numberText formats a sample.
+ * @param sampleText formats a sample.
  */
-fun GraphSeries.comparisonText(a: Double, b: Double, xUnit: String, numberText: (Double) -> String): String {
+fun GraphSeries.comparisonText(a: Double, b: Double, xUnit: String, sampleText: (Double) -> String = ::numberText): String {
     val one = indexAt(a)
     val other = indexAt(b)
-    val texts = "A ${textOf(one, numberText)} · B ${textOf(other, numberText)}"
+    val texts = "A ${textOf(one, sampleText)} · B ${textOf(other, sampleText)}"
     if (states != null || one < 0 || other < 0) return texts
     val change = data.y[other] - data.y[one]
     if (change.isNaN()) return texts
     val slope = change / (dotAt(b) - dotAt(a))
-    val text = "$texts · Δ ${roundedText(change)}"
-    return if (slope.isFinite()) "$text · ${withUnit(roundedText(slope), Units.ofDerivative(unit, xUnit))}" else text
+    val text = "$texts · Δ ${numberText(change)}"
+    return if (slope.isFinite()) "$text · ${withUnit(numberText(slope), Units.ofDerivative(unit, xUnit))}" else text
 }

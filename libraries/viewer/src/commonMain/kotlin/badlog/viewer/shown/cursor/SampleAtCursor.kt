@@ -2,6 +2,7 @@ package badlog.viewer.shown.cursor
 
 import badlog.core.analysis.GraphSeries
 import badlog.signals.pose.lastAtOrBefore
+import badlog.viewer.text.numberText
 
 /**
  * Returns the index of the sample of this line that a cursor at [x] reads; -1 for none, and if [x] is NaN.
@@ -29,14 +30,14 @@ fun GraphSeries.dotAt(x: Double): Double {
 }
 
 /**
- * Returns sample [index] of this line as text: the name of its state, or its number formatted by [numberText]; `–` for a gap, and
+ * Returns sample [index] of this line as text: the name of its state, or its number formatted by [sampleText]; `–` for a gap, and
  * if there is no such sample.
  */
-fun GraphSeries.textOf(index: Int, numberText: (Double) -> String): String {
+fun GraphSeries.textOf(index: Int, sampleText: (Double) -> String = ::numberText): String {
     if (index !in 0 until data.size) return NOTHING
     val value = data.y[index]
     if (value.isNaN()) return NOTHING
-    return states?.let { it.getOrElse(value.toInt()) { "?" } } ?: numberText(value)
+    return states?.let { it.getOrElse(value.toInt()) { "?" } } ?: sampleText(value)
 }
 
 private const val NOTHING = "–"

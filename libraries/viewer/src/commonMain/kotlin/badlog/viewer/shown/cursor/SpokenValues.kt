@@ -1,7 +1,7 @@
 package badlog.viewer.shown.cursor
 
 import badlog.core.analysis.GraphSeries
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
@@ -10,7 +10,7 @@ import badlog.viewer.text.withUnit
  */
 fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {
     val values = lines.take(MOST_SPOKEN).mapNotNull { line ->
-        val text = line.textOf(line.indexAt(x)) { withUnit(roundedText(it), line.unit) }
+        val text = line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) }
         if (text.isEmpty()) null else "${line.name} $text"
     }
     return (listOf(place) + values).joinToString(", ")

@@ -6,7 +6,7 @@ import badlog.viewer.text.NO_NUMBER
 import badlog.viewer.text.countText
 import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 import kotlin.math.floor
 
@@ -19,7 +19,7 @@ private const val BROWNOUT_NEAR = 7.0
 /** Returns `2:47`; null when it is not known. */
 fun durationText(log: ListedLog): String? {
     val duration = log.summary.duration ?: return null
-    val seconds = secondsOf(duration, log.summary.xUnit) ?: return withUnit(roundedText(duration), log.summary.xUnit)
+    val seconds = secondsOf(duration, log.summary.xUnit) ?: return withUnit(numberText(duration), log.summary.xUnit)
     if (!(seconds < 1e9)) return null
     if (seconds < 10) return "${fixedText(seconds, 1)} s"
     return minutesText(seconds, decimals = 0)

@@ -8,6 +8,7 @@ import badlog.signals.LogShape
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.text.exactText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
@@ -33,8 +34,9 @@ class OutlineFolder(val folder: Folder, val listed: List<Graph> = emptyList())
  *
  * @property graph the graph that draws it.
  * @property text its value, with its unit.
+ * @property exact the same with all digits.
  */
-class ConstantTopic(val graph: Graph, val text: String) {
+class ConstantTopic(val graph: Graph, val text: String, val exact: String) {
     /** The full name of the topic. */
     val name: String get() = graph.name
 }
@@ -64,9 +66,12 @@ fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = e
         foldersOf(view, drawn.map { it.toGraph() }, (undrawn + derived).map { it.toGraph() }),
         constant.flatMap { it.lines }.distinctBy { it.topic }.map { line ->
             val sample = line.data.y.indexOfFirst { !it.isNaN() }
+
+            fun text(format: (Double) -> String) = line.textOf(sample) { withUnit(format(it), line.unit) }
             ConstantTopic(
                 Graph(line.topic.name, line.unit, isVirtual = false, isFilled = false, includesZero = false, listOf(line)),
-                line.textOf(sample) { withUnit(exactText(it), line.unit) },
+                text(::numberText),
+                text(::exactText),
             )
         },
         empty.flatMap { it.series }.map { it.topic }.distinct(),

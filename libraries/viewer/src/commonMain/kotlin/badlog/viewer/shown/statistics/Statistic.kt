@@ -3,8 +3,6 @@ package badlog.viewer.shown.statistics
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
-import badlog.viewer.text.exactText
-import badlog.viewer.text.roundedText
 
 /**
  * A number that describes the samples of a range. Statistics that could be weighted by samples or by time are weighted by
@@ -12,15 +10,14 @@ import badlog.viewer.text.roundedText
  *
  * @property title its label in front ends.
  * @property hint an explanation for those who do not know the title.
- * @property isSample whether it is one of the samples, rather than calculated from them.
  * @property isCount whether it counts samples.
  */
-enum class Statistic(val title: String, val hint: String, val isSample: Boolean = false, val isCount: Boolean = false) {
+enum class Statistic(val title: String, val hint: String, val isCount: Boolean = false) {
     /** The smallest value. */
-    MIN("min", "the smallest value", isSample = true),
+    MIN("min", "the smallest value"),
 
     /** The largest value. */
-    MAX("max", "the largest value", isSample = true),
+    MAX("max", "the largest value"),
 
     /** The mean by time. */
     MEAN("mean", "the mean by time: each value counts as long as it holds"),
@@ -38,10 +35,10 @@ enum class Statistic(val title: String, val hint: String, val isSample: Boolean 
     STANDARD_DEVIATION("std. dev.", "the standard deviation by time: each value counts as long as it holds"),
 
     /** The first value. */
-    FIRST("first", "the first value", isSample = true),
+    FIRST("first", "the first value"),
 
     /** The last value. */
-    LAST("last", "the last value", isSample = true),
+    LAST("last", "the last value"),
 
     /** The last value minus the first. */
     CHANGE("last − first", "the last value minus the first"),
@@ -71,15 +68,6 @@ enum class Statistic(val title: String, val hint: String, val isSample: Boolean 
         INTEGRAL -> statistics.integral
         SAMPLES -> statistics.count.toDouble()
         GAPS -> statistics.gaps.toDouble()
-    }
-
-    /**
-     * Returns its value in [statistics] as text: a sample exactly as logged, but a calculated value, also if the samples are
-     * [isDerived], without meaningless digits.
-     */
-    fun textOf(statistics: SeriesStatistics, isDerived: Boolean): String {
-        val value = of(statistics)
-        return if (isCount || (isSample && !isDerived)) exactText(value) else roundedText(value)
     }
 
     /** Its unit for a topic of [unit] over an x of [xUnit], null if that is not known; `ul` for none. */

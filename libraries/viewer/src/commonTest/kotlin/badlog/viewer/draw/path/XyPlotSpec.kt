@@ -41,6 +41,11 @@ class XyPlotSpec : FunSpec({
         driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
     }
 
+    test("of any two other topics, the numbers at the cursor have six digits, however small they are") {
+        val view = timed(listOf(timedTopic("Gain", 0.0 to 0.000123456789), timedTopic("Current", 0.0 to 1234567.0)))
+        view.plot("Gain", "Current")!!.traces.single().textAt(0.0, isField = false) shouldBe "0.000123457, 1234567"
+    }
+
     test("a reset of the pose is a gap in the path, not a drive across the field, and a correction is none") {
         val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(0.02, 2.1, 3.0), Triple(0.04, 9.0, 5.0), Triple(0.06, 9.1, 5.0), Triple(0.08, 9.5, 5.0)))
         val driven = view.plot("Pose/translation/x", "Pose/translation/y")!!.driven!!
