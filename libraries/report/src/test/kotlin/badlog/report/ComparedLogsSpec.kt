@@ -90,7 +90,8 @@ class ComparedLogsSpec : FunSpec({
             additionsIn(folder.resolve("out/Q7.html")) shouldNotContain "other matches (usually"
             val index = reportPage(result)
             index shouldContain "aria-label=\"Arm/Current while enabled: 8 matches, from 10.6 A (Qualification 1) to 21.5 A (Qualification 8)"
-            index shouldContain "<circle class=\"odd\""
+            index shouldContain Regex("<title>Qualification 8: 21\\.5 A</title><path [^>]*fill=\"var\\(--error\\)\"")
+            index shouldContain Regex("<title>Qualification 1: 10\\.6 A</title><path [^>]*fill=\"var\\(--accent\\)\"")
         }
     }
 })

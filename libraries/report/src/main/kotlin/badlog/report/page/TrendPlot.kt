@@ -1,7 +1,12 @@
 package badlog.report.page
 
 import badlog.rules.comparison.figureText
-import java.util.Locale
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.color.faded
+import badlog.viewer.draw.pen.Points
+import badlog.viewer.draw.pen.SvgPen
+import badlog.viewer.draw.pen.TextSide
 
 /**
  * A number of one match, for a plot over the matches.
@@ -20,53 +25,78 @@ internal fun trendPlot(title: String, unit: String, points: List<TrendPoint>): S
     val usual = (sorted[(sorted.size - 1) / 2] + sorted[sorted.size / 2]) / 2
     val (lowest, highest) = known.minBy { it.value } to known.maxBy { it.value }
     val said = "${known.size} matches, from ${text(lowest, unit)} to ${text(highest, unit)}, usually ${figureText(usual, unit)}"
-    val from = known.minOf { it.value - it.spread }
-    val to = known.maxOf { it.value + it.spread }
-    val room = maxOf((to - from) * ROOM, Math.abs(to) * 1e-6, 1e-9)
-    val y = { value: Double -> BOTTOM - (value - from + room) / (to - from + 2 * room) * (BOTTOM - TOP) }
-    val x = { place: Int -> LEFT + (RIGHT - LEFT) * if (points.size == 1) 0.5 else place.toDouble() / (points.size - 1) }
     val caption = "${escaped(title)}<small>usually ${escaped(figureText(usual, unit))}</small>"
-    val out = StringBuilder("<figure><figcaption>$caption</figcaption>\n")
-    out.append("<svg viewBox=\"0 0 $WIDTH $HEIGHT\" role=\"img\" aria-label=\"${escaped("$title: $said")}\">\n")
-    val height = number(y(usual))
-    out.append("<line class=\"usual\" x1=\"${number(LEFT)}\" x2=\"${number(RIGHT)}\" y1=\"$height\" y2=\"$height\"/>\n")
-    for (extreme in if (lowest.value == highest.value) listOf(lowest) else listOf(lowest, highest)) {
-        out.append("<text x=\"${number(LEFT - GAP)}\" y=\"${number(y(extreme.value) + TEXT_SHIFT)}\" text-anchor=\"end\">")
-        out.append("${escaped(figureText(extreme.value, ""))}</text>\n")
-    }
-    val places = points.indices.filter { points[it].value.isFinite() }
-    out.append("<polyline class=\"line\" points=\"${places.joinToString(" ") { "${number(x(it))},${number(y(points[it].value))}" }}\"/>\n")
-    val radius = if (points.size > MANY) SMALL else LARGE
-    for (place in places) {
-        val point = points[place]
-        if (point.spread > 0) {
-            out.append("<line class=\"range\" x1=\"${number(x(place))}\" x2=\"${number(x(place))}\" ")
-            out.append("y1=\"${number(y(point.value - point.spread))}\" y2=\"${number(y(point.value + point.spread))}\"/>\n")
+    val pen = SvgPen({ _, _, _ -> 0.0 }, cssOf = ::themed)
+    TrendPlot(points, known, unit).draw(pen, usual, if (lowest.value == highest.value) listOf(lowest) else listOf(lowest, highest))
+    val picture = pen.document(WIDTH, HEIGHT, colors[Shade.SURFACE])
+    val label = escaped("$title: $said")
+    return "<figure><figcaption>$caption</figcaption>\n<div role=\"img\" aria-label=\"$label\">$picture</div></figure>\n"
+}
+
+private class TrendPlot(private val points: List<TrendPoint>, known: List<TrendPoint>, private val unit: String) {
+    private val from = known.minOf { it.value - it.spread }
+    private val to = known.maxOf { it.value + it.spread }
+    private val room = maxOf((to - from) * ROOM, Math.abs(to) * 1e-6, 1e-9)
+
+    fun draw(pen: SvgPen, usual: Double, extremes: List<TrendPoint>) {
+        pen.segments(Points().line(LEFT, y(usual), RIGHT, y(usual)), colors[Shade.MUTED], 1.0, DASH)
+        for (extreme in extremes) {
+            pen.text(figureText(extreme.value, ""), LEFT - GAP, y(extreme.value), LETTERS, colors[Shade.MUTED], TextSide.LEFT)
         }
-        val (size, kind) = if (point.isOdd) ODD to " class=\"odd\"" else radius to ""
-        out.append("<circle$kind cx=\"${number(x(place))}\" cy=\"${number(y(point.value))}\" r=\"${number(size)}\">")
-        out.append("<title>${escaped("${point.name}: ${figureText(point.value, unit)}")}</title></circle>\n")
+        val places = points.indices.filter { points[it].value.isFinite() }
+        val line = Points()
+        for (place in places) line.add(x(place), y(points[place].value))
+        pen.chain(line, isClosed = false, colors[Shade.ACCENT], LINE)
+        for (place in places) pen.titled("${points[place].name}: ${figureText(points[place].value, unit)}") { drawPoint(pen, place) }
+        pen.text("first match", LEFT, BELOW, LETTERS, colors[Shade.MUTED])
+        pen.text("last match", RIGHT, BELOW, LETTERS, colors[Shade.MUTED], TextSide.LEFT)
     }
-    out.append("<text x=\"${number(LEFT)}\" y=\"${number(HEIGHT - 2.0)}\">first match</text>\n")
-    out.append("<text x=\"${number(RIGHT)}\" y=\"${number(HEIGHT - 2.0)}\" text-anchor=\"end\">last match</text>\n")
-    return out.append("</svg></figure>\n").toString()
+
+    private fun drawPoint(pen: SvgPen, place: Int) {
+        val point = points[place]
+        val (x, y) = x(place) to y(point.value)
+        if (point.spread > 0) {
+            val range = Points().line(x, y(point.value - point.spread), x, y(point.value + point.spread))
+            pen.segments(range, faded(colors[Shade.ACCENT], RANGE_OPACITY), 1.0)
+        }
+        if (point.isOdd) {
+            pen.dots(Points().add(x, y), ODD, colors[Shade.ERROR])
+            pen.ring(x, y, ODD, colors[Shade.SURFACE], LINE)
+        } else {
+            pen.dots(Points().add(x, y), if (points.size > MANY) SMALL else LARGE, colors[Shade.ACCENT])
+        }
+    }
+
+    private fun x(place: Int) = LEFT + (RIGHT - LEFT) * place / (points.size - 1)
+
+    private fun y(value: Double) = BOTTOM - (value - from + room) / (to - from + 2 * room) * (BOTTOM - TOP)
 }
 
 private val TrendPoint.spread get() = if (uncertainty.isFinite()) uncertainty else 0.0
 
 private fun text(point: TrendPoint, unit: String) = "${figureText(point.value, unit)} (${point.name})"
 
-private fun number(value: Double): String = String.format(Locale.ROOT, "%.1f", value)
+private val colors = PenColors.LIGHT
 
-private const val WIDTH = 320
-private const val HEIGHT = 116
+/** Returns the page's variable for [color], which changes with the theme. */
+private fun themed(color: Int): String = THEME.getValue(color and 0xFFFFFF)
+
+private val THEME = listOf(Shade.SURFACE, Shade.MUTED, Shade.ACCENT, Shade.ERROR)
+    .associate { it.of(isDark = false) to "var(--${it.name.lowercase()})" }
+
+private const val WIDTH = 320.0
+private const val HEIGHT = 116.0
 private const val LEFT = 44.0
 private const val RIGHT = 312.0
 private const val TOP = 8.0
 private const val BOTTOM = 98.0
+private const val BELOW = 110.0
 private const val GAP = 6.0
-private const val TEXT_SHIFT = 4.0
+private const val LETTERS = 11.0
 private const val ROOM = 0.08
+private const val DASH = 3.0
+private const val LINE = 1.5
+private const val RANGE_OPACITY = 0.55
 private const val MANY = 60
 private const val SMALL = 1.5
 private const val LARGE = 2.5

@@ -9,8 +9,14 @@ import kotlin.math.roundToLong
  *
  * @param ruler returns the width of a text, given its font size and whether it is bold: SVG has no font until somebody looks at it.
  * @param prefix begins the names of its parts, which must differ from those of other drawings in the same document.
+ * @param cssOf returns a color, of which only red, green and blue count, in the notation of style sheets: a drawing inside a page can name
+ *   the page's colors, which follow its theme.
  */
-class SvgPen(private val ruler: (String, Double, Boolean) -> Double, private val prefix: String = "cut") : Pen {
+class SvgPen(
+    private val ruler: (String, Double, Boolean) -> Double,
+    private val prefix: String = "cut",
+    private val cssOf: (Int) -> String = ::rgbOf,
+) : Pen {
     override val density: Double get() = 1.0
 
     private val body = StringBuilder()
@@ -21,9 +27,16 @@ class SvgPen(private val ruler: (String, Double, Boolean) -> Double, private val
 
     /** Returns the drawing as a document, [width] by [height], on a [background]. */
     fun document(width: Double, height: Double, background: Int): String {
-        val paper = "<path fill=\"${rgbOf(background)}\" d=\"M0 0H${numberOf(width)}V${numberOf(height)}H0z\"/>"
+        val paper = "<path fill=\"${cssOf(background)}\" d=\"M0 0H${numberOf(width)}V${numberOf(height)}H0z\"/>"
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"${numberOf(width)}\" height=\"${numberOf(height)}\" " +
             "viewBox=\"0 0 ${numberOf(width)} ${numberOf(height)}\" font-family=\"system-ui, sans-serif\">$paper$body</svg>\n"
+    }
+
+    /** Draws [draw], which shows [title] while the pointer rests on it. */
+    fun titled(title: String, draw: () -> Unit) {
+        body.append("<g><title>${xmlOf(title)}</title>")
+        draw()
+        body.append("</g>")
     }
 
     override fun lines(strokes: Strokes, color: Int, width: Double, dash: Double) = stroke(color, width, dash) {
@@ -75,7 +88,7 @@ class SvgPen(private val ruler: (String, Double, Boolean) -> Double, private val
         }
         body.append("<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" ")
         body.append("font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"600\"" else ""}")
-        if (halo != null) body.append(" stroke=\"${rgbOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"")
+        if (halo != null) body.append(" stroke=\"${cssOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"")
         body.append("${paint("fill", color)}>${xmlOf(text)}</text>")
     }
 
@@ -124,7 +137,7 @@ class SvgPen(private val ruler: (String, Double, Boolean) -> Double, private val
 
     private fun paint(kind: String, color: Int): String {
         val opacity = (color ushr ALPHA_BITS) / OPAQUE
-        return " $kind=\"${rgbOf(color)}\"" + if (opacity < 1) " $kind-opacity=\"${numberOf(opacity)}\"" else ""
+        return " $kind=\"${cssOf(color)}\"" + if (opacity < 1) " $kind-opacity=\"${numberOf(opacity)}\"" else ""
     }
 
     private fun steps(places: DoubleArray, from: Int, until: Int) {

@@ -28,6 +28,22 @@ class SvgPenSpec : FunSpec({
         drawn { rectangle(0.0, 0.0, 1.0, 1.0, faded(BLUE, 0.5)) } shouldBe "<path d=\"M0 0h1v1h-1z\" fill=\"#0000ff\" fill-opacity=\"0.5\"/>"
     }
 
+    test("a drawing inside a page can name the page's colors instead of its own") {
+        val pen = SvgPen({ _, _, _ -> 0.0 }, cssOf = { if (it and 0xFFFFFF == 0x0000FF) "var(--line)" else "var(--paper)" })
+        pen.segments(Points().line(0.0, 0.0, 1.0, 0.0), faded(BLUE, 0.5), 1.0)
+        pen.text("A", 0.0, 0.0, 10.0, BLUE, halo = WHITE)
+        val svg = pen.document(1.0, 1.0, WHITE)
+        svg shouldContain "<path fill=\"var(--paper)\""
+        svg shouldContain "stroke=\"var(--line)\" stroke-opacity=\"0.5\""
+        svg shouldContain "stroke=\"var(--paper)\" stroke-width=\"3\""
+        svg shouldContain "fill=\"var(--line)\">A<"
+    }
+
+    test("what has a title shows it under the pointer, whatever is in it") {
+        val svg = SvgPen({ _, _, _ -> 0.0 }).apply { titled("a < b") { rectangle(0.0, 0.0, 1.0, 1.0, BLUE) } }.document(1.0, 1.0, WHITE)
+        svg shouldContain "<g><title>a &lt; b</title><path d=\"M0 0h1v1h-1z\" fill=\"#0000ff\"/></g></svg>"
+    }
+
     test("what is empty leaves no element") {
         drawn {
             segments(Points(), BLUE, 1.0)
