@@ -1,14 +1,9 @@
 package badlog.window.pen
 
-import badlog.core.analysis.PixelColumns
-import badlog.core.analysis.Series
 import badlog.viewer.draw.color.PenColors
-import badlog.viewer.draw.color.faded
-import badlog.viewer.draw.curve.Curve
-import badlog.viewer.draw.curve.Scale
-import badlog.viewer.draw.curve.Strokes
-import badlog.viewer.draw.pen.Pen
-import badlog.viewer.draw.pen.Points
+import badlog.viewer.draw.pen.PEN_PRIMITIVES
+import badlog.viewer.draw.pen.PRIMITIVE_HEIGHT
+import badlog.viewer.draw.pen.PRIMITIVE_WIDTH
 import badlog.viewer.draw.pen.SvgPen
 import badlog.viewer.draw.pen.TextSide
 import io.kotest.core.spec.style.FunSpec
@@ -20,31 +15,11 @@ import org.jetbrains.skia.Data
 import org.jetbrains.skia.Surface
 import org.jetbrains.skia.svg.SVGDOM
 import kotlin.math.abs
-import kotlin.math.sin
 
-/** A pen's picture is that of the other one: what is seen on the screen is what is in the file. */
+/** The window's pen draws what the one of SVG does: what is seen on the screen is what is in the file. */
 class PenAgreementSpec : FunSpec({
     val colors = PenColors.LIGHT
-    val wave = Curve(Series(DoubleArray(200) { it.toDouble() }, DoubleArray(200) { if (it in 90..99) Double.NaN else sin(it / 9.0) }), holdsUntil = null)
-        .apply { draw(0.0, 200.0, PixelColumns(200)) }
-    val strokes = Strokes().apply { trace(wave, Scale(0.0, 200.0, 200.0), Scale(1.0, -1.0, 80.0, start = 10.0)) }
-
-    fun Points.outline() = add(150.0, 20.0).add(180.0, 20.0).add(165.0, 50.0)
-
-    val primitives: Map<String, Pen.() -> Unit> = mapOf(
-        "lines" to { lines(strokes, colors.line(0), 1.5) },
-        "dashed lines" to { lines(strokes, colors.line(1), 2.0, dash = 6.0) },
-        "areas" to { areas(strokes, 50.0, faded(colors.line(2), 0.4)) },
-        "segments" to { segments(Points().line(10.5, 0.0, 10.5, 100.0).line(0.0, 40.5, 200.0, 40.5), colors.line(3), 1.0) },
-        "a chain" to { chain(Points().outline(), isClosed = true, colors.line(4), 3.0) },
-        "shapes" to { shapes(Points().outline().add(10.0, 90.0).add(30.0, 90.0).add(20.0, 60.0), corners = 3, colors.line(5)) },
-        "dots" to { dots(Points().add(50.0, 50.0).add(120.0, 20.0), 6.0, colors.line(6)) },
-        "a ring" to { ring(100.0, 50.0, 20.0, colors.line(7), 3.0) },
-        "a rectangle" to { rectangle(20.0, 30.0, 60.5, 25.0, faded(colors.line(8), 0.5)) },
-        "what is moved and clipped" to { moved(30.0, 10.0) { clip(0.0, 0.0, 50.0, 40.0) { dots(Points().add(40.0, 30.0), 20.0, colors.line(9)) } } },
-    )
-
-    for ((name, draw) in primitives) {
+    for ((name, draw) in PEN_PRIMITIVES) {
         test("the window's pen and the file's draw $name alike") {
             val screen = pixels { surface -> SkiaPen(surface.canvas, density = 1.0).draw() }
             val svg = SvgPen({ _, _, _ -> 0.0 }).apply(draw).document(WIDTH.toDouble(), HEIGHT.toDouble(), WHITE)
@@ -96,8 +71,8 @@ private fun difference(one: Bitmap, other: Bitmap): Double {
     return sum / (3.0 * WIDTH * HEIGHT)
 }
 
-private const val WIDTH = 200
-private const val HEIGHT = 100
+private const val WIDTH = PRIMITIVE_WIDTH
+private const val HEIGHT = PRIMITIVE_HEIGHT
 private const val WHITE = -1
 
 /** Edges are smoothed a little differently. */

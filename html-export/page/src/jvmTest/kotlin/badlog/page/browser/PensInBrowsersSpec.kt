@@ -1,0 +1,44 @@
+package badlog.page.browser
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import kotlinx.serialization.json.Json
+import java.io.File
+import java.nio.file.Files
+import kotlin.io.path.createTempDirectory
+
+/** Where the compiler puts what the script exports. */
+private const val PENS = "globalThis['badlog:page_conformance'].badlog.page.conformance"
+
+/** In each browser, the page's pen draws what the common one writes as SVG: what is seen on the screen is what is in a saved figure. */
+internal class PensInBrowsersSpec : FunSpec({
+    for (browser in Browser.entries) {
+        test("${browser.name}: the canvas shows each primitive as SVG does").config(enabledOrReasonIf = { browser.enabled }) {
+            val folder = createTempDirectory("badlog-pens")
+            try {
+                val page = folder.resolve("pens.html")
+                val script = File(System.getProperty("badlog.conformance.reader")).readText()
+                Files.writeString(page, "<!DOCTYPE html><meta charset=utf-8><title>Pens</title><body><script>$script</script>")
+                browser.tab.open("${page.toUri()}")
+                val names = Json.decodeFromString<List<String>>(browser.tab.evaluate("JSON.stringify($PENS.penPictures())"))
+                names.size shouldBeGreaterThan 10
+                for (name in names) {
+                    val answer = browser.tab.evaluate("$PENS.penDifferences(${Json.encodeToString(name)}).then(found => JSON.stringify(found))")
+                    val (drawn, different) = Json.decodeFromString<List<Double>>(answer)
+                    withClue("$name: $answer") {
+                        drawn shouldBeGreaterThan 0.1
+                        different shouldBeLessThan drawn * TOLERANCE
+                    }
+                }
+            } finally {
+                folder.toFile().deleteRecursively()
+            }
+        }
+    }
+})
+
+/** Edges are smoothed a little differently, and Firefox places the letters of a picture between pixels. */
+private const val TOLERANCE = 0.07
