@@ -6,7 +6,7 @@ import badlog.rules.RuleSet
 import badlog.rules.incident.Incident
 import badlog.rules.incident.incidentsIn
 import badlog.viewer.text.minutesText
-import badlog.viewer.text.roundedText
+import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 import kotlin.math.floor
 
@@ -61,4 +61,4 @@ private val Incident.worst: Finding
 
 // As a clock shows it: it is 1:33 until it is 1:34.
 private fun timeText(finding: Finding) = secondsOf(finding.time, finding.timeUnit)?.let { minutesText(floor(it), decimals = 0) }
-    ?: withUnit(roundedText(finding.time), finding.timeUnit)
+    ?: withUnit(numberText(finding.time), finding.timeUnit)
