@@ -26,6 +26,7 @@ import badlog.window.findings.LogFindings
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
 import badlog.window.folder.NewLogs
+import badlog.window.folder.SinceLastMatch
 import badlog.window.formula.FormulaStore
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.graphCommands
@@ -107,6 +108,7 @@ internal class Viewer(
     val statistics = SelectedStatistics()
     val player = Player(current, view)
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
+    val since = SinceLastMatch(current, library)
     val notes = LogNotes(current, notices)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
@@ -192,6 +194,7 @@ internal class Viewer(
         scope.launch { shown.run() }
         scope.launch { stations.run() }
         scope.launch { findings.run() }
+        scope.launch { since.run() }
         scope.launch { notes.run() }
         scope.launch { keptLayouts.run() }
         scope.launch { video.run() }

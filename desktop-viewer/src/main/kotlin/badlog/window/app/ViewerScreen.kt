@@ -86,7 +86,7 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
         logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
-        details = { InspectorPane(current, compared, board, view, events, findings, notes, video, panels, actions::perform, it) },
+        details = { InspectorPane(current, compared, board, view, events, findings, since, notes, video, panels, actions::perform, it) },
     )
 }
 

@@ -51,6 +51,7 @@ import badlog.window.findings.LogFindings
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
 import badlog.window.findings.word
+import badlog.window.folder.Changes
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -63,6 +64,7 @@ import badlog.window.theme.ToolButton
  * The findings in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below are the skipped
  * rules, folded.
  *
+ * @param changes how the log differs from the ones before it.
  * @param perform does what a key does.
  * @param onGo called when a click goes to a finding.
  */
@@ -73,6 +75,7 @@ internal fun FindingsPanel(
     view: AxisView,
     board: GraphBoard,
     open: OpenRecording,
+    changes: Changes,
     perform: (Action) -> Unit,
     onGo: () -> Unit,
     modifier: Modifier,
@@ -120,6 +123,7 @@ internal fun FindingsPanel(
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
         if (compared.drawn.size > 1) Small("Findings of the open log only, not of compared logs.")
         findings.state.refusal?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
+        ChangesList(changes, findings, compared)
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {
             SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }

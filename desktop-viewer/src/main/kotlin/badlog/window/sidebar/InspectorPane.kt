@@ -32,6 +32,7 @@ import badlog.core.recording.Severity
 import badlog.viewer.input.Action
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.LogFindings
+import badlog.window.folder.SinceLastMatch
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.FilteredEvents
@@ -55,6 +56,7 @@ internal fun InspectorPane(
     view: AxisView,
     events: FilteredEvents,
     findings: LogFindings,
+    since: SinceLastMatch,
     notes: LogNotes,
     video: LogVideo,
     panels: WindowPanels,
@@ -85,12 +87,29 @@ internal fun InspectorPane(
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
+
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
+
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
+
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(compared, findings, view, board, open, perform, showGraphs, Modifier.fillMaxSize())
+
+                InspectorTab.FINDINGS -> FindingsPanel(
+                    compared,
+                    findings,
+                    view,
+                    board,
+                    open,
+                    since.state,
+                    perform,
+                    showGraphs,
+                    Modifier.fillMaxSize(),
+                )
+
                 InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
+
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
             }
         }
