@@ -7,6 +7,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.rules.worstFirst
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
@@ -96,4 +97,7 @@ internal class FindingList(
 private const val MOST_LACKING = 5
 
 /** The [incidents] and the [findings] that a search leaves, in their order. */
-internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>)
+internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>) {
+    /** Those of [findings] that stand below the incidents. */
+    val beside = BesideIncidents(findings, incidents)
+}

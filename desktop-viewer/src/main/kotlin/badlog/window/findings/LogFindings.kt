@@ -6,6 +6,7 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.folder.FolderRules
+import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn
@@ -132,7 +133,8 @@ internal class LogFindings(
     /** Returns what to look at next for [finding]; may be empty. */
     fun nextOf(finding: Finding): String = incidentOf(finding).nextOf(finding)
 
-    private fun incidentOf(finding: Finding) = state.list?.incidents?.find { finding in it }
+    /** Returns the incident that [finding] is part of; null for none. */
+    fun incidentOf(finding: Finding): Incident? = state.list?.incidents?.find { finding in it }
 
     /** Goes [steps] places forward within the selected finding. */
     fun stepWithin(steps: Int) {

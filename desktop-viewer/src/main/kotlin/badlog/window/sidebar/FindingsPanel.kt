@@ -90,6 +90,7 @@ internal fun FindingsPanel(
     var query by remember(open.file) { mutableStateOf("") }
     val found = remember(list, query) { list.foundBy(query) }
     val names = remember(open) { open.view.recording.topics.filter { it.size > 0 }.map { it.name }.sorted() }
+    var showsWithin by remember(open.file) { mutableStateOf(false) }
     var showsSkipped by remember { mutableStateOf(false) }
     val state = rememberLazyListState()
     fun goTo(finding: Finding) {
@@ -101,10 +102,10 @@ internal fun FindingsPanel(
         // The height of its details is known only after layout.
         withFrameNanos { }
         val visible = state.layoutInfo.visibleItemsInfo
-        val row = found.findings.indexOf(selected) + found.incidents.size
         // Somebody who goes to a finding of an incident reads the incident, unless it was chosen among the findings below.
         val incident = found.incidents.indexOfFirst { selected in it.causes + it.effects }
-        val isRead = visible.any { it.index == incident || (incident >= 0 && it.index == row) }
+        val row = found.incidents.size + found.beside.outside.indexOf(selected)
+        val isRead = incident >= 0 && visible.any { it.index == incident || it.key === selected }
         if (!isRead) showWhole(state, if (incident >= 0) incident else row)
     }
     Column(modifier) {
@@ -131,14 +132,21 @@ internal fun FindingsPanel(
         }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
+                val details = @Composable { finding: Finding -> FindingDetails(findings, view, board, open, finding, times) }
                 items(found.incidents) { incident ->
-                    IncidentLine(incident, times, isOpen = selected != null && selected in incident) { goTo(it) }
+                    IncidentLine(incident, times, selected, { goTo(it) }, details)
                 }
-                items(found.findings) { finding ->
+
+                fun lines(listed: List<Finding>) = items(listed, key = { it }) { finding ->
                     val isSelected = finding === selected
-                    FindingLine(finding, times, isSelected, { goTo(finding) }) {
-                        if (isSelected) FindingDetails(findings, view, board, open, finding, times)
-                    }
+                    FindingLine(finding, times, isSelected, { goTo(finding) }) { if (isSelected) details(finding) }
+                }
+                lines(found.beside.outside)
+                if (found.beside.within.isNotEmpty()) {
+                    val isOpen = showsWithin || query.isNotEmpty() || selected in found.beside.within
+                    val count = countText(found.beside.within.size, "more finding")
+                    item { SkippedHead("$count, part of the incidents", isOpen) { showsWithin = !showsWithin } }
+                    if (isOpen) lines(found.beside.within)
                 }
                 if (list.skipped.isNotEmpty()) {
                     item { SkippedHead(list.notLookedAt, showsSkipped) { showsSkipped = !showsSkipped } }

@@ -24,15 +24,25 @@ import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
+import badlog.window.findings.word
 import badlog.window.theme.LocalPalette
 
 /**
- * An incident: what came first and what followed, each linked to its place, and what to look at next. Its name goes to what came first.
+ * An incident: how serious it is, what came first and what followed, each linked to its place, and what to look at next. Its name goes to
+ * what came first.
  *
- * @param isOpen whether a person went to one of its findings; then it is framed.
+ * @param selected the finding that a person went to; the incident that it is a part of is framed.
+ * @param details shows more about a finding.
  */
 @Composable
-internal fun IncidentLine(incident: Incident, times: EventTimes, isOpen: Boolean, onClick: (Finding) -> Unit) {
+internal fun IncidentLine(
+    incident: Incident,
+    times: EventTimes,
+    selected: Finding?,
+    onClick: (Finding) -> Unit,
+    details: @Composable (Finding) -> Unit,
+) {
+    val isOpen = selected != null && selected in incident
     val palette = LocalPalette.current
     val color = palette.findingColor(incident.severity)
     val shape = RoundedCornerShape(4.dp)
@@ -45,27 +55,39 @@ internal fun IncidentLine(incident: Incident, times: EventTimes, isOpen: Boolean
             .padding(horizontal = 6.dp, vertical = 4.dp),
     ) {
         Text(
-            incident.name,
+            "${incident.severity.word}: ${incident.name}",
             Modifier
                 .fillMaxWidth()
                 .clickable(role = Role.Button) { onClick(incident.sentences.first().finding) }
                 .semantics {
                     contentDescription = "Incident: ${incident.name}"
-                    selected = isOpen
+                    this.selected = isOpen
                 },
             color = color,
             fontWeight = FontWeight.Medium,
         )
         for (sentence in incident.sentences) {
-            val time = sentence.finding.time
+            val finding = sentence.finding
+            val time = finding.time
             Row(
-                Modifier.fillMaxWidth().clickable(role = Role.Button) { onClick(sentence.finding) }.padding(vertical = 2.dp),
+                Modifier
+                    .fillMaxWidth()
+                    .clickable(role = Role.Button) { onClick(finding) }
+                    .semantics {
+                        contentDescription = "Finding, ${finding.severity.word}: ${finding.rule}"
+                        this.selected = finding === selected
+                    }
+                    .padding(vertical = 2.dp),
                 Arrangement.spacedBy(6.dp),
             ) {
                 Text(if (time.isFinite()) times.logged(time) else "whole log", color = palette.muted, fontSize = 11.sp)
                 Text(sentence.text, Modifier.weight(1f))
             }
         }
-        if (incident.next.isNotEmpty()) Text("Next: ${incident.next}", color = palette.muted, fontSize = 12.sp)
+        val shown = incident.sentences.map { it.finding }.find { it === selected }
+        when {
+            shown != null -> details(shown)
+            incident.next.isNotEmpty() -> Text("Next: ${incident.next}", color = palette.muted, fontSize = 12.sp)
+        }
     }
 }

@@ -3,6 +3,7 @@ package badlog.window.sidebar
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertCountEquals
 import androidx.compose.ui.test.assertIsNotSelected
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
@@ -149,6 +150,25 @@ class FindingsPanelSpec : FunSpec({
             savePicture("incident-open")
             runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }
             name.assertIsNotSelected()
+        }
+    }
+
+    test("what an incident says stands nowhere else, and what it leaves out is folded") {
+        val viewer = inspecting(sample("qualification-42.bag"))
+        val list = viewer.findings.state.list.shouldNotBeNull()
+        val left = list.foundBy("").beside.within
+        runDesktopComposeUiTest(380, 4000) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            for (incident in list.incidents) {
+                onNodeWithText("${incident.severity.word}: ${incident.name}").assertExists()
+                for (sentence in incident.sentences) onAllNodesWithText(sentence.finding.text, substring = true).assertCountEquals(1)
+            }
+            onAllNodesWithText(left.first().text).assertCountEquals(0)
+            onNodeWithText("${left.size} more findings, part of the incidents").performClick()
+            for (finding in left) onAllNodesWithText(finding.text).assertCountEquals(1)
+            // Where a finding is the sentence of an incident, what else is known of it is there.
+            onNodeWithContentDescription("Finding, error: Browned out").performClick()
+            onNodeWithContentDescription("Next place of this finding").assertExists()
         }
     }
 

@@ -51,15 +51,21 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                 }
                 .labelFrame(palette.findingColor(finding.severity)),
         ) {
+            // Somebody who opened an incident sees all of it, not only what came first.
+            val incident = scene.findings.incidentOf(finding)?.takeIf {
+                scene.findings.state.pointed == null &&
+                    it.sentences[0].finding === finding
+            }
             Text(
-                "${finding.severity.word}: ${finding.rule}",
-                color = palette.findingColor(finding.severity),
+                if (incident == null) "${finding.severity.word}: ${finding.rule}" else "${incident.severity.word}: ${incident.name}",
+                color = palette.findingColor(incident?.severity ?: finding.severity),
                 fontSize = 12.sp,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
-            Text(finding.textAt(span).take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
+            val said = incident?.sentences?.map { it.text } ?: listOf(finding.textAt(span))
+            for (text in said) Text(text.take(MAX_LETTERS), fontSize = 12.sp, maxLines = 4, overflow = TextOverflow.Ellipsis)
         }
     }
 }

@@ -16,6 +16,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
@@ -155,10 +156,9 @@ internal class FindingList(
     private fun show(query: Query) {
         found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
         showIncidents(query)
-        val mentioned = incidentRows.keys.flatMapTo(HashSet()) { incident -> incident.sentences.map { it.finding } }
-        val (belonging, others) = found.filter { it !in mentioned }.partition { finding -> incidentRows.keys.any { finding in it } }
-        unmentioned = others + belonging
-        outside = others.size
+        val beside = BesideIncidents(found, incidentRows.keys.toList())
+        unmentioned = beside.outside + beside.within
+        outside = beside.outside.size
         showFound()
     }
 
