@@ -7,9 +7,10 @@ import kotlin.math.sqrt
 internal class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
- * Returns the slope of [volts] against [amps], and its uncertainty, which is estimated by leaving out each 10 s in turn, since
- * neighboring samples are nearly the same. Null if the current hardly changes, or for too short a time, or if the result is as
- * uncertain as a guess.
+ * Returns the slope of [volts] against [amps] within each 10 s, so that a battery that empties does not count as resistance, and its
+ * uncertainty. That is estimated by leaving out each 10 s in turn (the jackknife), since neighboring samples are nearly the same. It has
+ * noise and emptying in it, but not that a battery's resistance is higher for a long load than for a short one. Null if the current hardly
+ * changes, or for too short a time, or if the result is too uncertain to tell one battery from another.
  *
  * @param end when the last samples end, in seconds like all times.
  */
@@ -32,49 +33,45 @@ internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance?
         }
         blocks.last().add(minOf(held, LONGEST_HOLD), amp, volt)
     }
-    val all = Sums()
-    blocks.forEach { all.add(it, 1.0) }
-    if (blocks.size < LEAST_BLOCKS || all.deviation < LEAST_DEVIATION) return null
-    val slopes = blocks.map { block -> Sums().apply { add(all, 1.0) }.apply { add(block, -1.0) }.slope }
+    val xx = blocks.sumOf { it.xx }
+    val xy = blocks.sumOf { it.xy }
+    if (blocks.size < LEAST_BLOCKS || !(sqrt(xx / blocks.sumOf { it.weight }) >= LEAST_DEVIATION)) return null
+    val slopes = blocks.map { (xy - it.xy) / (xx - it.xx) }
     val mean = slopes.average()
     val error = sqrt((slopes.size - 1.0) / slopes.size * slopes.sumOf { (it - mean) * (it - mean) })
-    return Resistance(-MILLI * all.slope, 2 * MILLI * error).takeIf {
-        it.milliohms.isFinite() &&
-            it.uncertainty < it.milliohms * MOST_UNCERTAINTY
-    }
+    val found = Resistance(-MILLI * xy / xx, MILLI * error * quantile95(blocks.size - 1))
+    return found.takeIf { it.milliohms.isFinite() && it.uncertainty < it.milliohms * MOST_UNCERTAINTY }
 }
 
+/**
+ * Returns how many standard errors to both sides have 95 % of the values if they are estimated from [degrees] of freedom: Student's t by the
+ * expansion in Abramowitz and Stegun, 26.7.5.
+ */
+private fun quantile95(degrees: Int): Double = NORMAL95 + 2.3723 / degrees + 2.8225 / (degrees * degrees) + 2.5558 / (degrees * degrees * degrees)
+
+/** Sums over one block, relative to its means, by Welford's updates: the small differences of large squares would lose their digits. */
 private class Sums {
-    private var weight = 0.0
-    private var x = 0.0
-    private var y = 0.0
-    private var xx = 0.0
-    private var xy = 0.0
+    var weight = 0.0
+        private set
+    var xx = 0.0
+        private set
+    var xy = 0.0
+        private set
+    private var meanX = 0.0
+    private var meanY = 0.0
 
     fun add(held: Double, amp: Double, volt: Double) {
-        // Relative to a typical value, so that sums of squares keep their digits.
-        val v = volt - USUAL_VOLTS
         weight += held
-        x += held * amp
-        y += held * v
-        xx += held * amp * amp
-        xy += held * amp * v
+        val x = amp - meanX
+        meanX += x * held / weight
+        xx += held * x * (amp - meanX)
+        meanY += (volt - meanY) * held / weight
+        xy += held * x * (volt - meanY)
     }
-
-    fun add(other: Sums, sign: Double) {
-        weight += sign * other.weight
-        x += sign * other.x
-        y += sign * other.y
-        xx += sign * other.xx
-        xy += sign * other.xy
-    }
-
-    val slope: Double get() = (weight * xy - x * y) / (weight * xx - x * x)
-    val deviation: Double get() = if (weight > 0) sqrt(maxOf(0.0, xx / weight - (x / weight) * (x / weight))) else 0.0
 }
 
 private const val MILLI = 1000.0
-private const val USUAL_VOLTS = 12.0
+private const val NORMAL95 = 1.95996
 private const val LEAST_VOLTS = 1.0
 private const val BLOCK_SECONDS = 10.0
 private const val LEAST_BLOCKS = 4
@@ -82,8 +79,8 @@ private const val LEAST_BLOCKS = 4
 /** A value that was not logged for this long is not known. */
 private const val LONGEST_HOLD = 1.0
 
-/** A share of the resistance: what is known within no less is no measurement. */
-private const val MOST_UNCERTAINTY = 0.5
+/** A share of the resistance: a worn battery has a third more than a new one. */
+private const val MOST_UNCERTAINTY = 0.2
 
 /** The minimum variation of the current, in amperes. */
 private const val LEAST_DEVIATION = 15.0

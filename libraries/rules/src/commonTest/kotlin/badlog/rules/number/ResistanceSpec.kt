@@ -4,12 +4,15 @@ import badlog.core.analysis.Series
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.ln
 import kotlin.math.sin
+import kotlin.math.sqrt
 import kotlin.random.Random
 
 class ResistanceSpec : FunSpec({
@@ -39,7 +42,47 @@ class ResistanceSpec : FunSpec({
         rows.milliohms shouldBe (20.0 plusOrMinus 0.01)
     }
 
-    test("there is no resistance if its uncertainty is half of it or more") {
+    test("of 300 batteries, 93 to 97 % have the resistance that is stated, within its uncertainty") {
+        val random = Random(7)
+
+        /** Draws a normal distribution, by the polar method. */
+        fun normal(): Double {
+            while (true) {
+                val x = 2 * random.nextDouble() - 1
+                val y = 2 * random.nextDouble() - 1
+                val square = x * x + y * y
+                if (square < 1 && square > 0) return x * sqrt(-2 * ln(square) / square)
+            }
+        }
+
+        var covered = 0
+        repeat(300) { number ->
+            val ohms = 0.010 + 0.02 * random.nextDouble()
+            val noise = listOf(0.02, 0.05, 0.15)[number % 3]
+            val every = listOf(1, 4, 5)[number / 3 % 3]
+            // A robot draws power in bursts, which motors follow within tenths of a second.
+            val drawn = DoubleArray(times.size)
+            var level = 0.0
+            var until = 0
+            var now = 0.0
+            for (i in drawn.indices) {
+                if (i >= until) {
+                    level = listOf(2.0, 20.0, 60.0, 60.0, 120.0, 200.0)[random.nextInt(6)] * (0.7 + 0.6 * random.nextDouble())
+                    until = i + 5 + (-60 * ln(1 - random.nextDouble())).toInt()
+                }
+                now += (level - now) * 0.13
+                drawn[i] = now
+            }
+            val volts = DoubleArray(times.size) { 12.7 - 0.5 * times[it] / times.last() - ohms * drawn[it] + noise * normal() }
+            val read = times.indices.filter { it % every == 0 }
+            val current = Series(DoubleArray(read.size) { times[read[it]] }, DoubleArray(read.size) { drawn[read[it]] })
+            val found = resistanceOf(Series(times, volts), current, times.last()).shouldNotBeNull()
+            if (abs(found.milliohms - 1000 * ohms) <= found.uncertainty) covered++
+        }
+        covered shouldBeInRange 279..291
+    }
+
+    test("there is no resistance if its uncertainty is a fifth of it or more") {
         val rows = 2500
         val uneven = DoubleArray(rows) { 12.6 - (if (times[it] in 20.0..30.0) 0.08 else 0.0) * amps[it] }
         val x = times.copyOf(rows)
