@@ -47,7 +47,10 @@ internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance?
  * Returns how many standard errors to both sides have 95 % of the values if they are estimated from [degrees] of freedom: Student's t by the
  * expansion in Abramowitz and Stegun, 26.7.5.
  */
-private fun quantile95(degrees: Int): Double = NORMAL95 + 2.3723 / degrees + 2.8225 / (degrees * degrees) + 2.5558 / (degrees * degrees * degrees)
+private fun quantile95(degrees: Int): Double {
+    val n = degrees.toDouble()
+    return NORMAL95 + 2.3723 / n + 2.8225 / (n * n) + 2.5558 / (n * n * n)
+}
 
 /** Sums over one block, relative to its means, by Welford's updates: the small differences of large squares would lose their digits. */
 private class Sums {
