@@ -27,12 +27,13 @@ internal class OpenCommand(private val computer: Computer) :
 
     private val isPit by option(
         "--pit",
-    ).flag().help("Open the window with the pit view: the last log and what is wrong in it, in large letters.")
+    ).flag().help("Open the pit view: the last logs in large letters.")
 
     override val examples: List<String> =
         listOf("open match.bag", "open logs", "open match.bag --page", "open --browser", "open logs --pit")
 
     override fun makeTask(): Task {
+        if (isPit && isBrowser) throw UsageError("name --browser or --pit: the pit view is a part of the window")
         if (isBrowser && paths.size < 2) return OpenBrowserTask(paths.singleOrNull(), computer, isJson)
         val path = paths.singleOrNull() ?: throw UsageError("name one log or one folder to open")
         if (isPit && isPage) throw UsageError("name --page or --pit: the pit view is a part of the window")

@@ -47,10 +47,15 @@ internal class OpenTask(
             if (!isPit) console.warn("The window, $window, cannot be started; opening the page instead.")
         }
         if (isPit) {
-            return outcomes.failed(
-                path,
-                "The pit view is a part of the window, which cannot be started; “badlog doctor” says whether it is installed.",
-            )
+            val why = if (console.isStandIn(
+                    path,
+                )
+            ) {
+                "has no standard input; name a folder of logs"
+            } else {
+                "cannot be started; “badlog doctor” says whether it is installed"
+            }
+            return outcomes.failed(path, "The pit view is a part of the window, which $why.")
         }
         openPage(outcomes, console)
     }

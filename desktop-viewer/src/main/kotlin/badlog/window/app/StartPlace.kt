@@ -75,6 +75,7 @@ internal fun openFirst(
 
 /** Shows the pit view as soon as the folder is known: what was open there last is restored before that. */
 internal suspend fun beginWithPit(library: Library, panels: WindowPanels) {
+    if (library.state.folder == null) return
     snapshotFlow { library.state.hasLooked }.first { it }
     panels.change { copy(main = MainView.PIT) }
 }

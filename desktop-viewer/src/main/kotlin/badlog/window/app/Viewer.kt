@@ -151,9 +151,15 @@ internal class Viewer(
         robots,
     )
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
-    val newLogs: NewLogs = NewLogs(library, current, settings, newest::hasShown, ring = { Toolkit.getDefaultToolkit().beep() })
+    val newLogs: NewLogs =
+        NewLogs(library, current, settings, isShownByItself = {
+            newest.hasShown(it) && !isInUse()
+        }, ring = { Toolkit.getDefaultToolkit().beep() })
     val logActions = LibraryActions(
-        open = opener::open,
+        open = {
+            newLogs.seen(it.file)
+            opener.open(it)
+        },
         openInGraphs = ::openInGraphs,
         openFindings = ::openFindings,
         check = compared::toggle,

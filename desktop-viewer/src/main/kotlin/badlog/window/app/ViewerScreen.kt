@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
@@ -53,7 +54,11 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
                     // The pit view shows new logs by itself.
-                    if (panels.state.main != MainView.PIT) ArrivalBar(newLogs, ::showNewLog)
+                    if (panels.state.main == MainView.PIT) {
+                        LaunchedEffect(newLogs.state) { newLogs.leave() }
+                    } else {
+                        ArrivalBar(newLogs, ::showNewLog)
+                    }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
                         Body(panels.state, isNarrow, isWithoutLogs, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
                         val open = current.recording

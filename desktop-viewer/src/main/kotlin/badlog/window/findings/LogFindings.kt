@@ -9,6 +9,7 @@ import badlog.rules.folder.FolderRules
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
+import badlog.rules.incident.firstToSee
 import badlog.rules.incident.incidentsIn
 import badlog.rules.incident.nextOf
 import badlog.rules.over
@@ -91,7 +92,7 @@ internal class LogFindings(
     private fun goToWorst() {
         worstWanted = null
         val list = state.list ?: return
-        (list.incidents.firstOrNull()?.sentences?.first()?.finding ?: list.all.firstOrNull())?.let { goTo(it) }
+        firstToSee(list.all, list.incidents)?.let { goTo(it.begin) }
     }
 
     /** Adds the graphs of the first result, unless somebody has arranged others. */

@@ -29,7 +29,8 @@ import badlog.window.theme.ToolButton
 /** Says which log has arrived and what is wrong in it, until somebody shows it or puts it off; empty if none has. */
 @Composable
 internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
-    val latest = logs.state.latest ?: return
+    val match = logs.state.latest ?: return
+    val latest = match.worst
     val palette = LocalPalette.current
     val severity = latest.found?.verdict?.severity ?: Severity.NOTE
     Row(
@@ -43,7 +44,7 @@ internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
     ) {
         Icon(Icons.Diamond, contentDescription = null, Modifier.size(16.dp), palette.findingColor(severity))
         Text(
-            arrivalText(latest, logs.state.waiting.size - 1),
+            arrivalText(latest, logs.state.waiting.size - match.logs.size),
             Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
             fontWeight = FontWeight.Medium,
             maxLines = 2,

@@ -92,6 +92,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
             var library = state.copy(
                 hasLooked = hasLooked,
                 trouble = indexing.trouble,
+                files = index.files,
                 passedOver = index.passedOver,
                 reading = if (index.waiting > 0) ReadingProgress(index.read, index.read + index.waiting) else null,
             )

@@ -1,6 +1,7 @@
 package badlog.window.folder
 
 import badlog.catalog.folder.LogEntry
+import badlog.files.LogFile
 import badlog.files.LogName
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
@@ -11,6 +12,7 @@ import java.nio.file.Path
  *
  * @property folder the folder; null before one was opened.
  * @property listing its logs, sorted and filtered.
+ * @property files the files in the folder, whether or not anything is known about them.
  * @property reading the progress of reading them; null while there is nothing to read.
  * @property passedOver the number of logs skipped because a person stopped reading.
  * @property hasLooked whether the files have been listed.
@@ -21,6 +23,7 @@ import java.nio.file.Path
 internal data class LibraryState(
     val folder: Path? = null,
     val listing: Listing<LogEntry> = Listing(),
+    val files: List<LogFile> = emptyList(),
     val reading: ReadingProgress? = null,
     val passedOver: Int = 0,
     val hasLooked: Boolean = false,

@@ -27,21 +27,20 @@ internal class NewLogs(
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         change { Arrivals() }
         combine(snapshotFlow { library.state }, snapshotFlow { current.recording?.file }, ::Pair).collect { (seen, open) ->
-            if (seen.hasLooked && (state.hasBegun || seen.reading == null)) take(seen.entries)
-            if (open != null && !isShownByItself(open)) change { without(open.toString()) }
+            if (!state.hasBegun && seen.hasLooked) change { begun(seen.files.associate { "${it.path}" to it.size }) }
+            val before = state.waiting.mapTo(HashSet()) { it.file }
+            change { knowing(seen.entries) }
+            if (open != null && !isShownByItself(open)) seen(open)
+            if (settings.state.ringsForLogs && state.waiting.any { it.file !in before }) ring()
         }
     }
 
-    private fun take(entries: List<LogEntry>) {
-        val before = state.latest
-        change { knowing(entries) }
-        val latest = state.latest
-        if (latest != null && latest.source != before?.source && settings.state.ringsForLogs) ring()
-    }
+    /** Remembers that a person has opened [file]. */
+    fun seen(file: Path) = change { without("$file") }
 
-    /** Hides all that have arrived: somebody deals with them later. */
+    /** Hides all that have arrived: somebody deals with them later, or has seen them. */
     fun leave() = change { dealtWith() }
 
-    /** Returns the log that arrived last, with which somebody deals now; the others are in the list. */
-    fun takeLatest(): LogEntry? = state.latest.also { leave() }
+    /** Returns the log that arrived last, of several of its match the worst, with which somebody deals now; the others are in the list. */
+    fun takeLatest(): LogEntry? = state.latest?.worst.also { leave() }
 }

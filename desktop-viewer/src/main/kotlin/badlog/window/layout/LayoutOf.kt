@@ -12,8 +12,11 @@ import java.nio.file.Path
 
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-/** Returns [panels] in the form for a layout. */
-internal fun layoutOf(panels: Panels) = LayoutPanels(panels.library, panels.topics, panels.inspector?.name, panels.main.name)
+/** Returns [panels] in the form for a layout. The pit view is for a moment: the next start shows the graphs. */
+internal fun layoutOf(panels: Panels): LayoutPanels {
+    val main = panels.main.takeUnless { it == MainView.PIT } ?: MainView.GRAPHS
+    return LayoutPanels(panels.library, panels.topics, panels.inspector?.name, main.name)
+}
 
 /** Returns [comparison] in the form for a layout, with files relative to [folder]. */
 internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(

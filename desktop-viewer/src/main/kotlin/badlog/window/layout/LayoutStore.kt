@@ -109,7 +109,10 @@ internal class LayoutStore(
     fun showGraphs(recording: OpenRecording) {
         val first = fittedTo(recording)?.board ?: recording.standardGraphs
         board.replace(first)
-        whenStillOpen { open -> if (board.kept.showsSame(first)) board.replace(graphsOf(open)) }
+        whenStillOpen { open ->
+            val all = graphsOf(open)
+            if (board.kept.showsSame(first) && !all.showsSame(first)) board.replaceKept(all)
+        }
     }
 
     /**

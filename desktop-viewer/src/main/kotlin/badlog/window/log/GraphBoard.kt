@@ -69,6 +69,14 @@ internal class GraphBoard {
         history = BoardHistory(board)
     }
 
+    /** Shows [board] instead of the graphs that a person arranged, without a history; those that show a finding stay above it. */
+    fun replaceKept(board: Board) {
+        val first = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1
+        val shown = evidence.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
+        added = shown.toSet()
+        history = BoardHistory(Board(shown + board.graphs))
+    }
+
     /**
      * Shows [board] instead unless a person has changed something: graphs in it that are new are there to show a finding.
      */

@@ -3,9 +3,14 @@ package badlog.window.pit
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
@@ -34,7 +39,6 @@ import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
-import badlog.window.folder.LibraryEmptiness
 import badlog.window.folder.ReadingLine
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -52,23 +56,36 @@ internal fun PitPane(library: Library, actions: LibraryActions, modifier: Modifi
         }
         ReadingLine(library)
         if (logs == null) {
-            LibraryEmptiness(library, actions)
+            val isReading = library.state.folder != null && (!library.state.hasLooked || library.state.reading != null)
+            Large(if (isReading) "Reading the first logs…" else "No log yet. The next one is shown here.", Modifier.padding(24.dp))
         } else {
-            LastLog(logs.last, Modifier.weight(1f).fillMaxWidth()) { actions.openFindings(logs.last) }
-            Row(Modifier.fillMaxWidth().padding(24.dp), Arrangement.spacedBy(16.dp)) {
-                for (log in logs.before) EarlierLog(log, Modifier.weight(1f)) { actions.openFindings(log) }
-            }
+            BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, isNarrow = maxWidth < NARROW, actions.openFindings) }
         }
     }
 }
 
+/** The [logs]: where there is no room beside each other, below each other. */
 @Composable
-private fun LastLog(log: LogEntry, modifier: Modifier, onOpen: () -> Unit) {
+private fun PitLogsPane(logs: PitLogs<LogEntry>, isNarrow: Boolean, onOpen: (LogEntry) -> Unit) {
+    val earlier = @Composable { log: LogEntry, modifier: Modifier -> EarlierLog(log, modifier) { onOpen(log) } }
+    Column(Modifier.fillMaxSize().padding(horizontal = 24.dp).verticalScroll(rememberScrollState()), Arrangement.spacedBy(16.dp)) {
+        LastLog(logs.last) { onOpen(logs.last) }
+        if (isNarrow) {
+            for (log in logs.before) earlier(log, Modifier.fillMaxWidth())
+        } else {
+            Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(16.dp)) { for (log in logs.before) earlier(log, Modifier.weight(1f)) }
+        }
+        Spacer(Modifier.height(8.dp))
+    }
+}
+
+@Composable
+private fun LastLog(log: LogEntry, onOpen: () -> Unit) {
     val palette = LocalPalette.current
     val verdict = log.found?.verdict
-    Column(modifier.verticalScroll(rememberScrollState()).padding(horizontal = 24.dp), Arrangement.spacedBy(12.dp)) {
-        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(24.dp), Alignment.Bottom) {
-            Large(log.title, Modifier.weight(1f), TITLE, weight = FontWeight.SemiBold)
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
+        FlowRow(Modifier.fillMaxWidth(), Arrangement.SpaceBetween, itemVerticalAlignment = Alignment.Bottom) {
+            Large(log.title, Modifier.padding(end = 24.dp), TITLE, weight = FontWeight.SemiBold)
             val facts = listOfNotNull(dateText(log.summary.date.second), durationText(log), batteryText(log))
             Large(facts.joinToString(" · "), Modifier, SMALL, palette.muted)
         }
@@ -130,3 +147,4 @@ private val TITLE = 40.sp
 private val BODY = 28.sp
 private val SMALL = 24.sp
 private const val LINE = 1.25
+private val NARROW = 720.dp

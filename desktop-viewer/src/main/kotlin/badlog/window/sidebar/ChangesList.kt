@@ -22,11 +22,12 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
 
 /**
- * What is different since the matches before, above all findings; a click draws it over the match before. Empty if nothing is, or it is not
- * known.
+ * What is unlike the matches before, above all findings; a click draws it over the match before. Empty if nothing is, or it is not known.
+ *
+ * @param onGo called when a click draws something.
  */
 @Composable
-internal fun ChangesList(changes: Changes, findings: LogFindings, compared: ComparedRecordings) {
+internal fun ChangesList(changes: Changes, findings: LogFindings, compared: ComparedRecordings, onGo: () -> Unit) {
     if (changes.differences.isEmpty()) return
     val palette = LocalPalette.current
     Column(
@@ -35,16 +36,19 @@ internal fun ChangesList(changes: Changes, findings: LogFindings, compared: Comp
             .padding(horizontal = 8.dp, vertical = 4.dp)
             .background(palette.accentSoft, RoundedCornerShape(4.dp))
             .padding(horizontal = 6.dp, vertical = 4.dp)
-            .semantics { contentDescription = "Since the last match" },
+            .semantics { contentDescription = "Unlike the matches before" },
     ) {
-        Text("Since the last match", fontWeight = FontWeight.Medium)
+        Text("Unlike the matches before", fontWeight = FontWeight.Medium)
         for (difference in changes.differences) {
             Tip("Draw it over the match before. ${difference.next}") {
                 Text(
                     difference.text,
                     Modifier
                         .fillMaxWidth()
-                        .clickable(role = Role.Button) { drawOver(difference, changes, findings, compared) }
+                        .clickable(role = Role.Button) {
+                            drawOver(difference, changes, findings, compared)
+                            onGo()
+                        }
                         .padding(vertical = 2.dp),
                 )
             }

@@ -105,7 +105,7 @@ internal fun FindingsPanel(
         // Somebody who goes to a finding of an incident reads the incident, unless it was chosen among the findings below.
         val incident = found.incidents.indexOfFirst { selected in it.causes + it.effects }
         val row = found.incidents.size + found.beside.outside.indexOf(selected)
-        val isRead = incident >= 0 && visible.any { it.index == incident || it.key === selected }
+        val isRead = incident >= 0 && visible.any { it.key === selected }
         if (!isRead) showWhole(state, if (incident >= 0) incident else row)
     }
     Column(modifier) {
@@ -124,7 +124,7 @@ internal fun FindingsPanel(
         Small("Rules: ${list.rulesFile?.let { "${it.fileName} in ${it.parent.fileName}" } ?: "built-in"}.")
         if (compared.drawn.size > 1) Small("Findings of the open log only, not of compared logs.")
         findings.state.refusal?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
-        ChangesList(changes, findings, compared)
+        ChangesList(changes, findings, compared, onGo)
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {
             SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }

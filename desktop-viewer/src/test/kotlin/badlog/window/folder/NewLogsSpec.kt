@@ -1,5 +1,6 @@
 package badlog.window.folder
 
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertCountEquals
@@ -9,8 +10,15 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.putSamples
+import badlog.files.LogFile
 import badlog.files.UserFolders
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
 import badlog.viewer.shown.folder.verdictText
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
@@ -79,6 +87,37 @@ class NewLogsSpec : FunSpec({
         }
     }
 
+    test("a log rings once when it arrives if a person wants that, and not if it is open") {
+        val home = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        var rings = 0
+        val shown = HashSet<Path>()
+        val logs = NewLogs(viewer.library, viewer.current, viewer.settings, { it in shown }) { rings++ }
+        fun entry(name: String, size: Long, found: LogFound? = LogFound(0, emptyList())) = LogEntry(
+            LogFile(Path.of("/logs/$name"), size, size),
+            LogSummary(date = LogDate(0, DateSource.VALUES), content = Content.SOMETHING),
+            found,
+        )
+        runDesktopComposeUiTest(100, 100) {
+            setContent { LaunchedEffect(Unit) { logs.run() } }
+            fun know(vararg entries: LogEntry) {
+                viewer.library.change { copy(folder = Path.of("/logs"), hasLooked = true, files = files.ifEmpty { entries.map { it.source } }).knowing(entries.toList()) }
+                waitForIdle()
+            }
+            know(entry("a.bag", 1))
+            know(entry("a.bag", 1), entry("b.bag", 1))
+            rings shouldBe 0
+            viewer.settings.change { copy(ringsForLogs = true) }
+            know(entry("a.bag", 1), entry("b.bag", 1), entry("c.bag", 1))
+            rings shouldBe 1
+            know(entry("a.bag", 1), entry("b.bag", 1), entry("c.bag", 2, found = null))
+            know(entry("a.bag", 1), entry("b.bag", 1), entry("c.bag", 3))
+            know(entry("a.bag", 1))
+            rings shouldBe 1
+            logs.state.latest shouldBe null
+        }
+    }
+
     test("what was put off is announced no more, and neither is what a person opens in the list") {
         onFolder { viewer, arrives ->
             arrives()
@@ -109,6 +148,8 @@ class NewLogsSpec : FunSpec({
             val last = viewer.library.state.entries.single { it.fileName == "qualification-57.bag.gz" }
             onNodeWithText(verdictText(last.found)).assertExists()
             onNodeWithText("Next: ", substring = true).assertExists()
+            // Somebody who looks at it has seen what has arrived.
+            viewer.newLogs.state.latest shouldBe null
             onNodeWithText("Browned out at 1:33").performClick()
             waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }
             viewer.panels.state.main shouldBe MainView.GRAPHS

@@ -18,6 +18,7 @@ import badlog.rules.RuleSet
 import badlog.rules.number.FigureText
 import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
+import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -45,9 +46,9 @@ class SinceLastMatchSpec : FunSpec({
     )
 
     /** A log whose motor was as hot as [celsius]. */
-    fun examined(celsius: Double) = FigureText(
+    fun examined(celsius: Double, kind: MatchKind = MatchKind.MATCH) = FigureText(
         "motor temperature\tArm/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
-        "${MatchKind.MATCH.ordinal};NaN;false;false;$celsius",
+        "${kind.ordinal};NaN;false;false;$celsius",
     ).let { ExaminedLog(null, emptyList(), emptyList(), null, figureNames = it.names, figureValues = it.values) }
 
     val logs = List(8) { log("$it.bag", it.toLong()) }
@@ -65,9 +66,20 @@ class SinceLastMatchSpec : FunSpec({
         changesOf(logs[0], emptyList(), RuleSet.BUILT_IN) { examined(95.0) } shouldBe Changes()
     }
 
-    test("only logs that began before count, and of them the last 20") {
-        val many = List(30) { log("$it.bag", it.toLong()) }
-        earlierThan(many[25], many.shuffled()).map { it.summary.date.second } shouldBe (5L..24L).toList()
+    test("only matches before count, neither practice nor another log of the same match, and of them the last 20") {
+        val many = List(40) { log("$it.bag", it.toLong()) }
+        earlierThan(many[25], many.shuffled()).map { it.summary.date.second } shouldBe (0L..24L).toList()
+        val match = MatchOfLog(null, "Qualification", "7")
+        fun LogEntry.of(match: MatchOfLog) = copy(summary = summary.copy(match = match))
+        earlierThan(many[1].of(match), listOf(many[0].of(match))).shouldBeEmpty()
+
+        var read = 0
+        val changes = changesOf(many[39], many.take(39), RuleSet.BUILT_IN) {
+            read++
+            if (it === many[38]) examined(40.0, MatchKind.PRACTICE) else examined(if (it === many[39]) 95.0 else 40.0 + read % 3)
+        }
+        changes.differences.single().text shouldContain "your 20 other matches"
+        changes.previous shouldBe many[37].file
     }
 
     test("a click on what is different shows it over the match before") {
@@ -82,7 +94,7 @@ class SinceLastMatchSpec : FunSpec({
             viewer.findings.change { knowing(badlog.window.findings.FindingList()) }
             viewer.panels.change { inspecting(InspectorTab.FINDINGS) }
             waitForIdle()
-            onAllNodesWithContentDescription("Since the last match").assertCountEquals(0)
+            onAllNodesWithContentDescription("Unlike the matches before").assertCountEquals(0)
             val hot = Finding("Unlike other matches", Severity.WARNING, "Arm/Angle", "The arm was hot.", Double.NaN, emptyList(), 1, "")
             viewer.since.change { Changes(listOf(hot), before) }
             onNodeWithText("The arm was hot.").performClick()

@@ -54,7 +54,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
             // Somebody who opened an incident sees all of it, not only what came first.
             val incident = scene.findings.incidentOf(finding)?.takeIf {
                 scene.findings.state.pointed == null &&
-                    it.sentences[0].finding === finding
+                    it.sentences[0].finding === finding && span.from == finding.time
             }
             Text(
                 if (incident == null) "${finding.severity.word}: ${finding.rule}" else "${incident.severity.word}: ${incident.name}",

@@ -20,6 +20,8 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
@@ -68,7 +70,8 @@ private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
         Modifier.width(VALUE_WIDTH).height(17.dp).drawBehind {
             val cursor = scene.view.cursor ?: return@drawBehind
             val text = trace.textAt(cursor - xy.drawn.offset, xy.plot.isField)
-            drawText(letters.measure(text, style, softWrap = false, maxLines = 1))
+            val room = Constraints(maxWidth = size.width.toInt())
+            drawText(letters.measure(text, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = room))
         },
     )
 }

@@ -92,6 +92,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     @Synchronized
     fun state() = IndexState(
         entries = known.values.toList(),
+        files = present.values.toList(),
         read = read,
         waiting = waiting.size + busy.size,
         passedOver = passedOver.size,
@@ -121,9 +122,17 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
  * The state of a folder's index.
  *
  * @property entries everything known, in no particular order.
+ * @property files the files in the folder, read or not.
  * @property read the number of files read since the queue was last empty.
  * @property waiting the number of files being read, or waiting.
  * @property passedOver the number of files skipped at the person's request.
  * @property changes a different number whenever [entries] or [passedOver] have changed.
  */
-class IndexState(val entries: List<LogEntry>, val read: Int, val waiting: Int, val passedOver: Int, val changes: Int)
+class IndexState(
+    val entries: List<LogEntry>,
+    val files: List<LogFile>,
+    val read: Int,
+    val waiting: Int,
+    val passedOver: Int,
+    val changes: Int,
+)

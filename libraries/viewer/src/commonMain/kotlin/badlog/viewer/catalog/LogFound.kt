@@ -3,8 +3,10 @@ package badlog.viewer.catalog
 import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.RuleSet
-import badlog.rules.incident.Incident
+import badlog.rules.incident.FirstToSee
+import badlog.rules.incident.firstToSee
 import badlog.rules.incident.incidentsIn
+import badlog.rules.incident.nextOf
 import badlog.viewer.text.minutesText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
@@ -35,29 +37,37 @@ data class FoundRule(val name: String, val severity: Severity)
  * @property headline what happened and when, without a full stop: `Browned out at 1:33`.
  * @property sentences what led to it and what followed, in order; at least one.
  * @property next what to look at next, as a sentence; empty if not known.
+ * @property errors the number of findings that are errors.
+ * @property warnings the number of findings that are warnings.
  */
-data class Verdict(val severity: Severity, val headline: String, val sentences: List<String>, val next: String)
+data class Verdict(
+    val severity: Severity,
+    val headline: String,
+    val sentences: List<String>,
+    val next: String = "",
+    val errors: Int = 0,
+    val warnings: Int = 0,
+)
 
 /** Returns what lists show of [findings], which these rules have found in a log; [key] identifies the rules. */
 fun RuleSet.foundIn(findings: List<Finding>, key: Int): LogFound {
-    val worst = findings.maxOfOrNull { it.severity } ?: return LogFound(key, emptyList())
-    // A worse finding that belongs to no incident comes before an incident.
-    val incident = incidentsIn(findings).firstOrNull()?.takeIf { it.severity == worst }
-    val first = incident?.worst ?: findings.first { it.severity == worst }
-    val rules = (listOf(first) + findings).map { FoundRule(it.rule, it.severity) }.sortedByDescending { it.severity }.distinctBy { it.name }
-    return LogFound(key, rules, if (worst == Severity.NOTE) null else verdictOf(first, incident))
+    val first = firstToSee(findings, incidentsIn(findings)) ?: return LogFound(key, emptyList())
+    val listed = (listOf(first.finding) + findings).map { FoundRule(it.rule, it.severity) }
+    return LogFound(key, listed.sortedByDescending { it.severity }.distinctBy { it.name }, verdictOf(first, findings))
 }
 
-private fun verdictOf(first: Finding, incident: Incident?) = Verdict(
-    first.severity,
-    if (first.time.isNaN()) first.rule else "${first.rule} at ${timeText(first)}",
-    incident?.sentences?.map { it.text } ?: listOf(first.text),
-    incident?.next?.ifEmpty { null } ?: first.next,
-)
-
-/** The worst of its findings; of several the last, to which the others have led. */
-private val Incident.worst: Finding
-    get() = (causes + effects).filter { it.severity == severity }.maxBy { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }
+private fun verdictOf(first: FirstToSee, findings: List<Finding>): Verdict? {
+    val finding = first.finding
+    if (findings.all { it.severity == Severity.NOTE }) return null
+    return Verdict(
+        finding.severity,
+        if (finding.time.isNaN()) finding.rule else "${finding.rule} at ${timeText(finding)}",
+        first.incident?.sentences?.map { it.text } ?: listOf(finding.text),
+        first.incident.nextOf(finding),
+        findings.count { it.severity == Severity.ERROR },
+        findings.count { it.severity == Severity.WARNING },
+    )
+}
 
 // As a clock shows it: it is 1:33 until it is 1:34.
 private fun timeText(finding: Finding) = secondsOf(finding.time, finding.timeUnit)?.let { minutesText(floor(it), decimals = 0) }

@@ -28,7 +28,15 @@ class LogFoundSpec : FunSpec({
     test("a finding that belongs to no incident is the verdict if it is worse than every incident") {
         val stalled = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 20.0, it) }
         val alone = finding("Team rule", Severity.ERROR, 5.0, next = "Ask Ada.")
-        verdict(*stalled.toTypedArray(), alone) shouldBe Verdict(Severity.ERROR, "Team rule at 0:05", listOf("Team rule."), "Ask Ada.")
+        verdict(*stalled.toTypedArray(), alone) shouldBe Verdict(Severity.ERROR, "Team rule at 0:05", listOf("Team rule."), "Ask Ada.", errors = 1, warnings = 2)
+    }
+
+    test("the headline is what the sentences tell, and of several findings without an incident it is the first one") {
+        val heavy = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 90.0, it) }
+        val chain = listOf("Low battery" to 91.0, "Browned out" to 91.5, "Main breaker" to 92.0).map { (rule, at) -> finding(rule, Severity.ERROR, at) }
+        val told = verdict(*heavy.toTypedArray(), *chain.toTypedArray())!!
+        told.sentences.any { told.headline.substringBefore(" at ") in it } shouldBe true
+        verdict(finding("Late", Severity.ERROR, 80.0), finding("Early", Severity.ERROR, 5.0))!!.headline shouldBe "Early at 0:05"
     }
 
     test("what is about the whole log has no time, and a time that is not in seconds keeps its unit") {

@@ -41,6 +41,9 @@ fun boardOfText(text: String): Board {
     return Board(text.split(';').mapIndexed { i, part -> graphOf(i + 1, part) })
 }
 
+/** More lines than anybody draws in a graph: a damaged address must not fill the memory. */
+private const val MAX_LINES = 10_000
+
 private fun graphOf(id: Int, text: String): BoardGraph {
     var graph = BoardGraph(id, "", emptyList())
     val lines = LinkedHashSet<String>()
@@ -66,6 +69,7 @@ private fun graphOf(id: Int, text: String): BoardGraph {
             }
         } else if (part.isNotEmpty()) {
             lines += linesOfText(part)
+            if (lines.size > MAX_LINES) throw BoardException("Graph $id has more lines than can be drawn; copy the whole address again.")
         }
     }
     return graph.copy(

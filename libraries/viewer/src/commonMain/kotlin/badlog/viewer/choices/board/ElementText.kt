@@ -32,7 +32,7 @@ internal fun linesOfText(text: String): List<String> {
     if (parts.size != PARTS) return listOf(nameOf(text))
     val first = parts[1].substringBefore('-').toIntOrNull()
     val last = parts[1].substringAfter('-').toIntOrNull()
-    if (first == null || last == null || first < 0 || last !in first until first + MAX_ELEMENTS) {
+    if (first == null || last == null || first < 0 || last < first || last - first >= MAX_ELEMENTS) {
         throw BoardException("“${parts[1]}” is not a range of elements; copy the whole address again.")
     }
     val (before, after) = nameOf(parts[0]) to nameOf(parts[2])
@@ -74,5 +74,5 @@ private const val NAMELESS = "~"
 private const val RANGE = ':'
 private const val PARTS = 3
 
-/** More elements than any graph draws: a damaged address must not fill the memory. */
+/** More elements than arrays have; also the limit of what a few characters of a damaged address ask for. */
 private const val MAX_ELEMENTS = 1_000

@@ -4,27 +4,23 @@ import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogFound
 
 /**
- * What a pit looks at between two matches.
+ * What a pit looks at between two matches: of several logs of one match, the one with the worst finding.
  *
  * @property last the log that began last.
  * @property before those before it, at most [MOST_BEFORE], the latest first.
  */
 class PitLogs<E : ListedLog>(val last: E, val before: List<E>) {
     companion object {
+        /** As many logs as are beside each other on a screen that is read from two meters. */
         const val MOST_BEFORE: Int = 3
 
-        /** Returns those of [logs] that a pit looks at: of several logs of one match the one with the worst finding; null if there is nothing to see. */
+        /** Returns those of [logs] that a pit looks at; null if there is nothing to see. */
         fun <E : ListedLog> of(logs: List<E>): PitLogs<E>? {
-            val seen = logs.filter { it.isReadable && !it.isGray }
-            val latest = seen.groupBy(::matchOrFile).values.map { same -> same.maxWith(compareBy({ it.found?.worst }, { it.modified })) }
-                .sortedWith(compareByDescending<E> { it.summary.date.second }.thenByDescending { it.modified })
+            val latest = runsOf(logs.filter { it.isReadable && !it.isGray }).map { it.worst }
             return latest.firstOrNull()?.let { PitLogs(it, latest.drop(1).take(MOST_BEFORE)) }
         }
     }
 }
-
-/** Returns what is the same for all logs of one match. */
-private fun matchOrFile(log: ListedLog): Any = with(log.summary.match) { if (match == null) log.path else Triple(event, type, number) }
 
 /** Returns the verdict on a log in a few words: `Browned out at 1:33`. */
 fun verdictText(found: LogFound?): String = when {
@@ -33,7 +29,6 @@ fun verdictText(found: LogFound?): String = when {
     else -> found.verdict?.headline ?: "No errors, no warnings"
 }
 
-/** Returns the paths of those of [logs] of whose match there are others: their names alone do not tell them apart. */
-fun sameMatches(logs: List<ListedLog>): Set<String> = logs.filter {
-    it.summary.match.match != null
-}.groupBy(::matchOrFile).values.filter { it.size > 1 }.flatten().mapTo(HashSet()) { it.path }
+/** Returns the paths of those of [logs] of whose run there are others: the match alone does not tell them apart. */
+fun sameMatches(logs: List<ListedLog>): Set<String> =
+    runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }

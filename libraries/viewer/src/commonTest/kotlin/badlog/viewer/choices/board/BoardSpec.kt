@@ -29,7 +29,7 @@ class BoardSpec : FunSpec({
         Arb.string(0..12),
         Arb.string(1..8, Codepoint.alphanumeric()),
         Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
-        Arb.element("I[0]", "I[1]", "I[2]", "I[11]", "I[01]", "I[0]/x", "I[1]/x", "I[1][0]", "[2]", "I[", "I[]", "I]0[", "I[-1]", "I[4294967297]", "I:0:"),
+        Arb.element("I[0]", "I[1]", "I[2]", "I[11]", "I[01]", "I[0]/x", "I[1]/x", "I[1][0]", "[2]", "I[", "I[]", "I]0[", "I[-1]", "I[4294967297]", "I[2147483647]", "I:0:"),
     )
     // Adding zero makes 0 of -0, whose sign JavaScript does not write.
     val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
@@ -129,6 +129,8 @@ class BoardSpec : FunSpec({
         val lines = modules + listOf("Currents[7]", "Currents[9]", "Currents[8]", "Mode")
         Board(listOf(BoardGraph(1, modules[0], lines, hidden = setOf("Mode")))).toText() shouldBe
             "Modules:0-3:/speed,Currents:7:,Currents:9:,Currents:8:,Mode,x=7"
+        shouldThrow<BoardException> { boardOfText((0..20).joinToString(",") { "Modules$it:0-999:" }) }.message shouldBe
+            "Graph 1 has more lines than can be drawn; copy the whole address again."
         for (range in listOf("3-0", "-3", "0-", "0-4000", "a", "")) {
             shouldThrow<BoardException> { boardOfText("Modules:$range:/speed") }.message shouldBe
                 "“$range” is not a range of elements; copy the whole address again."

@@ -20,10 +20,11 @@ class ArrivalsSpec : FunSpec({
     fun log(path: String, size: Long = 1000, found: LogFound? = nothing, modified: Long = 0, of: LogSummary = summary) = AnyLog(path, of, found, size, modified)
 
     fun Arrivals<AnyLog>.paths() = waiting.map { it.path }
-    val opened = Arrivals<AnyLog>().knowing(listOf(log("a.bag"), log("b.bag", found = null)))
+    val opened = Arrivals<AnyLog>().begun(mapOf("a.bag" to 1000L, "b.bag" to 1000L))
 
-    test("what was in the folder before, did not arrive, even if the rules run over it only now") {
-        opened.paths() shouldBe emptyList()
+    test("what was in the folder before did not arrive, even if it is read, or the rules run over it, only later") {
+        Arrivals<AnyLog>().knowing(listOf(log("a.bag"))).paths() shouldBe emptyList()
+        opened.knowing(listOf(log("a.bag"))).paths() shouldBe emptyList()
         opened.knowing(listOf(log("a.bag"), log("b.bag"))).paths() shouldBe emptyList()
     }
 
@@ -31,17 +32,28 @@ class ArrivalsSpec : FunSpec({
         val copied = opened.knowing(listOf(log("a.bag"), log("c.bag", found = null)))
         copied.paths() shouldBe emptyList()
         val complete = copied.knowing(listOf(log("a.bag"), log("c.bag")))
-        complete.latest?.path shouldBe "c.bag"
+        complete.latest?.worst?.path shouldBe "c.bag"
         complete.knowing(listOf(log("a.bag"), log("c.bag"), log("d.bag", modified = 1))).paths() shouldBe listOf("c.bag", "d.bag")
         complete.dealtWith().knowing(listOf(log("a.bag"), log("c.bag"))).paths() shouldBe emptyList()
+        complete.without("c.bag").paths() shouldBe emptyList()
     }
 
-    test("a log that was being written arrives when it has grown and ended, once") {
+    test("a log that was being written arrives when it has grown and ended, once, and is known as it was while it grows again") {
         val grown = opened.knowing(listOf(log("a.bag", size = 2000, found = null)))
         grown.paths() shouldBe emptyList()
         val ended = grown.knowing(listOf(log("a.bag", size = 3000)))
         ended.paths() shouldBe listOf("a.bag")
-        ended.knowing(listOf(log("a.bag", size = 4000))).waiting.map { it.size } shouldBe listOf(4000L)
+        val again = ended.knowing(listOf(log("a.bag", size = 3500, found = null)))
+        again.waiting shouldBe ended.waiting
+        again.knowing(listOf(log("a.bag", size = 4000))).waiting.map { it.size } shouldBe listOf(4000L)
+        ended.dealtWith().knowing(listOf(log("a.bag", size = 5000))).paths() shouldBe emptyList()
+    }
+
+    test("of several logs of one match, the one with the worst finding is announced") {
+        val match = LogSummary(MatchOfLog(null, "Qualification", "78"), date, content = Content.SOMETHING)
+        val worse = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)))
+        val arrived = opened.knowing(listOf(log("robot.bag", found = worse, of = match), log("station.dslog", modified = 1, of = match), log("x.bag")))
+        arrived.latest?.run { worst.path to logs.size } shouldBe ("robot.bag" to 2)
     }
 
     test("a log that is removed does not wait any more, and one over which other rules run says what they find") {
@@ -59,11 +71,11 @@ class ArrivalsSpec : FunSpec({
 
     test("the sentence says which match it is, how bad it is, and what happened") {
         val match = LogSummary(MatchOfLog(null, "Qualification", "78"), date, content = Content.SOMETHING)
-        val rules = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Hot motor", Severity.WARNING), FoundRule("Loop overrun", Severity.WARNING))
-        val found = LogFound(0, rules, Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), ""))
+        val rules = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Hot motor", Severity.WARNING))
+        val found = LogFound(0, rules, Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), errors = 1, warnings = 2))
         arrivalText(log("a.bag", found = found, of = match)) shouldBe
             "Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33."
-        arrivalText(log("a.bag"), others = 2) shouldBe "a.bag arrived: no errors, no warnings. 2 other logs arrived before."
+        arrivalText(log("a.bag"), others = 2) shouldBe "a.bag arrived: no errors, no warnings. 2 other logs arrived, too."
         arrivalText(log("a.bag", found = LogFound(0, null))) shouldBe "a.bag arrived: the rules could not be run over it."
     }
 })

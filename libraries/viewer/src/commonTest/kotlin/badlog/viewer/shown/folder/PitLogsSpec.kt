@@ -13,7 +13,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class PitLogsSpec : FunSpec({
-    val error = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)), Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), ""))
+    val error = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)), Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged.")))
 
     fun log(path: String, second: Long, match: String? = null, found: LogFound? = LogFound(0, emptyList()), content: Content = Content.SOMETHING) = AnyLog(path, LogSummary(MatchOfLog("Mill Creek", match?.let { "Qualification" }, match), LogDate(second, DateSource.VALUES), content = content), found)
 
@@ -36,6 +36,16 @@ class PitLogsSpec : FunSpec({
         val other = log("other", 5, "41")
         pit(robot, station, other)?.run { last.path to before.map { it.path } } shouldBe ("robot" to listOf("other"))
         sameMatches(listOf(robot, station, other, log("x", 1), log("y", 2))) shouldBe setOf("robot", "station")
+    }
+
+    test("a match that is played again is another run, and so is the same number of another event") {
+        val replayed = listOf(log("first", 0, "42", error), log("again", 7200, "42"))
+        runsOf(replayed).map { it.worst.path } shouldBe listOf("again", "first")
+        sameMatches(replayed) shouldBe emptySet()
+        val elsewhere = log("x", 20, "42").run { copy(summary = summary.copy(match = MatchOfLog("Beta", "Qualification", "42"))) }
+        isOfSameRun(log("y", 10, "42"), elsewhere) shouldBe false
+        val unnamed = log("x", 20, "42").run { copy(summary = summary.copy(match = MatchOfLog(null, "Qualification", "42"))) }
+        isOfSameRun(log("y", 10, "42"), unnamed) shouldBe true
     }
 
     test("a log in a few words") {

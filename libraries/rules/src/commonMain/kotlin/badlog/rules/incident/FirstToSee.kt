@@ -1,0 +1,29 @@
+package badlog.rules.incident
+
+import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.worstFirst
+
+/**
+ * What somebody who has only a moment sees of a log's findings.
+ *
+ * @property finding the worst; of an incident, the last of those that its sentences tell, to which the others have led.
+ * @property incident the incident that it is of; null if there is none.
+ */
+class FirstToSee internal constructor(val finding: Finding, val incident: Incident?) {
+    /** Where a person begins to read: the cause of the incident, or else the finding. */
+    val begin: Finding get() = incident?.sentences?.first()?.finding ?: finding
+}
+
+/**
+ * Returns what to see first of [findings] and of the [incidents] among them, the worst first; null if nothing was found. A worse finding that
+ * belongs to no incident comes before an incident.
+ */
+fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? {
+    val worst: Severity = findings.maxOfOrNull { it.severity } ?: return null
+    val incident = incidents.firstOrNull()?.takeIf { it.severity == worst }
+    val told = incident?.sentences?.map {
+        it.finding
+    }?.filter { it.severity == worst }?.maxByOrNull { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }
+    return FirstToSee(told ?: incident?.first ?: findings.worstFirst().first(), incident)
+}

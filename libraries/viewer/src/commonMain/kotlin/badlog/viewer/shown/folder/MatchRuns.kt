@@ -1,0 +1,38 @@
+package badlog.viewer.shown.folder
+
+import badlog.viewer.catalog.ListedLog
+import kotlin.math.abs
+
+/**
+ * Logs of one run of a match, such as those of the robot and of the Driver Station; or one log that is of no match.
+ *
+ * @property logs them all.
+ */
+class MatchRun<E : ListedLog>(val logs: List<E>) {
+    /** The one with the worst finding; of several the one written last. */
+    val worst: E get() = logs.maxWith(compareBy({ it.found?.worst }, { it.modified }))
+
+    /** When the last of them began, in s since 1970. */
+    val second: Long get() = logs.maxOf { it.summary.date.second }
+}
+
+/** Returns [logs] by their runs, the latest run first. A match that is replayed, or has the same number at another event, is another run. */
+fun <E : ListedLog> runsOf(logs: List<E>): List<MatchRun<E>> {
+    val runs = ArrayList<ArrayList<E>>()
+    for (log in logs.sortedBy { it.summary.date.second }) {
+        val same = runs.lastOrNull { isOfSameRun(it.last(), log) }
+        if (same == null) runs += arrayListOf(log) else same += log
+    }
+    return runs.map(::MatchRun).sortedWith(compareByDescending<MatchRun<E>> { it.second }.thenByDescending { it.worst.modified })
+}
+
+/** Returns whether [one] and [other] are of the same match, and of the same run of it. */
+fun isOfSameRun(one: ListedLog, other: ListedLog): Boolean {
+    val (first, second) = one.summary.match to other.summary.match
+    if (first.match == null || first.type != second.type || first.number != second.number) return false
+    val isSameEvent = first.event == null || second.event == null || first.event == second.event
+    return isSameEvent && abs(one.summary.date.second - other.summary.date.second) < LONGEST_RUN
+}
+
+/** In s: a robot is switched on long before its match, and no match is played twice within it. */
+private const val LONGEST_RUN = 3600L
