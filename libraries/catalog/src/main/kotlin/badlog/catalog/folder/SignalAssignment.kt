@@ -17,12 +17,8 @@ import java.nio.file.Path
  * there is none, it is a new one beside the log; a null [library] means the log's own folder only.
  */
 class SignalAssignment(log: Path, library: Path?) {
-    private val nearest = NearestFile.of(log, library, { it.resolve(SignalsFile.NAME).takeIf(Files::isRegularFile) }) { text ->
-        text.also(SignalsFile::parse)
-    }
-
     /** The file, which may not exist yet. */
-    val file: Path = nearest.file ?: log.resolveSibling(SignalsFile.NAME)
+    val file: Path = nearestTo(log, library).file ?: log.resolveSibling(SignalsFile.NAME)
 
     /**
      * Makes [topic] of [view] the signal [signal] in all logs that the file is for.
@@ -30,6 +26,8 @@ class SignalAssignment(log: Path, library: Path?) {
      * @return why it is not, as a sentence; null if it is.
      */
     fun assign(signal: String, topic: String, view: LogView): String? {
+        // Read again, for another window or program may have written it meanwhile.
+        val nearest = nearestTo(file, null)
         if (nearest.problem != null) return "$file is not changed: ${nearest.problem}"
         return try {
             val text = SignalsFile.withTopic(nearest.found.orEmpty(), signal, topic)
@@ -42,4 +40,9 @@ class SignalAssignment(log: Path, library: Path?) {
             "$file cannot be written; check the permissions of its folder."
         }
     }
+
+    private fun nearestTo(log: Path, library: Path?) =
+        NearestFile.of(log, library, { it.resolve(SignalsFile.NAME).takeIf(Files::isRegularFile) }) { text ->
+            text.also(SignalsFile::parse)
+        }
 }
