@@ -21,14 +21,17 @@ fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
 
 /** Returns a length on [axis] with its unit, and also in minutes if it is one or more. */
 fun lengthText(length: Double, axis: XAxis): String {
-    val number = withUnit(exactText(fixedText(length, decimalsFor(length)).toDouble()), axis.unit)
-    val name = when {
-        !axis.isIndex -> number
-        number == "1" -> "1 row"
-        else -> "$number rows"
-    }
+    val number = exactText(fixedText(length, decimalsFor(length)).toDouble())
+    val name = lengthOn(axis, number)
     val seconds = Units.secondsIn(axis.unit)?.let { length * it } ?: 0.0
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
+}
+
+/** Returns the length [number] with the unit of [axis], which may be rows. */
+internal fun lengthOn(axis: XAxis, number: String) = when {
+    !axis.isIndex -> withUnit(number, axis.unit)
+    number == "1" -> "1 row"
+    else -> "$number rows"
 }
 
 /** Returns the difference between two places on [axis]: `Δ 1.5 s`, with a minus for a step back. */

@@ -4,6 +4,7 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.XAxis
 import badlog.viewer.text.fixedText
+import badlog.viewer.text.lengthOn
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
@@ -17,7 +18,7 @@ import badlog.viewer.text.withUnit
  */
 class StateTime(val state: String, val time: Double, val share: Double, val count: Int) {
     /** Returns [time] with the unit of [axis]. */
-    fun timeText(axis: XAxis): String = if (axis.isIndex) "${numberText(time)} rows" else withUnit(numberText(time), axis.unit)
+    fun timeText(axis: XAxis): String = lengthOn(axis, numberText(time))
 
     /** [share] in percent; `–` for none. */
     val shareText: String get() = withUnit(fixedText(share * 100, 1), "%")

@@ -37,6 +37,7 @@ class StateTimeSpec : FunSpec({
         val rows = bagView(listOf("A"), listOf("1")).xAxis
         StateTime("on", 4.25, 0.027, 3).text(seconds) shouldBe "on 4.25 V (2.7 %), 3 times"
         StateTime("on", 4.0, Double.NaN, 1).text(rows) shouldBe "on 4 rows (–), 1 time"
+        StateTime("on", 1.0, Double.NaN, 1).text(rows) shouldBe "on 1 row (–), 1 time"
     }
 
     test("the times of all states add up to the whole time, and their shares to one") {
