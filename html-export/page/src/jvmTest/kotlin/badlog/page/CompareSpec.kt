@@ -138,6 +138,27 @@ internal class CompareSpec : PageSpec({
         }
     }
 
+    browserTest("logs whose match only their topics or their file names say are called by it, as in the window") {
+        onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
+            compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
+            awaitLogs(2)
+            texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
+        }
+    }
+
+    browserTest("a line has the color of its log, also where another log lacks it") {
+        val poor = bagOf(listOf(TIME, BagTopic("Enabled")), rows = 11) { row, column -> if (column == 0) row else 1 }
+        onPage(page) {
+            compare("poor.bag" to poor, "other.bag" to log(0.0, 2.0, 11.0))
+            awaitLogs(3)
+            fun colors(place: String) = elements("$place .swatch").map { it.getDomAttribute("class").orEmpty().substringAfter("line-") }
+            colors("#compare") shouldContainExactly listOf("0", "1", "2")
+            colors(".graph[data-name='$VOLTS'] .legend") shouldContainExactly listOf("0", "2")
+            (graph(VOLTS).pixelsOfLine(2) > 0) shouldBe true
+            graph(VOLTS).pixelsOfLine(1) shouldBe 0
+        }
+    }
+
     browserTest("a page exported with other logs begins with them, also on a phone, and matches of one event are called by their number") {
         for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
             onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz")), screen) {

@@ -42,6 +42,18 @@ internal class CursorPanelSpec : PageSpec({
         }
     }
 
+    browserTest("a name that begins or ends with a sign is read as it is written") {
+        onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("/Arm/Angle (raw)")), 11) { row, _ -> row })) {
+            press("v")
+            graph("/Arm/Angle (raw)").click(0.4)
+            val place = "const text = document.querySelector('.cursor-value-name bdi, .cursor-value-name').firstChild; " +
+                "const at = i => { const r = document.createRange(); const t = text.firstChild || text; r.setStart(t, i); " +
+                "r.setEnd(t, i + 1); return r.getBoundingClientRect().left }; return "
+            number(place + "at(1) - at(0)") shouldBeGreaterThan 0.0
+            number(place + "at(15) - at(14)") shouldBeGreaterThan 0.0
+        }
+    }
+
     browserTest("legend, list and statistics show six digits of a number, and all of them where the pointer rests") {
         onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("Seventh")), 11) { row, column -> if (column == 0) row else "${row + 1 / 7.0}" })) {
             press("v")

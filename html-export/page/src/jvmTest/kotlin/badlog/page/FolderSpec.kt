@@ -49,6 +49,17 @@ internal class FolderSpec : PageSpec({
         }
     }
 
+    browserTest("a folder that another tab closes or opens stays so when this one closes its own") {
+        onPage(page) {
+            toggle("Arm")
+            // As another tab does that opens one and closes one.
+            val key = "const key = Object.keys(localStorage).find(k => k.startsWith('badlog:closed:')); "
+            script(key + "localStorage[key] = 'Elevator'")
+            toggle("Drivetrain")
+            script(key + "return localStorage[key]").toString().lines().toSet() shouldBe setOf("Elevator", "Drivetrain")
+        }
+    }
+
     browserTest("all folders close and open at once") {
         onPage(page) {
             click("#collapse-all")

@@ -91,6 +91,20 @@ internal class SignalChoiceSpec : PageSpec({
         }
     }
 
+    browserTest("what another tab has forgotten does not come back with the next signal") {
+        val two = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Lap", "ms")), rows = 60) { row, _ -> row / 10.0 }
+        onPage(TestPages.of(two, additions = additions)) {
+            awaitRules()
+            say("battery", "Power/My Volts")
+            awaitRules()
+            // As another tab does that forgets it, and names another one.
+            script("localStorage.setItem('badlog:signals', 'total current\\0Amps')")
+            say("loop time", "Lap")
+            val stored = script("return localStorage.getItem('badlog:signals')").toString()
+            stored.split('\u0000').chunked(2).map { it[0] } shouldBe listOf("total current", "loop time")
+        }
+    }
+
     browserTest("the fields offer the topics of the log") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()

@@ -192,6 +192,20 @@ internal class VideoSpec : PageSpec({
         await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
     }
 
+    videoTest("where each of two videos starts is remembered", { page }) {
+        script(
+            "const key = 'badlog:video:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                "localStorage.setItem(key, '3 pit.webm')",
+        )
+        pick()
+        click("#video-link")
+        element("#video-link").getAttribute("aria-pressed") shouldBe "false"
+        graph("Ramp").click(0.5)
+        click("#video-link")
+        script("return Object.keys(localStorage).filter(k => k.startsWith('badlog:video:')).map(k => localStorage[k]).join()")
+            .toString().lines().map { it.substringAfter(' ') } shouldBe listOf("pit.webm", "match.webm")
+    }
+
     browserTest("a file that the browser cannot play is said to be one, a dropped one too, and a layout is still opened") {
         onPage(page) {
             script(

@@ -2,11 +2,10 @@ package badlog.page.compare
 
 import badlog.core.analysis.LogView
 import badlog.core.analysis.enabledSpans
-import badlog.core.analysis.matchTitle
-import badlog.core.analysis.meant
 import badlog.core.recording.Recording
 import badlog.page.formula.Formulas
 import badlog.page.opened.OpenedLog
+import badlog.signals.match.matchOf
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.comparison.Alignment
 import badlog.viewer.choices.comparison.LogMoments
@@ -112,9 +111,8 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     private fun moments() = (listOf(open) + logs).associate { it.id to it.moments }
 
     private fun logOf(id: Int, files: List<File>, path: String, file: String, view: LogView): Log {
-        val values = view.recording.values
-        val match = matchTitle(null, values.meant("match type"), values.meant("match number", "match"))
-        val name = LogName(values.meant("event name", "event"), match, view.title ?: file, path)
+        val match = formulas.signals.matchOf(view.recording).orNamed(file)
+        val name = LogName(match.event, match.match, view.title ?: file, path)
         return Log(id, files, path, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
     }
 

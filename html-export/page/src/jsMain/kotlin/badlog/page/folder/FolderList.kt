@@ -8,6 +8,7 @@ import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Scene
 import badlog.protocol.HookPart
+import badlog.viewer.choices.mergedWith
 import badlog.viewer.shown.outline.LogOutline
 import badlog.viewer.shown.outline.OutlineFolder
 import badlog.viewer.shown.search.Query
@@ -32,7 +33,10 @@ internal class FolderList(
     private val origin: (Graph) -> String,
 ) {
     private val key = "closed:$fileKey"
-    private val closedBefore = LocalStorage[key].orEmpty().split('\n')
+    private val closedBefore = remembered()
+
+    /** The closed folders as this tab last showed or stored them. */
+    private var known = closedBefore
     private val own = outline.folders.mapTo(ArrayList(), ::sectionOf)
     private val folded = FoldedTopics(outline, scene, { add(it) }, onDraw)
     private val ofHooks = hooks.filter(::hasSection).map { hook ->
@@ -123,8 +127,12 @@ internal class FolderList(
     }
 
     private fun remember() {
-        LocalStorage[key] = sections.filter { it.isClosed }.joinToString("\n") { it.folder.name }
+        val own = known.filter { name -> sections.none { it.folder.name == name } } + sections.filter { it.isClosed }.map { it.folder.name }
+        LocalStorage[key] = own.mergedWith(remembered(), known).joinToString("\n")
+        known = own
     }
+
+    private fun remembered() = LocalStorage[key]?.split('\n').orEmpty()
 
     private companion object {
         /** Up to this many graphs that are only listed are drawn when a search finds them. */

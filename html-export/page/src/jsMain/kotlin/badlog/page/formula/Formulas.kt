@@ -21,11 +21,11 @@ import badlog.viewer.choices.mergedWith
  * remembers for the file.
  *
  * @property logged the recording as it was logged.
- * @param signals the vocabulary of signals; formulas may use them.
+ * @property signals the vocabulary of signals; formulas may use them.
  * @param given the definitions that the page was made with.
  * @param fileKey identifies the file.
  */
-internal class Formulas(val logged: LogView, private val signals: SignalVocabulary, given: List<String>, fileKey: String) {
+internal class Formulas(val logged: LogView, val signals: SignalVocabulary, given: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
     private val ofPage = given
     private val persons = remembered().toMutableList()

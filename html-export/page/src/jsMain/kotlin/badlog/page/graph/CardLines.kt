@@ -24,8 +24,11 @@ internal class CardLines(own: Graph, lines: List<String>, scene: Scene, onToggle
     /** For each line, whether it is drawn. */
     val isShown: BooleanArray = BooleanArray(graph.series.size)
 
-    val statistics: StatisticsTable = StatisticsTable(graph, scene)
-    val legend: Legend = Legend(graph, statistics::hintOf) { onToggle(compared.lines.slice(it..it)) }
+    /** The index of each line's color. */
+    val colors: List<Int> = compared.colors
+
+    val statistics: StatisticsTable = StatisticsTable(graph, colors, scene)
+    val legend: Legend = Legend(graph, colors, statistics::hintOf) { onToggle(compared.lines.slice(it..it)) }
 
     /** Draws all lines except those that are [hidden], or that a search did not find. */
     fun show(hidden: Set<String>) {

@@ -13,6 +13,7 @@ import org.w3c.dom.HTMLElement
 /** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and finding under the cursor. */
 internal class CursorOverlay(
     private val graph: Graph,
+    colors: List<Int>,
     private val scene: Scene,
     private val content: PlotContent,
     private val plot: PlotCanvas,
@@ -22,7 +23,7 @@ internal class CursorOverlay(
     private val pointer = plot.over.add("div", "cursor-line is-pointer")
     private val eventLabel = plot.over.add("div", "event-label")
     private val findingLabel = plot.over.add("div", "finding-label")
-    private val dots = graph.series.indices.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
+    private val dots = colors.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
     /** Moves everything to where the cursors are now. */
     fun update() {

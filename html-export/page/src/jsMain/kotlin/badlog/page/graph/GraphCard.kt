@@ -214,7 +214,7 @@ internal class GraphCard(
         val canvas = PlotCanvas(scene, content, host, width)
         host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
         PlotGestures(canvas.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
-        overlay = CursorOverlay(drawn.graph, scene, content, canvas)
+        overlay = CursorOverlay(drawn.graph, drawn.colors, scene, content, canvas)
         plot = canvas
         shown = content
         isStale = true
@@ -229,7 +229,7 @@ internal class GraphCard(
     private fun newContent() = if (graph.showsStates) {
         LaneContent(drawn.graph, drawn.isShown, scene.range.full.to)
     } else {
-        LineContent(drawn.graph, scene, drawn.isShown) { look }
+        LineContent(drawn.graph, drawn.colors, scene, drawn.isShown) { look }
     }
 
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
@@ -237,7 +237,7 @@ internal class GraphCard(
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
         sheet.graphHead(title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
-        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn.graph, newContent(), scene)
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn, newContent(), scene)
     }
 
     /** Releases the resources for drawing. */

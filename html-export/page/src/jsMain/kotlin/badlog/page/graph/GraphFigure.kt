@@ -1,6 +1,5 @@
 package badlog.page.graph
 
-import badlog.core.analysis.Graph
 import badlog.core.analysis.PixelColumns
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.PenColors
@@ -12,8 +11,8 @@ import badlog.viewer.draw.plot.drawPlot
 import badlog.viewer.draw.plot.drawSample
 import badlog.viewer.shown.cursor.dotAt
 
-/** Draws [content] of [graph] with the cursors upon it, and the title of x below. */
-internal fun drawGraphPlot(sheet: Sheet, graph: Graph, content: PlotContent, scene: Scene) {
+/** Draws [content] of [lines] with the cursors upon it, and the title of x below. */
+internal fun drawGraphPlot(sheet: Sheet, lines: CardLines, content: PlotContent, scene: Scene) {
     val now = scene.range.now
     val colors = PenColors.LIGHT
     sheet.part(content.height.toDouble()) { pen ->
@@ -23,11 +22,11 @@ internal fun drawGraphPlot(sheet: Sheet, graph: Graph, content: PlotContent, sce
         // The pointer's accidental place does not belong in a figure.
         pen.drawCursors(frame, scene.cursor.now.copy(hover = null), colors)
         val x = scene.cursor.now.pinned ?: return@part
-        graph.series.forEachIndexed { index, series ->
+        lines.graph.series.forEachIndexed { index, series ->
             val share = content.heightAt(index, x)
             val at = series.dotAt(x)
             if (share !in 0.0..1.0 || at !in now || x !in now) return@forEachIndexed
-            pen.drawSample(frame.x.placeOf(at), frame.top + share * frame.height, index, colors)
+            pen.drawSample(frame.x.placeOf(at), frame.top + share * frame.height, lines.colors[index], colors)
         }
     }
     sheet.xTitle(scene.xAxis.title)

@@ -24,10 +24,16 @@ import org.w3c.dom.HTMLElement
 /**
  * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
  *
+ * @param colors the index of each line's color.
  * @param statesOf returns how long and how often a lane was in each state.
  * @param onToggle called with the index of a line that a person wants to hide or show.
  */
-internal class Legend(private val graph: Graph, private val statesOf: (Int) -> String, private val onToggle: (Int) -> Unit) {
+internal class Legend(
+    private val graph: Graph,
+    private val colors: List<Int>,
+    private val statesOf: (Int) -> String,
+    private val onToggle: (Int) -> Unit,
+) {
     // If a graph has only one line, the title already names it.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
     private val names = legendNames(graph)
@@ -41,7 +47,7 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
         val hint = "${series.topic.name} – press to hide or show this line"
         return element.addButton("legend-entry", "", hint) { onToggle(index) }.apply {
             setAttribute("data-series", series.name)
-            add("span", "swatch line-${index % LINE_COLORS}")
+            add("span", "swatch line-${colors[index] % LINE_COLORS}")
             add("bdi", "legend-name", names[index])
             values += add("span", "value")
             units += add("bdi", "unit graph-unit")
@@ -83,7 +89,7 @@ internal class Legend(private val graph: Graph, private val statesOf: (Int) -> S
     fun shown(hasColors: Boolean): List<LegendEntry> =
         entries.indices.filter { entries[it].getAttribute("aria-pressed") == "true" }.map { i ->
             val texts = listOf(names[i], values[i].textContent, units[i].textContent).filterNot { it.isNullOrEmpty() }
-            LegendEntry(texts.joinToString(" "), if (hasColors) i % LINE_COLORS else null)
+            LegendEntry(texts.joinToString(" "), if (hasColors) colors[i] else null)
         }
 }
 

@@ -23,11 +23,13 @@ import badlog.viewer.shown.cursor.indexAt
 /**
  * Numbers as lines over x, with a separate axis for each unit.
  *
+ * @param colors the index of each line's color.
  * @param isShown for each series, whether its line is drawn; the legend changes it.
  * @param look the current settings of the graph.
  */
 internal class LineContent(
     private val graph: Graph,
+    private val colors: List<Int>,
     private val scene: Scene,
     private val isShown: BooleanArray,
     private val look: () -> BoardGraph,
@@ -49,9 +51,9 @@ internal class LineContent(
         limits = axisLimits(axes, axes.map { wholeOf(it, now) }, now.yRange, now.rightYRange)
         val lines = curves.indices.filter { isShown[it] }.map { index ->
             strokes[index].trace(curves[index], frame.x, frame.scaleOf(limits[axisOf[index]]))
-            PlotLine(index, strokes[index], axisOf[index])
+            PlotLine(colors[index], strokes[index], axisOf[index])
         }
-        return Plot(PlotAxis.of(axes, limits) { it }, lines, emptyList(), laneShare = 0.0, graph.isFilled)
+        return Plot(PlotAxis.of(axes, limits, colors::get), lines, emptyList(), laneShare = 0.0, graph.isFilled)
     }
 
     private fun wholeOf(axis: GraphAxis, now: BoardGraph): Span {

@@ -18,7 +18,7 @@ import badlog.viewer.text.numberText
 import org.w3c.dom.HTMLElement
 
 /** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
-internal class StatisticsTable(private val graph: Graph, private val scene: Scene) {
+internal class StatisticsTable(private val graph: Graph, private val colors: List<Int>, private val scene: Scene) {
     val element: HTMLElement = element("div", "statistics")
 
     private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
@@ -50,7 +50,7 @@ internal class StatisticsTable(private val graph: Graph, private val scene: Scen
                     add("tr") {
                         add("th") {
                             setAttribute("scope", "row")
-                            add("span", "swatch line-${index % LINE_COLORS}")
+                            add("span", "swatch line-${colors[index] % LINE_COLORS}")
                             add("span", "", names[index])
                         }
                         for (statistic in Statistic.entries) {

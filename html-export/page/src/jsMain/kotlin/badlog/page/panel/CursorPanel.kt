@@ -130,7 +130,8 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         private var exactValue = { "" }
 
         val element: HTMLElement = parent.add("div", "cursor-value") {
-            name = add("bdi", "cursor-value-name")
+            // Within its own direction, a slash at the beginning stays there.
+            name = add("span", "cursor-value-name").add("bdi")
             value = add("bdi", "cursor-value-text") { addEventListener("pointerenter", { title = exactValue() }) }
             pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.board.change { withOwnToggled(called) } }
         }

@@ -15,7 +15,7 @@ internal object AssignedSignals {
     private const val SEPARATOR = '\u0000'
 
     /** The topic of each signal that was named. */
-    var topics: Map<String, String> = remembered()
+    var topics: Map<String, String> = remembered().orEmpty()
         private set
 
     /** Makes [topic] the signal [signal]. */
@@ -43,11 +43,12 @@ internal object AssignedSignals {
     }
 
     private fun change(step: (Map<String, String>) -> Map<String, String>) {
-        // Other tabs may have named some, too.
-        topics = step(topics + remembered())
+        // Other tabs may have named or forgotten some, too.
+        topics = step(remembered() ?: topics)
         LocalStorage[KEY] = topics.entries.joinToString("$SEPARATOR") { "${it.key}$SEPARATOR${it.value}" }
     }
 
-    private fun remembered(): Map<String, String> =
-        LocalStorage[KEY].orEmpty().split(SEPARATOR).chunked(2).filter { it.size == 2 }.associate { (signal, topic) -> signal to topic }
+    /** Null if nothing is stored, as where that is forbidden. */
+    private fun remembered(): Map<String, String>? =
+        LocalStorage[KEY]?.split(SEPARATOR)?.chunked(2)?.filter { it.size == 2 }?.associate { (signal, topic) -> signal to topic }
 }

@@ -15,6 +15,7 @@ import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.session.video.VideoNote
 import badlog.viewer.session.video.enabledStart
 import badlog.viewer.session.video.videoNoteOf
+import badlog.viewer.session.video.within
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
@@ -143,7 +144,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         URL.revokeObjectURL(video.src)
         heading.showText(name)
         element.isHidden = false
-        use(linked ?: LocalStorage[key]?.let(::videoNoteOf)?.takeIf { it.name == name }?.alignment)
+        use(linked ?: LocalStorage[key].orEmpty().lines().map(::videoNoteOf).find { it?.name == name }?.alignment)
         video.src = address
     }
 
@@ -180,7 +181,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     }
 
     private fun remember() {
-        LocalStorage[key] = VideoNote(name, sync.alignment).toText()
+        LocalStorage[key] = VideoNote(name, sync.alignment).within(LocalStorage[key].orEmpty())
     }
 }
 

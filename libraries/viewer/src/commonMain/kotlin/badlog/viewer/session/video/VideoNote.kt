@@ -18,4 +18,8 @@ fun videoNoteOf(text: String): VideoNote? {
     return start.toDoubleOrNull()?.takeIf(Double::isFinite)?.let { VideoNote(name, VideoAlignment(it)) }
 }
 
+/** Returns [notes], what is remembered of a log's videos one a line, with this note instead of another one about its video. */
+fun VideoNote.within(notes: String): String =
+    (notes.lines().filter { line -> videoNoteOf(line).let { it != null && it.name != name } } + toText()).joinToString("\n")
+
 private const val NONE = "-"

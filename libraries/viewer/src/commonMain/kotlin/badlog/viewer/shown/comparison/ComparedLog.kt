@@ -18,22 +18,31 @@ class ComparedLog(val name: String, private val lines: BoardLines, val offset: D
     operator fun get(line: String): GraphSeries? = moved.getOrPut(line) { lines[line]?.moved(offset, " ($name)") }
 }
 
-/** A graph of a log with lines of others among its own, and the board's name of each line. */
-class ComparedGraph(val graph: Graph, val lines: List<String>)
+/**
+ * A graph of a log with lines of others among its own.
+ *
+ * @property lines the board's name of each line.
+ * @property colors the index of each line's color.
+ */
+class ComparedGraph(val graph: Graph, val lines: List<String>, val colors: List<Int>)
 
 /**
- * Returns [graph], whose lines the board calls [lines], with the same lines of [logs]: each follows the line of the open log, so that the
- * color shows first which log it is.
+ * Returns [graph], whose lines the board calls [lines], with the same lines of [logs]. The colors show first which log it is, the same in
+ * all graphs, also where a log lacks a line.
  */
 fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): ComparedGraph {
-    if (logs.isEmpty()) return ComparedGraph(graph, lines)
+    if (logs.isEmpty()) return ComparedGraph(graph, lines, lines.indices.toList())
     val series = ArrayList<GraphSeries>()
     val names = ArrayList<String>()
+    val colors = ArrayList<Int>()
     graph.series.forEachIndexed { i, own ->
-        val others = logs.mapNotNull { log -> log[lines[i]]?.takeIf { (it.states == null) == (own.states == null) } }
-        series += own
-        series += others
-        repeat(1 + others.size) { names += lines[i] }
+        val all = listOf(own) + logs.map { log -> log[lines[i]]?.takeIf { (it.states == null) == (own.states == null) } }
+        all.forEachIndexed { log, line ->
+            if (line == null) return@forEachIndexed
+            series += line
+            names += lines[i]
+            colors += i * all.size + log
+        }
     }
-    return ComparedGraph(Graph(graph.name, graph.unit, graph.isVirtual, graph.isFilled, graph.includesZero, series), names)
+    return ComparedGraph(Graph(graph.name, graph.unit, graph.isVirtual, graph.isFilled, graph.includesZero, series), names, colors)
 }

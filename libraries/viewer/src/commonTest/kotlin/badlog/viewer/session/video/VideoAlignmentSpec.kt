@@ -34,6 +34,13 @@ class VideoAlignmentSpec : FunSpec({
         VideoNote("a match.mp4", VideoAlignment(-1.94667000001)).toText() shouldBe "-1.9467 a match.mp4"
     }
 
+    test("each video of a log has its own note, and a later one of the same video takes the place of the earlier") {
+        val first = VideoNote("match.mp4", VideoAlignment(12.5)).within("")
+        val both = VideoNote("pit.mp4", null).within(first)
+        both.lines() shouldBe listOf("12.5 match.mp4", "- pit.mp4")
+        VideoNote("match.mp4", VideoAlignment(7.5)).within(both).lines() shouldBe listOf("- pit.mp4", "7.5 match.mp4")
+    }
+
     test("text that something else wrote is not read as an alignment") {
         for (text in listOf("", "12.5", "x match.mp4", "NaN match.mp4", "Infinity a")) videoNoteOf(text) shouldBe null
     }

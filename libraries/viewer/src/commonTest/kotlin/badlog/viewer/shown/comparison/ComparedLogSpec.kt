@@ -32,4 +32,13 @@ class ComparedLogSpec : FunSpec({
         val all = comparedGraph(graph, graph.lineNames, listOf(compared(other), compared(open, name = "Q3")))
         all.graph.series.map { it.topic.name } shouldContainExactly listOf("A/State", "A/State (Q2)", "A/State (Q3)")
     }
+
+    test("the first line of each log has the same color in all graphs, also if another log lacks the line") {
+        val graph = open.folders.flatMap { it.graphs }.first { it.name == "A/Both" }
+        val poor = bagView(listOf("Time|xaxis|hide", "A/Amps"), listOf("0,1", "1,2"))
+        val all = comparedGraph(graph, graph.lineNames, listOf(compared(poor), compared(other, name = "Q3")))
+        all.graph.series.map { it.topic.name } shouldContainExactly listOf("A/Volts", "A/Volts (Q3)", "A/Amps", "A/Amps (Q2)", "A/Amps (Q3)")
+        all.colors shouldContainExactly listOf(0, 2, 3, 4, 5)
+        comparedGraph(graph, graph.lineNames, emptyList()).colors shouldContainExactly listOf(0, 1)
+    }
 })
