@@ -7,6 +7,7 @@ import badlog.rules.RuleSet
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
 
 /** The board that a log begins with, and whose changes to it count. */
 internal class StartBoardSpec : PageSpec({
@@ -26,6 +27,29 @@ internal class StartBoardSpec : PageSpec({
             texts(".board .graph-title") shouldBe listOf("Step 3")
             reload()
             texts(".board .graph-title") shouldBe listOf("Step 3")
+        }
+    }
+
+    browserTest("of a graph that two tabs change, both changes stay, and a graph that this tab cannot draw stays for the other") {
+        onPage(TestPages.of(stepBag(graphs = 3))) {
+            val key = "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes; "
+            script(
+                key + "localStorage.setItem(key, arguments[0])",
+                """{"graphs":[{"title":"Step 3","lines":["Step 3"]},{"title":"Twice","lines":["Twice"]}]}""",
+            )
+            reload()
+            texts(".board .graph-title") shouldBe listOf("Step 3")
+            // As another tab does that has the same graph.
+            script(key + "localStorage.setItem(key, localStorage.getItem(key).replace('\"lines\":[\"Step 3\"]', '\"lines\":[\"Step 3\",\"Step 1\"]'))")
+            graph("Step 2").scrollTo().hover(0.5)
+            press("p")
+            texts(".board .graph-title") shouldBe listOf("Step 3", "Step 2")
+            texts(".board .legend-name") shouldContain "Step 1"
+            act { keyDown(Keys.CONTROL).sendKeys("z").keyUp(Keys.CONTROL) }
+            settle()
+            texts(".board .graph-title") shouldBe listOf("Step 3")
+            texts(".board .legend-name") shouldContain "Step 1"
+            script(key + "return localStorage.getItem(key)").toString() shouldContain "Twice"
         }
     }
 

@@ -13,6 +13,7 @@ import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
+import badlog.viewer.choices.formula.keyOf
 import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
 
@@ -97,7 +98,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
 
     /** Remembers all of [own], and what other tabs have changed meanwhile, which this one calculates when it is opened again. */
     fun remember() {
-        val merged = own.mergedWith(remembered(), known)
+        val merged = own.mergedWith(remembered(), known, key = ::keyOf)
         known = own.toList()
         LocalStorage[key] = merged.joinToString("\n")
     }

@@ -19,7 +19,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     private val listeners = ArrayList<() -> Unit>()
 
     /** All of it, with what can be undone. */
-    var history: BoardHistory = BoardHistory()
+    var history: BoardHistory = historyOf(Board())
         private set
 
     /** The board it began with, unless the browser remembered one. */
@@ -63,7 +63,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
         start = board
-        val first = BoardHistory(own ?: board())
+        val first = historyOf(own ?: board())
         known = first.now
         if (own == null) begun = first
         show(if (visited == null) first else first.changed(visited))
@@ -74,14 +74,14 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         start = { board }
         if (history !== begun || board.showsSame(history.now)) return
         known = board
-        begun = BoardHistory(board).also(::show)
+        begun = historyOf(board).also(::show)
     }
 
     /** Shows the board that the page begins with for everybody; can be undone. */
     fun startAgain() = change { start() }
 
     /** Performs [step], which can be undone, and remembers the result. */
-    fun change(step: Board.() -> Board) = take(history.changed(now.step()))
+    fun change(step: Board.() -> Board) = take(history.changed(now.step(), now))
 
     /**
      * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
@@ -98,7 +98,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         // Another tab may have changed it meanwhile.
         val stored = remembered()
         show(if (stored == null) changed else changed.mergedWith(stored, known))
-        LocalStorage[key] = history.now.toJson()
+        LocalStorage[key] = history.now.toJson(haveIds = true)
         // As it is read: what JSON cannot hold is not a change of another tab.
         known = remembered() ?: history.now
         onKeep()
@@ -109,6 +109,9 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         now = changed.now.fittedTo { lines[it] != null }.board
         for (listener in listeners) listener()
     }
+
+    // Other tabs must not give a graph of theirs the same id.
+    private fun historyOf(board: Board) = BoardHistory(board) { (js("Math.random()").unsafeCast<Double>() * Int.MAX_VALUE).toInt() }
 
     private fun remembered(): Board? = try {
         LocalStorage[key]?.let(::boardOfJson)

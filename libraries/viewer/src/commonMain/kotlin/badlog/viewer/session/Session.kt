@@ -18,7 +18,7 @@ import badlog.viewer.shown.finding.FindingStep
 class Session(val place: Place, val board: BoardHistory, val graphs: Board = board.now, val graph: Int? = null) {
     internal fun at(place: Place) = Session(place, board, graphs, graph)
 
-    internal fun changed(to: Board) = Session(place, board.changed(to), to, graph)
+    internal fun changed(to: Board) = Session(place, board.changed(to, graphs), to, graph)
 
     internal fun with(board: BoardHistory) = Session(place, board, graphs, graph)
 }

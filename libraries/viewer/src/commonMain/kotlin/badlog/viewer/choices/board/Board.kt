@@ -179,7 +179,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
 /**
  * What one graph shows, by names only, so that the same graph fits every recording of a robot.
  *
- * @property id identifies it on its board; has no other meaning, and is not written.
+ * @property id identifies it on its board; has no other meaning, and is written only where several tabs or windows remember a board.
  * @property title the heading above it.
  * @property lines the names of the signals it draws, each once; those that a recording lacks are not shown for it.
  * @property isFilled whether the area below the lines is filled.

@@ -11,10 +11,16 @@ import badlog.viewer.draw.path.FieldOrigin
  * if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines; `xy` if the lines
  * are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog ignores what it
  * does not know.
+ *
+ * @param haveIds whether each graph also has its `id`, by which tabs and windows that change the same board know it; without one, the id is
+ * the graph's place from 1 on.
  */
-fun Board.toJson(): String = graphs.joinToString(",", "{\"graphs\":[", "]}") { graph ->
+fun Board.toJson(haveIds: Boolean = false): String = graphs.indices.joinToString(",", "{\"graphs\":[", "]}") { i ->
+    val graph = graphs[i]
     buildString {
-        append("{\"title\":").append(quotedJson(graph.title))
+        append('{')
+        if (haveIds && graph.id != i + 1) append("\"id\":").append(graph.id).append(',')
+        append("\"title\":").append(quotedJson(graph.title))
         append(",\"lines\":").append(graph.lines.joinToString(",", "[", "]", transform = ::quotedJson))
         if (graph.isFilled) append(",\"filled\":true")
         if (graph.includesZero) append(",\"zero\":true")
@@ -55,7 +61,10 @@ fun boardOfJson(text: String): Board {
  */
 internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
     val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
-    Board(items.mapIndexed { i, graph -> graphOf(i + 1, graph) })
+    val read = items.mapIndexed { i, graph -> graphOf(i + 1, graph) }
+    val ids = items.mapIndexed { i, graph -> graph["id"]?.json?.toIntOrNull() ?: (i + 1) }
+    // A file that a person has put together may have one twice.
+    Board(if (ids.distinct().size == ids.size) read.mapIndexed { i, graph -> graph.copy(id = ids[i]) } else read)
 } catch (e: Damage) {
     val place = e.place?.let(placeText).orEmpty()
     throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")

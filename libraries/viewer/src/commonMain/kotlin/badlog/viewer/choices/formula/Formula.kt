@@ -43,6 +43,9 @@ fun nameIn(definition: String): String? {
     return null
 }
 
+/** Returns what makes [definition] the same as another that is remembered: the name of its topic. */
+fun keyOf(definition: String): String = nameIn(definition) ?: definition
+
 /** Returns [definitions] with those of [others], which replace those with the same names. */
 fun joined(definitions: List<String>, others: List<String>): List<String> {
     val names = others.mapNotNullTo(HashSet(), ::nameIn)

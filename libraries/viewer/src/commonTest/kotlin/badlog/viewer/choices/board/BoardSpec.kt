@@ -55,6 +55,14 @@ class BoardSpec : FunSpec({
 
     fun Board.lines() = graphs.map { it.lines }
 
+    test("the ids that tabs know graphs by are read back, as far as each is there once") {
+        val first = BoardGraph(70, "A", listOf("A"))
+        val two = Board(listOf(first, first.copy(id = 2), first.copy(id = 90)))
+        boardOfJson(two.toJson(haveIds = true)) shouldBe two
+        boardOfJson(two.toJson()) shouldBe two.renumbered()
+        boardOfJson(Board(listOf(first, first)).toJson(haveIds = true)).graphs.map { it.id } shouldBe listOf(1, 2)
+    }
+
     test("a board that was written is read back the same, as JSON and as the text of an address") {
         checkAll(board) {
             boardOfJson(it.toJson()) shouldBe it

@@ -1,0 +1,36 @@
+package badlog.viewer.choices.board
+
+import badlog.viewer.choices.merged
+import badlog.viewer.choices.mergedWith
+
+/**
+ * Returns this board, which several tabs or windows change and remember in one place, with what the others have changed of it since this
+ * one [read] it: graph by graph, and within a graph title by title, line by line and height by height. See
+ * [mergedWith][badlog.viewer.choices.mergedWith].
+ *
+ * @param stored the board as it is remembered now.
+ * @param prefersStored whether that which both changed is as it is stored; otherwise it is as here.
+ */
+fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false): Board {
+    val known = read.graphs.mapTo(HashSet()) { it.id }
+    val own = graphs.filter { it.id !in known }.associateBy { it.id }
+    // Ids of new graphs may meet by chance.
+    var free = (graphs + stored.graphs).maxOfOrNull { it.id } ?: 0
+    val others = stored.graphs.map { graph -> if (own[graph.id].let { it == null || it == graph }) graph else graph.copy(id = ++free) }
+    val merged = graphs.mergedWith(others, read.graphs, prefersStored, { it.id }) { mine, before, theirs ->
+        if (before == null) mine else mine.mergedWith(theirs, before, prefersStored)
+    }
+    return Board(merged.filter { it.lines.isNotEmpty() })
+}
+
+private fun BoardGraph.mergedWith(stored: BoardGraph, read: BoardGraph, prefersStored: Boolean): BoardGraph {
+    fun <T> of(part: (BoardGraph) -> T): T = merged(part(this), part(read), part(stored), prefersStored)
+
+    fun names(part: (BoardGraph) -> Iterable<String>) = part(this).toList().mergedWith(part(stored).toList(), part(read).toList())
+
+    val lines = names { it.lines }
+    val hidden = names { it.hidden }.filterTo(HashSet()) { it in lines }
+    // What is left depends on each other: a fixed part of y is not shared, for example.
+    val rest = of { it.copy(title = "", lines = emptyList(), height = null, hidden = emptySet()) }
+    return rest.copy(title = of { it.title }, lines = lines, height = of { it.height }, hidden = hidden)
+}

@@ -1,0 +1,140 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+
+/** What several tabs or windows do with one remembered board. */
+class MergedBoardSpec : FunSpec({
+    class Store(var board: Board) {
+        var lastId = 1000
+    }
+
+    class Tab(private val store: Store) {
+        private var history = BoardHistory(store.board) { ++store.lastId }
+        private var known = store.board
+        val board get() = history.now
+
+        fun take(step: BoardHistory.() -> BoardHistory) {
+            history = history.step().mergedWith(store.board, known)
+            // As a file is written and read.
+            known = boardOfJson(history.now.toJson(haveIds = true))
+            store.board = known
+        }
+
+        fun change(step: Board.() -> Board) = take { changed(now.step()) }
+    }
+
+    fun Board.named(title: String) = graphs.find { it.title == title }
+
+    class Deed(val tab: Int, val kind: Int, val graph: Int, val value: Int)
+    val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..5).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..40)
+    val start = Board().withGraph(listOf("A")).withGraph(listOf("B", "C")).withGraph(listOf("D"))
+
+    test("whatever tabs do in turn, each change stays, and of two of the same thing the later one counts") {
+        checkAll(300, deeds) { all ->
+            val store = Store(start)
+            val tabs = List(3) { Tab(store) }
+            // What the last writer of each part of each graph wanted.
+            val wanted = LinkedHashMap(start.graphs.associate { it.title to it.copy(id = 0) })
+            all.forEachIndexed { i, deed ->
+                val tab = tabs[deed.tab]
+                val seen = tab.board.graphs.getOrNull(deed.graph)
+                val title = seen?.title
+                val before = title?.let(wanted::get)
+                if (deed.kind == 0) {
+                    tab.change { withGraph(listOf("New $i")) }
+                    wanted["New $i"] = BoardGraph(0, "New $i", listOf("New $i"))
+                }
+                // What another tab has removed, this one does not change: that would bring it back.
+                if (seen == null || title == null || before == null) return@forEachIndexed
+                when (deed.kind) {
+                    1 -> {
+                        tab.change { without(seen.id) }
+                        wanted -= title
+                    }
+
+                    2 -> {
+                        tab.change { resized(seen.id, deed.value) }
+                        // What shows the same is not a change.
+                        if (seen.height != deed.value) wanted[title] = before.copy(height = deed.value)
+                    }
+
+                    3 -> {
+                        tab.change { withLine(seen.id, "Line ${deed.value}") }
+                        if ("Line ${deed.value}" !in seen.lines) wanted[title] = before.copy(lines = before.lines + "Line ${deed.value}")
+                    }
+
+                    4 -> {
+                        tab.change { withYRange(seen.id, Span(0.0, deed.value.toDouble())) }
+                        if (seen.yRange?.to != deed.value.toDouble()) wanted[title] = before.copy(yRange = Span(0.0, deed.value.toDouble()))
+                    }
+
+                    5 -> tab.change { moved(seen.id, deed.value % 3 - 1) }
+                }
+            }
+            store.board.graphs.map { it.id }.shouldBeUnique()
+            store.board.graphs.map { it.title }.toSet() shouldBe wanted.keys
+            for ((title, graph) in wanted) {
+                val stored = checkNotNull(store.board.named(title))
+                stored.copy(id = 0, lines = emptyList()) shouldBe graph.copy(lines = emptyList())
+                stored.lines.toSet() shouldBe graph.lines.toSet()
+            }
+        }
+    }
+
+    test("undoing in one tab takes back its own changes, and none of another's") {
+        checkAll(200, Arb.list(Arb.int(0..7), 0..30)) { all ->
+            val store = Store(start)
+            val tabs = List(2) { Tab(store) }
+            val heights = mutableListOf<Int?>(null, null)
+            val steps = List(2) { ArrayList<Int?>() }
+            all.forEachIndexed { i, deed ->
+                val own = deed % 2
+                if (deed < 6) {
+                    steps[own] += heights[own]
+                    heights[own] = 60 + i
+                    tabs[own].change { resized(start.graphs[own].id, 60 + i) }
+                } else if (steps[own].isNotEmpty()) {
+                    heights[own] = steps[own].removeLast()
+                    tabs[own].take { undone() }
+                }
+            }
+            store.board.graphs.take(2).map { it.height } shouldBe heights
+        }
+    }
+
+    test("undoing leaves what another tab did with the same graph, also where this one did the same before") {
+        val store = Store(start)
+        val (mine, theirs) = List(2) { Tab(store) }
+        val id = start.graphs[0].id
+        mine.change { resized(id, 100) }
+        theirs.change { resized(id, 200).withLine(id, "E") }
+        mine.take { undone() }
+        store.board.graphs[0].height shouldBe 200
+        store.board.graphs[0].lines shouldBe listOf("A", "E")
+    }
+
+    test("a change of what a log can show leaves the graphs and lines that it cannot show") {
+        val whole = start.withGraph(listOf("Hidden"))
+        val shown = whole.fittedTo { it != "Hidden" && it != "C" }.board
+        val changed = BoardHistory(whole) { 77 }.changed(shown.moved(3, -2).resized(2, 90).withGraph(listOf("E")), shown).now
+        changed.graphs.map { it.lines } shouldBe listOf(listOf("D"), listOf("Hidden"), listOf("A"), listOf("B", "C"), listOf("E"))
+        changed.graphs[3].height shouldBe 90
+    }
+
+    test("a graph that was never on the board is another one, even if it has the id of one that is gone") {
+        val store = Store(start)
+        val (mine, theirs) = List(2) { Tab(store) }
+        mine.change { without(3) }
+        mine.change { withGraph(listOf("E")) }
+        theirs.change { without(3).withGraph(listOf("F")) }
+        store.board.graphs.map { it.title } shouldBe listOf("A", "B", "F", "E")
+    }
+})
