@@ -1,9 +1,9 @@
 package badlog.exporter
 
 import badlog.files.writeAtomically
-import badlog.viewer.choices.mergedWith
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.notesMergedWith
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
 import java.io.IOException
@@ -46,7 +46,7 @@ object NotesFile {
      * @throws NotesException if somebody has damaged the file meanwhile; it stays as it is.
      */
     fun update(log: Path, notes: List<Note>, read: List<Note>): List<Note> {
-        val merged = notes.mergedWith(read(log), read).sortedBy { it.x }
+        val merged = notes.notesMergedWith(read(log), read)
         write(log, merged)
         return merged
     }

@@ -104,8 +104,17 @@ internal class NotesSpec : PageSpec({
             graph("Step 1").click(0.5)
             write("of this tab")
             texts("#notes .note-text") shouldBe listOf("second", "of this tab", "of the other tab")
+            // The other tab changes a note of which there is then still one, and this tab another.
+            script(
+                "const key = Object.keys(localStorage).find(k => k.startsWith('badlog:notes:'));" +
+                    "localStorage[key] = localStorage[key].replace('of the other tab', 'changed there')",
+            )
+            elements("#notes .note-tools button")[0].click()
+            press(" again", Keys.ENTER)
+            settle()
+            texts("#notes .note-text") shouldBe listOf("second again", "of this tab", "changed there")
             reload()
-            texts("#notes .note-text") shouldBe listOf("second", "of this tab", "of the other tab")
+            texts("#notes .note-text") shouldBe listOf("second again", "of this tab", "changed there")
         }
     }
 

@@ -1,10 +1,10 @@
 package badlog.page.note
 
 import badlog.page.dom.LocalStorage
-import badlog.viewer.choices.mergedWith
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.Notebook
 import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.notesMergedWith
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
 
@@ -40,7 +40,7 @@ internal class PageNotes(fileKey: String, private val given: List<Note>) {
 
     /** Remembers [notes], with what other tabs have changed meanwhile, and returns both. */
     private fun stored(notes: List<Note>): List<Note> {
-        known = notes.mergedWith(remembered(), known)
+        known = notes.notesMergedWith(remembered(), known)
         // What the page was made with tells another copy of it which of these are the reader's own.
         LocalStorage[key] = given.toJson() + SEPARATOR + known.toJson()
         return known
@@ -49,7 +49,7 @@ internal class PageNotes(fileKey: String, private val given: List<Note>) {
     private fun remembered(): List<Note> {
         val text = LocalStorage[key] ?: return given
         return try {
-            notesOfJson(text.substringAfter(SEPARATOR)).mergedWith(given, notesOfJson(text.substringBefore(SEPARATOR)))
+            notesOfJson(text.substringAfter(SEPARATOR)).notesMergedWith(given, notesOfJson(text.substringBefore(SEPARATOR)))
         } catch (_: NotesException) {
             given
         }
