@@ -11,6 +11,6 @@ internal class AxisChoice(private val current: CurrentRecording) : StateHolder<B
     /** The name of the column that the open log could be drawn over; null if that was already chosen, or there is none. */
     val offered: String? get() = if (state == null) current.recording?.timeColumn?.name else null
 
-    /** Draws all logs [overTime], or over their rows, from now on, and shows all of x. */
+    /** Chooses for all logs that name no x axis: [overTime], or over their rows. What is shown of them follows, see [ShownRecordings]. */
     fun choose(overTime: Boolean) = change { overTime }
 }

@@ -181,8 +181,8 @@ internal class OpenRecording(
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
     /**
-     * Returns what is shown of the same file for [wanted]; itself if that is how it is. Takes its time, and may read the file of a field: never
-     * call it on the window's thread.
+     * Returns what is shown of the same file for [wanted]; itself if that is how it is. It may calculate all formulas and read the file of a
+     * field: call it off the window's thread.
      *
      * @param library the folder of logs, see [FieldFile.of].
      */

@@ -27,7 +27,7 @@ sealed interface LogContent {
     /**
      * No content to ask about.
      *
-     * @property why why.
+     * @property why why the log could not be read.
      */
     class None(val why: ReadResult.NotRead) : LogContent
 

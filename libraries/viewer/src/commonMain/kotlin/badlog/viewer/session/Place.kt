@@ -7,8 +7,8 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.shown.cursor.Cursors
 
 /**
- * Where a person is in a log. Links contain it; undo does not change it, but the range has a history of its own. Immutable; each
- * transition returns a new one.
+ * Where a person is in a log. Links contain the visible range, the cursors and the finding, not the selection. Undo does not change it, but
+ * the range has a history of its own. Immutable; each transition returns a new one.
  *
  * @property range the visible range of x, with the ranges before it.
  * @property cursors the places at which values are read.
