@@ -70,7 +70,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
                     compared.change { alignedBy(alignment, open) }
                 }
             }
-            ToolButton("Stop comparing", Icons.Close, text = "Clear") { compared.clear() }
+            ToolButton("Stop comparing", Icons.Close, text = "Stop comparing") { compared.clear() }
         }
         FlowRow(
             Modifier
@@ -85,7 +85,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
             for (file in comparison.checked) {
                 if (file != open.file && file !in comparison.loaded) {
                     Row(Modifier.padding(horizontal = 8.dp, vertical = 6.dp)) {
-                        Text("Reading ${file.fileName} …".take(60), color = palette.muted, maxLines = 1)
+                        Text("Reading ${file.fileName}…".take(60), color = palette.muted, maxLines = 1)
                     }
                 }
             }

@@ -23,7 +23,7 @@ import badlog.window.theme.ToolButton
 @Composable
 internal fun NothingOpen(isOpening: Boolean, modifier: Modifier) {
     if (isOpening) {
-        Sentence("Opening the log …", "Its graphs appear in a moment; the line below shows the progress.", modifier.fillMaxSize())
+        Sentence("Opening the log…", "Its graphs appear in a moment; the line below shows the progress.", modifier.fillMaxSize())
     } else {
         Sentence("No log is open", "Select a log at the left, or drop a file here.", modifier.fillMaxSize())
     }

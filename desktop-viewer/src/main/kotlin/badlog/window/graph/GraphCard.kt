@@ -87,7 +87,7 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, m
             ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
             ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
             ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
-            ToolButton("Remove the graph", Icons.Close) { scene.board.change { without(spec.id) } }
+            ToolButton("Remove this graph", Icons.Close) { scene.board.change { without(spec.id) } }
         }
         if (spec.isXy && spec.id in scene.planes) {
             ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }

@@ -41,8 +41,10 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
             GraphAction("Remove all graphs") { board.change { Board() } },
         ),
         GraphHeight.entries.map { height ->
-            GraphAction("${height.label} height", spec.height == height.pixels) { board.change { resized(spec.id, height.pixels) } }
-        } + GraphAction("Same height as the others", spec.height == null) { board.change { resized(spec.id, null) } },
+            GraphAction("Height: ${height.label.lowercase()}", spec.height == height.pixels) {
+                board.change { resized(spec.id, height.pixels) }
+            }
+        } + GraphAction("Height: as the others", spec.height == null) { board.change { resized(spec.id, null) } },
         listOf(
             GraphAction("Fix the y limits", spec.yRange != null) { fixY(scene, spec) },
             GraphAction("Share the y limits", spec.sharesY) { board.change { withSharedY(spec.id, !spec.sharesY) } },

@@ -64,7 +64,7 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView) {
 @Composable
 private fun BoardButtons(board: GraphBoard) {
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Undo the last change of the graphs (${Action.UNDO.shortcut})", Icons.Undo, isEnabled = board.canUndo) { board.undo() }
+        ToolButton("Undo (${Action.UNDO.shortcut})", Icons.Undo, isEnabled = board.canUndo) { board.undo() }
         ToolButton("Redo (${Action.REDO.shortcut})", Icons.Redo, isEnabled = board.canRedo) { board.redo() }
         ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
     }

@@ -42,8 +42,8 @@ internal fun FindingDetails(
     if (places.size > 1) {
         val shown by remember(finding, view) { derivedStateOf { maxOf(0, places.indexOfFirst { it.from == view.cursor }) } }
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp), Alignment.CenterVertically) {
-            ToolButton("Previous place of this finding", Icons.Up, isEnabled = shown > 0) { findings.stepWithin(-1) }
-            ToolButton("Next place of this finding", Icons.Down, isEnabled = shown < places.lastIndex) { findings.stepWithin(1) }
+            ToolButton("Previous place", Icons.Up, isEnabled = shown > 0) { findings.stepWithin(-1) }
+            ToolButton("Next place", Icons.Down, isEnabled = shown < places.lastIndex) { findings.stepWithin(1) }
             val more = if (finding.spanCount > places.size) ", the first of ${finding.spanCount}" else ""
             Text("${shown + 1} of ${places.size}$more: ${times.logged(places[shown].from)}", color = palette.muted, fontSize = 12.sp)
         }

@@ -83,7 +83,7 @@ internal fun FindingsPanel(
     val selected = findings.selected
     val list = findings.state.list
     if (list == null) {
-        PanelHint("Running the rules …")
+        PanelHint("Running the rules…")
         return
     }
     val times = remember(open) { EventTimes(open) }

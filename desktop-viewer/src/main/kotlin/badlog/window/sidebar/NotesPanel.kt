@@ -50,7 +50,7 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
     Column(modifier) {
         val draft = notes.draft
         if (draft == null) {
-            ToolButton("Write a note at the cursor (M)", text = "New note at the cursor", isEnabled = !notes.state.isDamaged) {
+            ToolButton("Write a note at the cursor (M)", text = "Write a note", isEnabled = !notes.state.isDamaged) {
                 notes.write(view.place.ofNote)
             }
         } else {

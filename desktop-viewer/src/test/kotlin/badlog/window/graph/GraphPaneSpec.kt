@@ -53,7 +53,7 @@ class GraphPaneSpec : FunSpec({
     test("while a log is being read it says that, and not that none is open") {
         runDesktopComposeUiTest(900, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { GraphPane(viewerOf(null).graphs, isOpening = true) } }
-            onNodeWithText("Opening the log …").assertExists()
+            onNodeWithText("Opening the log…").assertExists()
             onNodeWithText("No log is open").assertDoesNotExist()
         }
     }
@@ -89,10 +89,10 @@ class GraphPaneSpec : FunSpec({
             waitForIdle()
             // Over the plot the legend is read: only the menu is there, beside it.
             onNodeWithContentDescription("More for this graph").assertExists()
-            onNodeWithContentDescription("Remove the graph").assertDoesNotExist()
+            onNodeWithContentDescription("Remove this graph").assertDoesNotExist()
             graph.performMouseInput { moveTo(Offset(300f, 8f)) }
             waitForIdle()
-            onNodeWithContentDescription("Remove the graph").performClick()
+            onNodeWithContentDescription("Remove this graph").performClick()
             viewer.board.state.graphs.size shouldBe 0
             onNodeWithContentDescription("Show the default graphs").performClick()
             viewer.board.state.graphs.size shouldBe 1

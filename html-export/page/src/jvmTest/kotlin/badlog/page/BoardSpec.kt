@@ -170,7 +170,7 @@ internal class BoardSpec : PageSpec({
             press(Keys.ENTER)
             script("return document.activeElement.textContent") shouldBe "Move up"
             press(Keys.ARROW_UP)
-            script("return document.activeElement.textContent") shouldBe "Remove"
+            script("return document.activeElement.textContent") shouldBe "Remove this graph"
             press(Keys.ESCAPE)
             elements("#board .menu").size shouldBe 0
             script("return document.activeElement.className") as String shouldContain "graph-menu"
@@ -207,7 +207,7 @@ internal class BoardSpec : PageSpec({
             val legend = elements("#board .legend-entry")
             legend[1].click()
             settle()
-            choose(0, "Fixed y limits")
+            choose(0, "Fix the y limits")
             elements("#board .reset-y").first().isDisplayed shouldBe true
             reload()
             elements("#board .legend-entry")[1].getDomAttribute("aria-pressed") shouldBe "false"
@@ -260,7 +260,7 @@ internal class BoardSpec : PageSpec({
         onPage(page) {
             for (name in listOf("Volt", "Other")) pin(name)
             val alone = graph("Volt").lineColumns().sum()
-            for (i in 0..1) choose(i, "Shared y limits")
+            for (i in 0..1) choose(i, "Share the y limits")
             // Volt goes up to 99, and Other up to 16 times as far.
             val shared = graph("Volt").lineColumns().sum()
             alone shouldBeGreaterThan shared * 2

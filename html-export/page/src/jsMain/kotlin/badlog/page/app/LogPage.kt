@@ -69,6 +69,7 @@ import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.note.Note
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
+import badlog.viewer.input.Action
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.shown.search.Query
@@ -115,9 +116,9 @@ internal class LogPage(
     private val eventsLink = EventsLink(folders)
     private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
     private val formulaButton = element("div", "formula-button") {
-        addButton("", "", "Add a formula (F)") { formulaDialog.open() }.apply {
+        addButton("", "", "${Action.NEW_FORMULA.meaning} (${Action.NEW_FORMULA.shortcut})") { formulaDialog.open() }.apply {
             id = "add-formula"
-            setAttribute("aria-label", "Add a formula")
+            setAttribute("aria-label", Action.NEW_FORMULA.meaning)
             appendChild(Icon.FORMULA.draw())
             add("span", "", "Formula")
         }

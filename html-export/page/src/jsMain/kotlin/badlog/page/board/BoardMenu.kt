@@ -44,12 +44,12 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         }
         if (numbers != null && !graph.isXy) {
             add(
-                MenuEntry("Fixed y limits", isFixed) {
+                MenuEntry("Fix the y limits", isFixed) {
                     if (isFixed) board.change { withYRange(id, null) } else numbers.zoomY(0.0, 1.0)
                 },
             )
-            add(MenuEntry("Shared y limits", graph.sharesY) { board.change { withSharedY(id, !graph.sharesY) } })
+            add(MenuEntry("Share the y limits", graph.sharesY) { board.change { withSharedY(id, !graph.sharesY) } })
         }
-        add(MenuEntry("Remove") { board.change { without(id) } })
+        add(MenuEntry("Remove this graph") { board.change { without(id) } })
     }
 }

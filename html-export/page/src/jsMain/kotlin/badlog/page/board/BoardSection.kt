@@ -13,6 +13,7 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
+import badlog.viewer.input.Action
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import badlog.viewer.text.shortNames
@@ -51,12 +52,12 @@ internal class BoardSection(
             hint = add("span", "unit board-hint", "Pin graphs (P) to see them together here.")
             add("div", "graph-tools") {
                 add = addIconButton("", Icon.PLUS, "Add topics") { topics.open() }.apply { id = "add-topics" }
-                undo = addIconButton("", Icon.UNDO, "Undo (Ctrl+Z)") { board.undo() }.apply { id = "undo" }
-                redo = addIconButton("redo", Icon.UNDO, "Redo (Ctrl+Y)") { board.redo() }.apply { id = "redo" }
+                undo = addIconButton("", Icon.UNDO, "Undo (${Action.UNDO.shortcut})") { board.undo() }.apply { id = "undo" }
+                redo = addIconButton("redo", Icon.UNDO, "Redo (${Action.REDO.shortcut})") { board.redo() }.apply { id = "redo" }
                 val start = "Start board: the graphs that this page opened with"
                 addIconButton("", Icon.START, start) { board.startAgain() }.id = "start-board"
                 appendChild(layouts)
-                clear = addIconButton("", Icon.CLOSE, "Remove all") { board.change { Board() } }.apply { id = "clear-board" }
+                clear = addIconButton("", Icon.CLOSE, "Remove all graphs") { board.change { Board() } }.apply { id = "clear-board" }
             }
         }
         body = add("div", "folder-body")

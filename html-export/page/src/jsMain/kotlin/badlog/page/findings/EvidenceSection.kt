@@ -61,9 +61,9 @@ internal class EvidenceSection(
             severity = add("span")
             heading = add("h2", "findings-title")
             steps = add("span", "evidence-steps") {
-                addIconButton("", Icon.BACK, "Previous") { onStep(-1) }
+                addIconButton("", Icon.BACK, "Previous place") { onStep(-1) }
                 number = add("span", "unit") { setAttribute("role", "status") }
-                addIconButton("evidence-next", Icon.BACK, "Next") { onStep(1) }
+                addIconButton("evidence-next", Icon.BACK, "Next place") { onStep(1) }
             }
             add("div", "graph-tools") {
                 addIconButton("", Icon.SEND, "Send this moment: a picture with these sentences") { onSend(said) }.id = "send-moment"

@@ -217,8 +217,8 @@ internal class FindingList(
             val number = found.count { it.severity == severity }
             if (number == 0) null else countText(number, severity.name.lowercase())
         }
-        val waiting = if (isSearching) listOf("rules are running…") else emptyList()
-        count.showText(if (all.isEmpty() && haveRun) "nothing found" else share + (parts + waiting).joinToString())
+        val waiting = if (isSearching) listOf("running the rules…") else emptyList()
+        count.showText(if (all.isEmpty() && haveRun) "nothing was found" else share + (parts + waiting).joinToString())
         val hidden = hiddenBySearch(incidents.size - incidentRows.size, all.size - found.size)
         hiddenNote.isHidden = hidden.isEmpty()
         hiddenCount.showText("$hidden ")
