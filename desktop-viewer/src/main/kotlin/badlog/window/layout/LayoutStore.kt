@@ -7,7 +7,6 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FittedBoard
 import badlog.viewer.choices.board.FolderLayout
-import badlog.viewer.choices.board.mergedWith
 import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.choices.formula.joined
 import badlog.window.choice.AxisChoice
@@ -22,7 +21,6 @@ import badlog.window.sidebar.WindowPanels
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.suspendCancellableCoroutine
@@ -59,9 +57,6 @@ internal class LayoutStore(
     @Volatile
     private var saved: Layout? = null
 
-    /** The graphs of [saved] as the open recording could show them when they were last read or stored; null if it could show none. */
-    private var known: Board? = null
-
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
@@ -72,17 +67,14 @@ internal class LayoutStore(
             (!view.viewport.isZoomed || view.viewport.visible == restoredVisible) &&
             (view.selection == null || view.selection == restoredSelection)
 
-    /** The current layout of the window, for a file of its own. */
-    val layout: Layout get() = arranged.let { it.copy(graphs = it.graphs?.renumbered()) }
-
-    /** The same with the ids by which other windows know the graphs. */
-    private val arranged: Layout
+    /** The current layout of the window. */
+    val layout: Layout
         get() {
             val open = current.recording
             val isDefault = open == null || board.kept.showsSame(open.standardGraphs)
             return Layout(
                 version = Layout.VERSION,
-                graphs = if (isDefault) null else board.kept,
+                graphs = if (isDefault) null else board.kept.renumbered(),
                 recording = open?.let { pathText(it.file, library.state.folder) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
@@ -105,9 +97,7 @@ internal class LayoutStore(
 
     /** Returns the graphs for [recording], which was just opened: as arranged for this folder, or else the default ones. */
     fun graphsOf(recording: OpenRecording): Board {
-        val fitted = fittedTo(recording)
-        known = fitted?.board
-        if (fitted == null) return recording.standardGraphs
+        val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
         return fitted.board
     }
@@ -117,8 +107,7 @@ internal class LayoutStore(
      * if the log was read before the formulas of its folder were known.
      */
     fun showGraphs(recording: OpenRecording) {
-        known = fittedTo(recording)?.board
-        val first = known ?: recording.standardGraphs
+        val first = fittedTo(recording)?.board ?: recording.standardGraphs
         board.replace(first)
         whenStillOpen { open ->
             val all = graphsOf(open)
@@ -182,7 +171,6 @@ internal class LayoutStore(
         folder = opened
         // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
-        known = null
         if (opened == null) return@collectLatest
         val isSeen = current.recording?.let { isInFolder(it.file) } == true
         // Who looks at a log of the folder already, and has chosen its axis, goes on so.
@@ -225,12 +213,9 @@ internal class LayoutStore(
     private suspend fun save() {
         val (place, layout) = change() ?: return
         val written = written(place, layout)
-        // Of the rest, this window shows what it has itself.
-        saved = layout.copy(graphs = written.graphs, formulas = written.formulas)
-        known = current.recording?.let { fittedTo(it)?.board }
+        saved = layout.copy(formulas = written.formulas)
         try {
-            // Also if the arrangement changes meanwhile, as by what another window did: this one counts as saved.
-            withContext(NonCancellable + Dispatchers.IO) { layouts.write(place, written) }
+            withContext(Dispatchers.IO) { layouts.write(place, written) }
         } catch (e: IOException) {
             notices.complain("The layout cannot be saved: ${e.message}")
         }
@@ -244,39 +229,22 @@ internal class LayoutStore(
             val before = saved ?: Layout(Layout.VERSION)
             return if (before.formulas == formulas.definitions) null else place to before.copy(formulas = formulas.definitions)
         }
-        val fitted = fittedTo(open)?.board
-        // Graphs of another window's formulas appear when these are calculated.
-        known?.let { before -> if (fitted != null) board.follow(fitted, before) }
-        known = fitted
-        val shown = arranged
+        val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val graphs = when {
-            board.kept.showsSame(fitted ?: open.standardGraphs) -> saved?.graphs
-            shown.graphs == null || fitted == null -> shown.graphs
-            else -> shown.graphs.mergedWith(saved?.graphs ?: fitted, fitted)
-        }
-        val layout = shown.copy(graphs = graphs)
+        val isAsSaved = board.kept.showsSame(fittedTo(open)?.board ?: open.standardGraphs)
+        val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
 
     /**
      * Returns what to write of [mine], the layout of this window for the folder of [place]: what it has not changed stays as another
-     * window has written it. Changes of formulas and graphs by the other window are also made here.
+     * window has written it. Changes of formulas by the other window are also made here.
      */
     private fun written(place: Path, mine: Layout): Layout {
         val theirs = layouts.read(place) ?: return mine
-        val before = saved ?: Layout(Layout.VERSION)
-        val open = current.recording?.takeIf { isInFolder(it.file) }
-        val both = merged(mine, before, theirs, open?.standardGraphs ?: Board())
-        if (open != null && theirs.graphs != before.graphs) follow(theirs.graphs, open)
+        val both = merged(mine, saved ?: Layout(Layout.VERSION), theirs)
         if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
         return both
-    }
-
-    /** Shows what another window, which has stored [graphs], has changed of them. */
-    private fun follow(graphs: Board?, open: OpenRecording) {
-        val stored = graphs?.let { fitted(it, open).board } ?: open.standardGraphs
-        if (stored.graphs.isNotEmpty()) board.follow(stored, known ?: open.standardGraphs)
     }
 
     private fun restore(layout: Layout) {

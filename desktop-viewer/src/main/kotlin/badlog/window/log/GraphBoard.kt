@@ -6,12 +6,11 @@ import androidx.compose.runtime.setValue
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardHistory
-import kotlin.random.Random
 
 /** The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread. */
 internal class GraphBoard {
     /** The graphs with their history. */
-    var history by mutableStateOf(historyOf(Board()))
+    var history by mutableStateOf(BoardHistory())
         private set
 
     /**
@@ -67,7 +66,7 @@ internal class GraphBoard {
     /** Shows [board] instead, as for another log, without a history. */
     fun replace(board: Board) {
         added = emptySet()
-        history = historyOf(board)
+        history = BoardHistory(board)
     }
 
     /** Shows [board] instead of the graphs that a person arranged, without a history; those that show a finding stay above it. */
@@ -84,13 +83,8 @@ internal class GraphBoard {
     fun beginWith(board: Board) {
         if (canUndo) return
         val before = state.graphs.map { it.lines }
-        history = historyOf(board)
+        history = BoardHistory(board)
         added = board.graphs.filterNot { it.lines in before }.toSet()
-    }
-
-    /** Shows what another window has changed: the graphs that both remember are [stored] now, and were these when this one last [read] them. */
-    fun follow(stored: Board, read: Board) {
-        history = history.mergedWith(stored, read)
     }
 
     /** Undoes the last change. */
@@ -119,9 +113,8 @@ internal class GraphBoard {
             val others = kept.graphs
             val first = (state.graphs.maxOfOrNull { it.id } ?: 0) + 1
             val graphs = board.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
-            val changed = history.changed(Board(graphs + others))
-            if (changed !== history) added = added + changed.now.graphs.take(graphs.size)
-            history = changed
+            added = added + graphs
+            history = history.changed(Board(graphs + others))
         }
         evidence.graphs.firstOrNull()?.let { wanted = it.id }
     }
@@ -133,9 +126,6 @@ internal class GraphBoard {
     fun keep(id: Int? = null) {
         added = added - state.graphs.filter { id == null || it.id == id }.toSet()
     }
-
-    // Other windows must not give a graph of theirs the same id.
-    private fun historyOf(board: Board) = BoardHistory(board) { Random.nextInt(Int.MAX_VALUE) }
 
     /** Goes to graph [id]; null if it is visible. */
     fun goTo(id: Int?) {

@@ -69,7 +69,7 @@ class LayoutMenuSpec : FunSpec({
             waitForNotice(viewer, "Saved the layout to $file")
             choose("Start board")
             waitForIdle()
-            viewer.board.state.showsSame(defaultBoard(recording.view)) shouldBe true
+            viewer.board.state shouldBe defaultBoard(recording.view)
             choose("Open a layout…")
             waitFor { viewer.board.state.graphs.size == 1 }
             viewer.board.state.graphs.single().title shouldBe "Arm/Current"

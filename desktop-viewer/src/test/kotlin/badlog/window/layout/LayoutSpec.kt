@@ -64,7 +64,7 @@ class LayoutSpec : FunSpec({
         Files.writeString(file, LAYOUT_1)
         val viewer = viewerOver()
         choosing(viewer) { viewer.layouts.apply(readLayout(file)) }
-        viewer.board.state.renumbered().graphs shouldBe listOf(
+        viewer.board.state.graphs shouldBe listOf(
             BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 12.5)),
             BoardGraph(2, "Mode", listOf("Arm/Mode"), includesZero = true),
         )
@@ -99,7 +99,7 @@ class LayoutSpec : FunSpec({
         viewerOver().layouts.layout.graphs shouldBe null
         val viewer = viewerOver(Board(listOf(chosen)))
         viewer.layouts.showStartBoard()
-        viewer.board.state.showsSame(defaultBoard(arm.view)) shouldBe true
+        viewer.board.state shouldBe defaultBoard(arm.view)
     }
 
     test("ranges that are none, or lie outside the recording, show all of it") {

@@ -165,30 +165,6 @@ class LayoutStoreSpec : FunSpec({
         hasArranged(home, home)?.panels?.topics shouldBe false
     }
 
-    test("what two windows change of the graphs of one folder is kept and shown, and undoing in one leaves what the other did") {
-        val home = tempdir().toPath()
-        val one = recordingOf(armBag(50), home.resolve("one.bag"))
-        val layouts = FolderLayouts(home.resolve("layouts"))
-        val both = Board().withGraph(listOf("Arm/Current")).withGraph(listOf("Arm/Angle"))
-        layouts.write(home, Layout(Layout.VERSION, both.withGraph(listOf("Formula of the other"))))
-        started(home, home, one) { viewer ->
-            val stored = checkNotNull(layouts.read(home)?.graphs)
-            // As another window does.
-            layouts.write(home, Layout(Layout.VERSION, stored.resized(1, 200).withGraph(listOf("Arm/Angle", "Arm/Current"))))
-            viewer.board.change { resized(2, 300) }
-            viewer.layouts.saveNow()
-            viewer.board.state.graphs.map { it.lines to it.height } shouldBe
-                listOf(listOf("Arm/Current") to 200, listOf("Arm/Angle") to 300, listOf("Arm/Angle", "Arm/Current") to null)
-            viewer.board.undo()
-            viewer.board.state.graphs.map { it.height } shouldBe listOf(200, null, null)
-            viewer.board.redo()
-        }
-        val graphs = checkNotNull(hasArranged(home, home)?.graphs).graphs
-        graphs.map { it.lines.first() }.toSet() shouldBe setOf("Arm/Current", "Arm/Angle", "Formula of the other")
-        graphs.map { it.height }.take(2) shouldBe listOf(200, 300)
-        graphs.size shouldBe 4
-    }
-
     test("a layout for a type of matches brings its formulas, once, where nobody arranged the graphs") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))

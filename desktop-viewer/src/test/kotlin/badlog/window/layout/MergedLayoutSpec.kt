@@ -1,11 +1,16 @@
 package badlog.window.layout
 
 import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.board.BoardGraph
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class MergedLayoutSpec : FunSpec({
+    test("of a formula that both have changed, the later change counts") {
+        val start = Layout(Layout.VERSION, formulas = listOf("X = 1", "Y = 1"))
+        val both = merged(start.copy(formulas = listOf("X = 2", "Y = 2")), start, start.copy(formulas = listOf("X = 1", "Y = 3", "Z = 1")))
+        both.formulas.toSet() shouldBe setOf("X = 2", "Y = 2", "Z = 1")
+    }
+
     fun board(line: String) = Board().withGraph(listOf(line))
 
     val before = Layout(Layout.VERSION, board("A"), "a.bag", LayoutSpan(0.0, 1.0), formulas = listOf("X = 1", "Y = 1"))
@@ -20,26 +25,8 @@ class MergedLayoutSpec : FunSpec({
 
     test("of what both changed, the one that writes last wins, and the log goes with what is seen of it") {
         val theirs = before.copy(graphs = board("B"), recording = "b.bag", visible = LayoutSpan(5.0, 6.0))
-        val mine = before.copy(visible = LayoutSpan(0.2, 0.3))
-        merged(mine, before, theirs) shouldBe mine.copy(graphs = board("B"))
-        merged(before.copy(compared = LayoutComparison(listOf("c.bag"))), before, theirs).recording shouldBe "b.bag"
-    }
-
-    test("graphs and formulas are merged one by one: each is as the window has it that changed it, the later one if both did") {
-        val graphs = board("A").withGraph(listOf("B"))
-        val start = before.copy(graphs = graphs)
-        val mine = start.copy(graphs = graphs.resized(1, 100).withGraph(listOf("C")), formulas = listOf("X = 2", "Y = 2"))
-        val theirs = start.copy(graphs = graphs.without(2).resized(1, 200).withLine(1, "D"), formulas = listOf("X = 1", "Y = 3", "Z = 1"))
-        val both = merged(mine, start, theirs)
-        both.graphs?.graphs?.map { it.lines to it.height } shouldBe listOf(listOf("A", "D") to 100, listOf("C") to null)
-        both.formulas.toSet() shouldBe setOf("X = 2", "Y = 2", "Z = 1")
-    }
-
-    test("graphs that another window has added to those that a log begins with stay there when this one adds its own") {
-        val start = board("A")
-        val none = before.copy(graphs = null)
-        val mine = none.copy(graphs = Board(start.graphs + BoardGraph(50, "Mine", listOf("Mine"))))
-        val theirs = none.copy(graphs = Board(start.graphs + BoardGraph(60, "Theirs", listOf("Theirs"))))
-        merged(mine, none, theirs, start).graphs?.graphs?.map { it.title } shouldBe listOf("A", "Mine", "Theirs")
+        val mine = before.copy(graphs = board("C"), visible = LayoutSpan(0.2, 0.3))
+        merged(mine, before, theirs) shouldBe mine
+        merged(before.copy(graphs = board("C")), before, theirs) shouldBe theirs.copy(graphs = board("C"))
     }
 })

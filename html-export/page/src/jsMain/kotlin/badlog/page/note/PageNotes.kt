@@ -40,10 +40,12 @@ internal class PageNotes(fileKey: String, private val given: List<Note>) {
 
     /** Remembers [notes], with what other tabs have changed meanwhile, and returns both. */
     private fun stored(notes: List<Note>): List<Note> {
-        known = notes.notesMergedWith(remembered(), known)
+        val merged = notes.notesMergedWith(remembered(), known)
         // What the page was made with tells another copy of it which of these are the reader's own.
-        LocalStorage[key] = given.toJson() + SEPARATOR + known.toJson()
-        return known
+        LocalStorage[key] = given.toJson() + SEPARATOR + merged.toJson()
+        // A browser that stores nothing is not another tab that removes them.
+        known = remembered()
+        return merged
     }
 
     private fun remembered(): List<Note> {

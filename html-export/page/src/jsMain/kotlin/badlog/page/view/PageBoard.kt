@@ -46,7 +46,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         private set
 
     /** Whether it is the board that the page begins with for everybody. */
-    val isUntouched: Boolean get() = now == begun?.now?.fittedTo { lines[it] != null }?.board
+    val isUntouched: Boolean get() = begun?.now?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
 
     val canUndo: Boolean get() = history.canUndo
     val canRedo: Boolean get() = history.canRedo
