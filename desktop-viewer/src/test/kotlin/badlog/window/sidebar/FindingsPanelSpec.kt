@@ -168,7 +168,7 @@ class FindingsPanelSpec : FunSpec({
             for (finding in left) onAllNodesWithText(finding.text).assertCountEquals(1)
             // Where a finding is the sentence of an incident, what else is known of it is there.
             onNodeWithContentDescription("Finding, error: Browned out").performClick()
-            onNodeWithContentDescription("Next place of this finding").assertExists()
+            onNodeWithContentDescription("Next place").assertExists()
         }
     }
 
