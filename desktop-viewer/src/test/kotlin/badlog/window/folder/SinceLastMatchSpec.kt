@@ -53,14 +53,14 @@ class SinceLastMatchSpec : FunSpec({
 
     val logs = List(8) { log("$it.bag", it.toLong()) }
 
-    test("what is unusual in a log is told in comparison with the logs before it") {
+    test("a log that is unlike the matches before it says how") {
         val temperatures = listOf(41.0, 40.0, 42.0, 39.5, 41.5, 40.5, 95.0)
         val changes = changesOf(logs[6], logs.take(6), RuleSet.BUILT_IN) { examined(temperatures[logs.indexOf(it)]) }
         changes.differences.single().text shouldContain "Arm/Temperature at its highest was 95 °C"
         changes.previous shouldBe logs[5].file
     }
 
-    test("nothing is told of a log like the others, or with too few before it") {
+    test("a log like the others, or with too few before it, says nothing") {
         changesOf(logs[6], logs.take(6), RuleSet.BUILT_IN) { examined(40.0 + logs.indexOf(it) % 3) }.differences.shouldBeEmpty()
         changesOf(logs[3], logs.take(3), RuleSet.BUILT_IN) { examined(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
         changesOf(logs[0], emptyList(), RuleSet.BUILT_IN) { examined(95.0) } shouldBe Changes()

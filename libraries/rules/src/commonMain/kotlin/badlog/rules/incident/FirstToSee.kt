@@ -22,8 +22,10 @@ class FirstToSee internal constructor(val finding: Finding, val incident: Incide
 fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? {
     val worst: Severity = findings.maxOfOrNull { it.severity } ?: return null
     val incident = incidents.firstOrNull()?.takeIf { it.severity == worst }
-    val told = incident?.sentences?.map {
-        it.finding
-    }?.filter { it.severity == worst }?.maxByOrNull { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }
-    return FirstToSee(told ?: incident?.first ?: findings.worstFirst().first(), incident)
+    val finding = incident?.lastTold(worst) ?: incident?.first ?: findings.worstFirst().first()
+    return FirstToSee(finding, incident)
 }
+
+/** Returns the last finding of [severity] that its sentences tell; one about the whole log comes before all others. */
+private fun Incident.lastTold(severity: Severity): Finding? = sentences.map { it.finding }.filter { it.severity == severity }
+    .maxByOrNull { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }

@@ -18,12 +18,20 @@ class MatchRun<E : ListedLog>(val logs: List<E>) {
 
 /** Returns [logs] by their runs, the latest run first. A match that is replayed, or has the same number at another event, is another run. */
 fun <E : ListedLog> runsOf(logs: List<E>): List<MatchRun<E>> {
+    val (ofMatches, others) = logs.partition { it.summary.match.match != null }
+    val runs = ofMatches.groupBy { it.summary.match.type to it.summary.match.number }.values.flatMap(::runsOfMatch)
+    val all = (runs + others.map(::listOf)).map(::MatchRun)
+    return all.sortedWith(compareByDescending<MatchRun<E>> { it.second }.thenByDescending { it.worst.modified })
+}
+
+/** Returns the runs among [logs], which all have the type and the number of one match. */
+private fun <E : ListedLog> runsOfMatch(logs: List<E>): List<List<E>> {
     val runs = ArrayList<ArrayList<E>>()
     for (log in logs.sortedBy { it.summary.date.second }) {
         val same = runs.lastOrNull { isOfSameRun(it.last(), log) }
         if (same == null) runs += arrayListOf(log) else same += log
     }
-    return runs.map(::MatchRun).sortedWith(compareByDescending<MatchRun<E>> { it.second }.thenByDescending { it.worst.modified })
+    return runs
 }
 
 /** Returns whether [one] and [other] are of the same match, and of the same run of it. */
