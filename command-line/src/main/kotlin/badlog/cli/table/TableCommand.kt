@@ -37,7 +37,7 @@ internal class TableCommand :
         "Makes a table with a row per log.",
         "Each --value is an expression, such as 'min(battery voltage)', and gives a column; so does each value that a --hook " +
             "returns. Each topic of --only gets columns for its min, mean and max. Answers are cached as those of find, but not " +
-            "those of hooks.",
+            "those of hooks. Without a column, --by battery makes a table with a row per battery.",
     ) {
     private val values by option("--value", metavar = "EXPRESSION").multiple().help("A column; may be repeated.")
     private val only by OnlyOption()
@@ -56,14 +56,20 @@ internal class TableCommand :
     override val examples: List<String> = listOf(
         "table logs --value \"min(battery voltage)\" --by \"Match Number\"",
         "table logs --only \"PDP/Current *\" --csv",
+        "table logs --by battery",
     )
 
     override fun makeTask(): Task {
         val form = ResultForm.of(isCsv, isJson)
-        if (values.isEmpty() && hooks.runners.isEmpty() && only.choice.isAll) {
+        val cache = if (isFresh) null else UserFolders.ofSystem().answers
+        val hasColumns = values.isNotEmpty() || hooks.runners.isNotEmpty() || !only.choice.isAll
+        if (!hasColumns && by.singleOrNull().equals(MatchTable.BATTERY, ignoreCase = true)) {
+            if (condition != null) throw UsageError("--where needs a column: --value EXPRESSION")
+            return BatteryTask(paths, cache, form)
+        }
+        if (!hasColumns) {
             throw UsageError("name a column: --value EXPRESSION, --only PATTERN or --hook COMMAND")
         }
-        val cache = if (isFresh) null else UserFolders.ofSystem().answers
         return TableTask(
             paths,
             only.choice,

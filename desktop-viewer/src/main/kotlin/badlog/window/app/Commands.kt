@@ -62,6 +62,9 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "Pit view: the last logs in large letters, or the graphs", listOf(KeyPress(Key.I, "I"))) {
         panels.change { toggled(MainView.PIT) }
     },
+    Command("Logs", "Batteries: which to use next, and the matches of each", listOf(KeyPress(Key.B, "B", shift = true))) {
+        panels.change { toggled(MainView.BATTERIES) }
+    },
 )
 
 /** Returns the keys for the list of topics. */

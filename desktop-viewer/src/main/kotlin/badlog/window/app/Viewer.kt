@@ -10,6 +10,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.EventTimeline
+import badlog.window.battery.FolderSeason
 import badlog.window.charts.FolderCharts
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.FieldChoice
@@ -109,6 +110,7 @@ internal class Viewer(
     val player = Player(current, view)
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
+    val batteries = FolderSeason(scope, library, notices)
     val notes = LogNotes(current, notices)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
@@ -170,6 +172,7 @@ internal class Viewer(
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
         toggleCharts = { panels.change { toggled(MainView.CHARTS) } },
         togglePit = { panels.change { toggled(MainView.PIT) } },
+        toggleBatteries = { panels.change { toggled(MainView.BATTERIES) } },
         showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
@@ -201,6 +204,7 @@ internal class Viewer(
         scope.launch { stations.run() }
         scope.launch { findings.run() }
         scope.launch { since.run() }
+        scope.launch { batteries.run() }
         scope.launch { notes.run() }
         scope.launch { keptLayouts.run() }
         scope.launch { video.run() }

@@ -16,6 +16,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.viewer.input.SEARCH_HELP
+import badlog.window.battery.BatteriesPane
 import badlog.window.charts.ChartsPane
 import badlog.window.compare.CompareBar
 import badlog.window.export.ExportMenu
@@ -162,7 +163,9 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
             MainView.CHARTS -> ChartsPane(charts, library, settings, logActions, Modifier.fillMaxSize())
 
-            MainView.PIT -> PitPane(library, logActions, Modifier.fillMaxSize())
+            MainView.PIT -> PitPane(library, batteries, logActions, Modifier.fillMaxSize())
+
+            MainView.BATTERIES -> BatteriesPane(batteries, library, logActions, Modifier.fillMaxSize())
 
             MainView.STATISTICS -> StatisticsTable(
                 statistics,

@@ -17,6 +17,7 @@ import java.nio.file.Path
  * @property toggleTable shows all logs as a table, or the graphs again.
  * @property toggleCharts shows charts of the listed logs, or the graphs again.
  * @property togglePit shows the last logs in large letters, or the graphs again.
+ * @property toggleBatteries shows the team's batteries, or the graphs again.
  * @property showGraphs shows the graphs again.
  */
 internal class LibraryActions(
@@ -31,6 +32,7 @@ internal class LibraryActions(
     val toggleTable: () -> Unit,
     val toggleCharts: () -> Unit,
     val togglePit: () -> Unit,
+    val toggleBatteries: () -> Unit,
     val showGraphs: () -> Unit,
 )
 

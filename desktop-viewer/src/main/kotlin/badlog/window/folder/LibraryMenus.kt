@@ -66,6 +66,10 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
                 isOpen = false
                 actions.togglePit()
             }
+            MenuLine("Batteries (Shift+B)") {
+                isOpen = false
+                actions.toggleBatteries()
+            }
             MenuLine("Sound when a log arrives", Icons.Check.takeIf { settings.state.ringsForLogs }) {
                 settings.change { copy(ringsForLogs = !ringsForLogs) }
             }

@@ -35,6 +35,9 @@ import badlog.viewer.shown.folder.batteryText
 import badlog.viewer.shown.folder.durationText
 import badlog.viewer.shown.folder.verdictText
 import badlog.viewer.text.dateText
+import badlog.window.battery.Batteries
+import badlog.window.battery.FolderSeason
+import badlog.window.battery.PitBatteries
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
 import badlog.window.folder.Library
@@ -47,7 +50,7 @@ import badlog.window.theme.ToolButton
 
 /** What a pit wants to know between two matches, in letters that are read from two meters: the last log and the ones before it. */
 @Composable
-internal fun PitPane(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
+internal fun PitPane(library: Library, season: FolderSeason, actions: LibraryActions, modifier: Modifier = Modifier) {
     val entries = library.state.entries
     val logs = remember(entries) { PitLogs.of(library.state.ofRobots) }
     Column(modifier.background(LocalPalette.current.surface).semantics { contentDescription = "Pit view" }) {
@@ -59,17 +62,19 @@ internal fun PitPane(library: Library, actions: LibraryActions, modifier: Modifi
             val isReading = library.state.folder != null && (!library.state.hasLooked || library.state.reading != null)
             Large(if (isReading) "Reading the first logs…" else "No log yet. The next one is shown here.", Modifier.padding(24.dp))
         } else {
-            BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, isNarrow = maxWidth < NARROW, actions.openFindings) }
+            BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, season.state, isNarrow = maxWidth < NARROW, actions) }
         }
     }
 }
 
 /** The [logs]: where there is no room beside each other, below each other. */
 @Composable
-private fun PitLogsPane(logs: PitLogs<LogEntry>, isNarrow: Boolean, onOpen: (LogEntry) -> Unit) {
+private fun PitLogsPane(logs: PitLogs<LogEntry>, batteries: Batteries, isNarrow: Boolean, actions: LibraryActions) {
+    val onOpen = actions.openFindings
     val earlier = @Composable { log: LogEntry, modifier: Modifier -> EarlierLog(log, modifier) { onOpen(log) } }
     Column(Modifier.fillMaxSize().padding(horizontal = 24.dp).verticalScroll(rememberScrollState()), Arrangement.spacedBy(16.dp)) {
         LastLog(logs.last) { onOpen(logs.last) }
+        PitBatteries(batteries, actions.toggleBatteries)
         if (isNarrow) {
             for (log in logs.before) earlier(log, Modifier.fillMaxWidth())
         } else {

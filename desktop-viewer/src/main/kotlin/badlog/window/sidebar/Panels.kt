@@ -85,6 +85,9 @@ internal enum class MainView {
 
     /** The last log and the ones before it, in large letters. */
     PIT,
+
+    /** The team's batteries over the folder's logs. */
+    BATTERIES,
 }
 
 /** Which parts of this window are open. */

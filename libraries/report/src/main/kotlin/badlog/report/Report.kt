@@ -138,6 +138,7 @@ class Report(
             hookFailures = outcomes.mapNotNull { (hook, _) -> hook.failure?.let { HookFailure(hook.hook, it.message) } },
             figures = figures,
             differences = differences,
+            battery = stored.battery,
             ran = stored.asked.size - skipped.size,
         )
     }

@@ -3,12 +3,14 @@ package badlog.report
 import badlog.catalog.examine.UndefinedTopic
 import badlog.core.recording.Severity
 import badlog.files.LogFile
+import badlog.report.battery.SeasonOfLogs
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.incident.Incident
 import badlog.rules.number.LogFigures
+import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 
 /**
@@ -18,6 +20,9 @@ import badlog.signals.match.MatchOfLog
  * @property skipped the rules that were skipped for some logs, in the order of the rules.
  */
 class ReportResult internal constructor(val logs: List<LogReport>, val skipped: List<SkippedRule>) {
+    /** The batteries in the logs. */
+    val batteries: SeasonOfLogs by lazy { SeasonOfLogs.of(logs) }
+
     /** Returns how many findings there are of [severity]. */
     fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
 }
@@ -41,6 +46,7 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * @property hookFailures the hooks that failed for it.
  * @property figures numbers that summarize all of it, such as the resistance of its battery.
  * @property differences how it differs from the others of the report.
+ * @property battery what it says of the robot's battery; null for nothing.
  */
 class LogReport internal constructor(
     val file: LogFile,
@@ -58,6 +64,7 @@ class LogReport internal constructor(
     val hookFailures: List<HookFailure>,
     val figures: LogFigures = LogFigures.NONE,
     val differences: LogDifferences = LogDifferences.NONE,
+    val battery: BatteryUse? = null,
     private val ran: Int = 0,
 ) {
     /** What rules could not look at. */

@@ -44,6 +44,7 @@ internal class FolderScreen(
     private val cache = SummaryCache(rules.toJson())
     private val reading = FolderReading(rules, cache, ::nextToRead, ::take) { unread += it.path }
     private val statistics = LogStatistics()
+    private val batteries = BatteryTable()
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
@@ -84,6 +85,7 @@ internal class FolderScreen(
         appendChild(table.element)
         nothing = add("p", "nothing-found")
         appendChild(statistics.element)
+        appendChild(batteries.element)
     }
 
     init {
@@ -216,6 +218,7 @@ internal class FolderScreen(
         val all = countText(listing.size, "log")
         progress.showText(if (left == 0) all else "${listing.size - left} of $all read")
         groups.isHidden = listing.events < 2
+        batteries.show(listing.entries)
         statistics.show(checked.mapNotNull(known::get))
         compare.isDisabled = checked.size < 2
         nothing.isHidden = listing.visible.isNotEmpty()

@@ -4,6 +4,8 @@ import badlog.core.analysis.SeriesStatistics
 import badlog.core.recording.Severity
 import badlog.core.recording.TopicKind
 import badlog.page.dom.json
+import badlog.signals.battery.BatteryUse
+import badlog.signals.battery.Resistance
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
@@ -28,7 +30,9 @@ internal object SummaryMessage {
         "problems" to with(summary.problems) { arrayOf(errors, warnings, notes) },
         "content" to summary.content.ordinal,
         "trouble" to summary.trouble,
-        "battery" to summary.batteryMinimum,
+        "battery" to summary.battery?.let { battery ->
+            with(battery) { arrayOf(name, topic, lowest, restBefore, restAfter, energy, resistance?.milliohms, resistance?.uncertainty) }
+        },
         "topics" to summary.topics.map { it.name }.toTypedArray(),
         "units" to summary.topics.map { it.unit }.toTypedArray(),
         "kinds" to summary.topics.map { it.kind.ordinal }.toTypedArray(),
@@ -52,7 +56,7 @@ internal object SummaryMessage {
             problems = ProblemCounts(problems[0], problems[1], problems[2]),
             content = Content.entries[message.content as Int],
             trouble = message.trouble as String?,
-            batteryMinimum = message.battery as Double?,
+            battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn),
             topics = topicsIn(message),
         )
         return log.with(summary, if (message.hasRun as Boolean) LogFound(0, rules) else null)
@@ -77,6 +81,19 @@ internal object SummaryMessage {
                 SeriesStatistics(n[7].toInt(), n[8].toInt(), min, max, mean, standardDeviation, percentile5, n[5], n[6], n[9], n[10], n[11])
             TopicSummary(name, units[i], TopicKind.entries[kinds[i]], statistics, PreviewLine.NONE)
         }
+    }
+
+    private fun batteryIn(parts: Array<dynamic>): BatteryUse {
+        val milliohms = parts[6] as Double?
+        return BatteryUse(
+            parts[0] as String?,
+            parts[1] as String?,
+            parts[2] as Double?,
+            parts[3] as Double?,
+            parts[4] as Double?,
+            parts[5] as Double?,
+            milliohms?.let { Resistance(it, parts[7] as Double) },
+        )
     }
 
     /** How many numbers there are of each topic. */

@@ -1,11 +1,13 @@
 package badlog.catalog.examine
 
+import badlog.catalog.store.BatterySerializer
 import badlog.catalog.store.FindingSerializer
 import badlog.catalog.store.Shared
 import badlog.rules.Finding
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
 import badlog.rules.number.LogFigures
+import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.builtins.ListSerializer
@@ -27,6 +29,7 @@ import kotlinx.serialization.builtins.ListSerializer
  * @property event the event as logged; null if the log does not have it.
  * @property matchNumber the number of the match, likewise.
  * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
+ * @property battery what it says of the robot's battery; null for nothing.
  */
 @Serializable
 class ExaminedLog(
@@ -48,6 +51,8 @@ class ExaminedLog(
     val event: String? = null,
     val matchNumber: String? = null,
     val began: Long? = null,
+    @Serializable(with = BatterySerializer::class)
+    val battery: BatteryUse? = null,
 ) {
     /** Its match, as far as it is known from the log in the file [name]. */
     fun matchIn(name: String): MatchOfLog = MatchOfLog(event, matchType, matchNumber).orNamed(name)

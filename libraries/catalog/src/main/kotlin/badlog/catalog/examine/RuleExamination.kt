@@ -10,6 +10,7 @@ import badlog.rules.number.LogFigures
 import badlog.rules.number.toText
 import badlog.rules.toJson
 import badlog.signals.LogShape
+import badlog.signals.battery.batteryUseOf
 import badlog.signals.match.matchOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -74,6 +75,7 @@ class RuleExamination(
             event = match.event,
             matchNumber = match.number,
             began = date.second.takeIf { date.source != DateSource.FILE_TIME },
+            battery = batteryUseOf(log.view, rules.signals),
         )
     }
 

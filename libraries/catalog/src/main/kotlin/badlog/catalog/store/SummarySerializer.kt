@@ -47,8 +47,7 @@ private class StoredSummary(
     val notes: Int,
     val content: Content,
     val trouble: String?,
-    val batteryMinimum: Double?,
-    val batteryTopic: String?,
+    val battery: StoredBattery?,
     val topics: List<StoredTopic>,
 ) {
     fun summary() = LogSummary(
@@ -61,8 +60,7 @@ private class StoredSummary(
         ProblemCounts(errors, warnings, notes),
         content,
         trouble,
-        batteryMinimum,
-        batteryTopic,
+        battery?.use(),
         topics.map { it.topic() },
     )
 
@@ -85,8 +83,7 @@ private class StoredSummary(
                 problems.notes,
                 content,
                 trouble,
-                batteryMinimum,
-                batteryTopic,
+                battery?.let { StoredBattery.of(it) },
                 topics.map { StoredTopic.of(it) },
             )
         }

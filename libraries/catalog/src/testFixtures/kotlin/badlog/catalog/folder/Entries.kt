@@ -4,6 +4,7 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.statistics
 import badlog.core.recording.TopicKind
 import badlog.files.LogFile
+import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
@@ -31,8 +32,7 @@ internal fun entry(
         xUnit = "s",
         samples = 75_000,
         content = content,
-        batteryMinimum = batteryMinimum,
-        batteryTopic = topics.firstOrNull()?.name,
+        battery = BatteryUse(topic = topics.firstOrNull()?.name, lowest = batteryMinimum),
         topics = topics,
     ),
 )

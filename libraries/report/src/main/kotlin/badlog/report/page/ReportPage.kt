@@ -35,6 +35,7 @@ fun reportPage(
     out.append("<a class=\"skip\" href=\"#matches\">Skip to the matches</a>\n<main>\n")
     out.append("<h1>${escaped(heading)}</h1>\n<p class=\"summary\">${escaped(summary(result))}</p>\n")
     if (logs.isNotEmpty()) out.append(filterForm(logs)).append("<h2 id=\"matches\">Matches</h2>\n").append(overview(logs))
+    appendSection(out, "Batteries", batteriesPart(result.batteries))
     appendSection(out, "Trends", trends(logs))
     appendSection(out, "Charts", chartsPart(charts))
     appendSection(out, "Incidents and findings", logs.filter { it.report.findings.isNotEmpty() }.joinToString("", transform = ::matchPart))

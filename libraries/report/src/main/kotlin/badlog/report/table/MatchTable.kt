@@ -3,6 +3,7 @@ package badlog.report.table
 import badlog.catalog.examine.LogContent
 import badlog.catalog.examine.LruCache
 import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.folder.FolderBatteries
 import badlog.catalog.store.CachedResult
 import badlog.catalog.store.ResultCache
 import badlog.core.recording.NumberSinks
@@ -18,6 +19,7 @@ import badlog.report.HookFailure
 import badlog.report.NamedTopics
 import badlog.report.Reply
 import badlog.report.askedQuestion
+import badlog.report.battery.commonFolderOf
 import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome
@@ -29,6 +31,8 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import badlog.signals.QuestionNames
+import badlog.signals.battery.batteryNameIn
+import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.toJson
@@ -95,6 +99,7 @@ class MatchTable(
         val isWanted: Boolean = true,
         val mistake: Reply.NotAsked? = null,
         val undefined: List<UndefinedTopic> = emptyList(),
+        val match: String? = null,
         @Transient val hooks: List<HookOutcome> = emptyList(),
     )
 
@@ -117,10 +122,12 @@ class MatchTable(
                 "only" +
                 only.map { it.text }
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
+        val batteries = if (by.any(::isBattery)) FolderBatteries.of(files.map { it.path }, commonFolderOf(files)) else FolderBatteries.NONE
         runCached(files, known, { file, cores ->
             LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores, work = ::ask)
         }) { file, stored ->
-            rows += rowOf(file, stored)
+            val battery = batteries.usedFor(file.path, stored.match)
+            rows += rowOf(file, stored, by.zip(stored.headers) { name, header -> if (isBattery(name)) battery ?: header else header })
             progress(rows.size, files.size)
         }
         return rows.sortedWith { one, other ->
@@ -139,7 +146,7 @@ class MatchTable(
         }
     }
 
-    private fun rowOf(file: LogFile, stored: Stored): TableRow {
+    private fun rowOf(file: LogFile, stored: Stored, headers: List<String>): TableRow {
         val found = stored.hooks.flatMap { hook -> hook.result?.values.orEmpty().map { (name, text) -> HookValue(hook.hook, name, text) } }
         val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
         return stored.run {
@@ -163,13 +170,14 @@ class MatchTable(
         val signals = asked.names.signalsOf(log.view)
         return Stored(
             log.view.title,
-            by.map { headerOf(values, it) },
+            by.map { if (isBattery(it)) batteryNameIn(log.recording, usedSignals).orEmpty() else headerOf(values, it) },
             cells = if (isWanted) asked.questions.map { cellOf(it, signals) } else emptyList(),
             topics = if (isWanted) asked.topics.map { TopicCell(it.topic, it.statistic, cellOf(it.question, signals)) } else emptyList(),
             isSalvaged = log.recording.isSalvaged,
             isWanted = isWanted,
             mistake = mistake,
             undefined = log.undefined,
+            match = usedSignals.matchOf(log.recording).match,
             hooks = if (isWanted) hooks.map { HookOutcome.of(it, log.recording) } else emptyList(),
         )
     }
@@ -189,7 +197,11 @@ class MatchTable(
         }
     }
 
-    private companion object {
-        const val MAX_SHAPES = 64
+    companion object {
+        /** The name of the column with the battery that was in the robot: as the log says, or as the team wrote down beside it. */
+        const val BATTERY: String = "battery"
+        private const val MAX_SHAPES = 64
+
+        private fun isBattery(by: String) = by.equals(BATTERY, ignoreCase = true)
     }
 }

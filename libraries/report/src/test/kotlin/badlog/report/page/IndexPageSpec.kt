@@ -100,7 +100,7 @@ class IndexPageSpec : FunSpec({
 
     browserTest("a screen reader finds main, headings, a table with headers and named parts, and a key skips the filter", { page ->
         page.elements("main").size shouldBe 1
-        page.texts("h1, h2") shouldBe listOf("Report: Mill Creek Regional", "Matches", "Trends", "Incidents and findings", "Skipped")
+        page.texts("h1, h2") shouldBe listOf("Report: Mill Creek Regional", "Matches", "Batteries", "Trends", "Incidents and findings", "Skipped")
         page.elements(".overview th[scope]").size shouldBe page.elements(".overview th").size
         page.elements("article[aria-labelledby]").size shouldBe page.elements("article").size
         page.elements("input, select").all { it.accessibleName.orEmpty().isNotEmpty() } shouldBe true

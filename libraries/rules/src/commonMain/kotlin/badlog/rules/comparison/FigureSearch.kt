@@ -16,17 +16,17 @@ import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
 import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
-import badlog.rules.number.Resistance
 import badlog.rules.number.common
 import badlog.rules.number.meanOf
 import badlog.rules.number.percentileOf
-import badlog.rules.number.resistanceOf
 import badlog.rules.number.timeWithin
 import badlog.rules.number.united
 import badlog.rules.number.usefulDigits
 import badlog.signals.LogShape
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
+import badlog.signals.battery.BatterySeries
+import badlog.signals.battery.Resistance
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalTopics
@@ -160,14 +160,7 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
 
     private fun isOfDrivetrain(topic: String) = DRIVETRAIN.any { topic.contains(it, ignoreCase = true) }
 
-    private fun resistance(): Resistance? {
-        val battery = namedOf("battery").firstOrNull() ?: return null
-        val current = namedOf("total current").firstOrNull() ?: return null
-        fun inSeconds(named: NamedSignal) = samples.of(named).let { series ->
-            if (second == 1.0) series else Series(DoubleArray(series.size) { series.x[it] / second }, series.y)
-        }
-        return resistanceOf(inSeconds(battery.second), inSeconds(current.second), end / second)
-    }
+    private fun resistance(): Resistance? = BatterySeries.of(view, topics, samples)?.resistance()
 
     private fun kind(): MatchKind = when {
         matchType == null -> MatchKind.UNKNOWN

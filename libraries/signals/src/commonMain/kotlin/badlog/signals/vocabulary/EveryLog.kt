@@ -2,7 +2,7 @@ package badlog.signals.vocabulary
 
 /** The signals that are needed for every log, whatever the question. */
 internal val OF_EVERY_LOG: Set<String>
-    get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS, ROBOT_TEST, OP_MODE)
+    get() = setOf(EVENT_NAME, MATCH_TYPE, MATCH_NUMBER, ROBOT_ENABLED, ROBOT_AUTONOMOUS, ROBOT_TEST, OP_MODE, BATTERY_NAME)
 
 /** The signal of the event's name. */
 internal const val EVENT_NAME: String = "event name"
@@ -24,3 +24,6 @@ internal const val ROBOT_TEST: String = "robot test"
 
 /** The signal of the name of the op mode that runs. */
 internal const val OP_MODE: String = "op mode"
+
+/** The signal of what a team calls the battery in the robot. */
+internal const val BATTERY_NAME: String = "battery name"

@@ -11,11 +11,11 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Severity
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
+import badlog.signals.battery.BatteryUse
+import badlog.signals.battery.batteryUseOf
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
-import badlog.signals.signalTopicsOf
-import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
@@ -29,8 +29,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property problems the number of its problems.
  * @property content whether there is anything to see.
  * @property trouble why it cannot be read, as a sentence; null if it can.
- * @property batteryMinimum the lowest voltage of the robot's battery, in volts; null if no topic shows it.
- * @property batteryTopic the name of that topic.
+ * @property battery what it says of the robot's battery; null for nothing.
  * @property topics its topics with numbers, in the order of the file.
  */
 data class LogSummary(
@@ -42,10 +41,15 @@ data class LogSummary(
     val problems: ProblemCounts = ProblemCounts(),
     val content: Content = Content.UNREADABLE,
     val trouble: String? = null,
-    val batteryMinimum: Double? = null,
-    val batteryTopic: String? = null,
+    val battery: BatteryUse? = null,
     val topics: List<TopicSummary> = emptyList(),
 ) {
+    /** The lowest voltage of the robot's battery, in volts; null if no topic shows it. */
+    val batteryMinimum: Double? get() = battery?.lowest
+
+    /** The name of the topic with the battery's voltage; null for none. */
+    val batteryTopic: String? get() = battery?.topic
+
     /** Returns the summary of the topic called [name], or null when the log has none. */
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
 
@@ -72,7 +76,6 @@ data class LogSummary(
             val time = if (axis.isIndex) timeTopic(recording) else axis.topic
             val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
             val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
-            val battery = signalTopicsOf(view, vocabulary).of("battery").firstOrNull()
             val trouble = if (recording.isReadable) null else recording.problems.last().message
             return LogSummary(
                 match = vocabulary.matchOf(recording).orNamed(name),
@@ -87,8 +90,7 @@ data class LogSummary(
                     else -> Content.NO_LOG
                 },
                 trouble = trouble,
-                batteryMinimum = battery?.let { lowestVoltage(recording.topics, it) },
-                batteryTopic = battery?.topic,
+                battery = batteryUseOf(view, vocabulary),
                 topics = topics,
             )
         }
@@ -144,13 +146,6 @@ private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.at
 /** Returns the time column: a plain CSV file has no x axis, but usually a time column. */
 private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
-}
-
-/** Before a sensor has been read for the first time, it returns 0, which no battery of a running robot has. */
-private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
-    var lowest = Double.POSITIVE_INFINITY
-    for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
-    return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
 }
 
 /** Returns [duration] in [unit] as seconds; null if the unit is not one of time. */

@@ -1,6 +1,7 @@
 package badlog.viewer.shown.folder
 
 import badlog.core.recording.Severity
+import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
@@ -41,7 +42,7 @@ class ListingSpec : FunSpec({
         found: List<FoundRule> = emptyList(),
     ) = AnyLog(
         path,
-        LogSummary(match, LogDate(second, DateSource.VALUES), content = content, batteryMinimum = battery),
+        LogSummary(match, LogDate(second, DateSource.VALUES), content = content, battery = BatteryUse(lowest = battery)),
         LogFound(0, found).takeIf { content == Content.SOMETHING },
     )
 

@@ -1,4 +1,4 @@
-package badlog.rules.number
+package badlog.signals.battery
 
 import badlog.core.analysis.Series
 import io.kotest.core.spec.style.FunSpec

@@ -1,10 +1,10 @@
-package badlog.rules.number
+package badlog.signals.battery
 
 import badlog.core.analysis.Series
 import kotlin.math.sqrt
 
 /** The resistance of battery and wiring, and its uncertainty (95 %), both in milliohms. */
-internal class Resistance(val milliohms: Double, val uncertainty: Double)
+data class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
  * Returns the slope of [volts] against [amps] within each 10 s, so that a battery that empties does not count as resistance, and its
@@ -14,7 +14,7 @@ internal class Resistance(val milliohms: Double, val uncertainty: Double)
  *
  * @param end when the last samples end, in seconds like all times.
  */
-internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
+fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
     if (!volts.isOrdered || !amps.isOrdered || volts.size == 0 || amps.size == 0) return null
     val blocks = ArrayList<Sums>()
     var blockEnd = Double.NEGATIVE_INFINITY
@@ -47,7 +47,7 @@ internal fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance?
  * Returns how many standard errors to both sides have 95 % of the values if they are estimated from [degrees] of freedom: Student's t by the
  * expansion in Abramowitz and Stegun, 26.7.5.
  */
-private fun quantile95(degrees: Int): Double {
+internal fun quantile95(degrees: Int): Double {
     val n = degrees.toDouble()
     return NORMAL95 + 2.3723 / n + 2.8225 / (n * n) + 2.5558 / (n * n * n)
 }
@@ -74,8 +74,10 @@ private class Sums {
 }
 
 private const val MILLI = 1000.0
-private const val NORMAL95 = 1.95996
-private const val LEAST_VOLTS = 1.0
+internal const val NORMAL95 = 1.95996
+
+/** Until there is a first voltage, libraries log 0. */
+internal const val LEAST_VOLTS = 1.0
 private const val BLOCK_SECONDS = 10.0
 private const val LEAST_BLOCKS = 4
 

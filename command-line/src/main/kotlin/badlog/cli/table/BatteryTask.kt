@@ -1,0 +1,65 @@
+package badlog.cli.table
+
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Outcome
+import badlog.cli.command.Outcomes
+import badlog.cli.command.ResultForm
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.console.Spelling
+import badlog.report.battery.BatteryJson
+import badlog.report.battery.SeasonOfLogs
+import badlog.report.battery.batteryCsv
+import badlog.report.battery.batteryText
+import badlog.viewer.shown.battery.BatteryAdvice
+import kotlinx.serialization.json.Json
+import java.nio.file.Path
+
+/** Makes a table with a row per battery, of every log below [paths]; what is known of logs is kept in [cache], null for nowhere. */
+internal class BatteryTask(private val paths: List<Path>, private val cache: Path?, private val form: ResultForm) : Task {
+    override fun run(console: Console): ExitCode {
+        val logs = LogFiles(paths, console)
+        val season = console.progress("table").use { bar ->
+            SeasonOfLogs.over(logs.files, cache) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+        }
+        if (season.seasons.isNotEmpty()) say(season, console)
+        season.problems.forEach(console::warn)
+        if (logs.files.isNotEmpty() && !season.hasNames) console.warn(if (season.seasons.isEmpty()) NO_BATTERY else NO_NAME)
+        val outcomes = Outcomes("table", console, isJson = false, isSummed = true)
+        logs.report(outcomes) { input, file ->
+            val trouble = season.unreadable[file]
+            if (trouble ==
+                null
+            ) {
+                outcomes.done(input.file, Outcome(false, "", emptyMap()))
+            } else {
+                outcomes.unreadable(input, trouble, isNoLog = true)
+            }
+        }
+        return outcomes.end()
+    }
+
+    private fun say(season: SeasonOfLogs, console: Console) {
+        when (form) {
+            ResultForm.TEXT -> console.say(batteryText(season.seasons, console.width))
+
+            ResultForm.CSV -> console.say(batteryCsv(season.seasons).trimEnd())
+
+            ResultForm.JSON -> {
+                val advice = BatteryAdvice.of(season.seasons)
+                for (each in season.seasons) {
+                    console.say(
+                        Spelling.ascii(Json.encodeToString(BatteryJson.serializer(), BatteryJson(each, advice.of(each)))),
+                    )
+                }
+            }
+        }
+    }
+
+    private companion object {
+        const val NO_BATTERY = "No log shows its battery; “badlog info --signals” says which topics badlog looks for."
+        const val NO_NAME =
+            "No log says which battery was in the robot: let it log a value “Battery Name”, or write it into batteries.toml beside the logs."
+    }
+}

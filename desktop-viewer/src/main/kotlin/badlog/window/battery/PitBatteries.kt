@@ -1,0 +1,38 @@
+package badlog.window.battery
+
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.window.theme.LocalPalette
+
+/** Which battery to use next, and which not to use, in letters that are read from two meters; nothing if no log names one. */
+@Composable
+internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
+    val palette = LocalPalette.current
+    val advice = batteries.advice
+    val lines = listOfNotNull(advice.next?.let { "Next battery: ${it.name}" to palette.text }) +
+        advice.retire.map { "Retire battery ${it.name}" to palette.error } +
+        advice.charge.map { "Check battery ${it.name} and its charger" to palette.warning }
+    if (lines.isEmpty()) return
+    Column(
+        Modifier.fillMaxWidth().clickable(role = Role.Button, onClickLabel = "Show the batteries", onClick = onOpen),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        for ((text, color) in lines.take(MOST_LINES)) Line(text, color)
+    }
+}
+
+@Composable
+private fun Line(text: String, color: Color) =
+    Text(text, color = color, fontSize = 28.sp, lineHeight = 35.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+
+private const val MOST_LINES = 3

@@ -1,0 +1,98 @@
+package badlog.window.battery
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.LogEntry
+import badlog.files.LogFile
+import badlog.files.UserFolders
+import badlog.signals.battery.BatteryUse
+import badlog.signals.battery.Resistance
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogSummary
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.sidebar.MainView
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Files
+import java.nio.file.Path
+
+@OptIn(ExperimentalTestApi::class)
+class BatteriesPaneSpec : FunSpec({
+    fun entry(folder: Path, match: Int, battery: String?, milliohms: Double) = LogEntry(
+        LogFile(folder.resolve("q$match.bag"), 1000, 1000L * match),
+        LogSummary(
+            MatchOfLog(type = "Qualification", number = "$match"),
+            LogDate(7200L * match, DateSource.VALUES),
+            content = Content.SOMETHING,
+            battery = BatteryUse(battery, "Battery", 8.5, 12.8, null, null, Resistance(milliohms, 0.4)),
+        ),
+    )
+
+    fun onFolder(steps: DesktopComposeUiTest.(Viewer, Path) -> Unit) {
+        val home = tempdir().toPath()
+        val folder = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        runDesktopComposeUiTest(1366, 768) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.batteries.run() }
+            val logs = listOf(entry(folder, 1, "A1", 20.0), entry(folder, 2, "B2", 30.0), entry(folder, 3, null, 21.0), entry(folder, 4, "A1", 20.2))
+            viewer.library.change { copy(folder = folder, hasLooked = true, files = logs.map { it.source }).knowing(logs) }
+            viewer.panels.change { copy(main = MainView.BATTERIES) }
+            waitFor { viewer.batteries.state.seasons.size == 3 }
+            steps(viewer, folder)
+        }
+    }
+
+    test("the batteries are listed with what to do with them, and a click shows the matches of one") {
+        onFolder { _, _ ->
+            onNodeWithText("Use A1 next").assertExists()
+            onNodeWithText("Retire B2. Its resistance is 30.0 ± 0.4 mΩ, 49 % more than that of A1 (20.1 ± 0.3 mΩ).").assertExists()
+            onNodeWithText("20.1 ± 0.3 mΩ").assertExists()
+            onAllNodesWithText("Qualification 4").fetchSemanticsNodes().size shouldBe 0
+            onNodeWithContentDescription("Battery A1").performClick()
+            onNodeWithText("Qualification 4").assertExists()
+            onNodeWithText("20.2 ± 0.4 mΩ").assertExists()
+        }
+    }
+
+    test("a battery typed beside a match is written beside its log, and can be taken back") {
+        onFolder { viewer, folder ->
+            onNodeWithContentDescription("Battery Unknown").performClick()
+            onNodeWithContentDescription("Battery of Qualification 3").performClick()
+            onNodeWithContentDescription("Name of the battery").performTextInput("C3")
+            onNodeWithContentDescription("Name of the battery").performKeyInput { pressKey(Key.Enter) }
+            waitFor { viewer.batteries.state.names == listOf("A1", "B2", "C3") }
+            Files.readString(folder.resolve("batteries.toml")) shouldBe "[used]\n\"q3.bag\" = \"C3\"\n"
+            onNodeWithContentDescription("Battery C3").performClick()
+            onNodeWithContentDescription("Battery of Qualification 3").performClick()
+            onNodeWithText("As the log says").performClick()
+            waitFor { viewer.batteries.state.names == listOf("A1", "B2") }
+        }
+    }
+
+    test("the pit view says which battery comes next, and leads to the list") {
+        onFolder { viewer, _ ->
+            viewer.panels.change { copy(main = MainView.PIT) }
+            onNodeWithText("Retire battery B2").assertExists()
+            onNodeWithText("Next battery: A1").performClick()
+            viewer.panels.state.main shouldBe MainView.BATTERIES
+        }
+    }
+})

@@ -1,0 +1,81 @@
+package badlog.report.battery
+
+import badlog.catalog.folder.FolderBatteries
+import badlog.catalog.folder.FolderStore
+import badlog.catalog.folder.LogEntry
+import badlog.catalog.folder.LogReading
+import badlog.exporter.BADLOG_VERSION
+import badlog.files.FolderRun
+import badlog.files.LogFile
+import badlog.report.LogReport
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogSummary
+import badlog.viewer.shown.battery.BatterySeason
+import java.nio.file.Path
+
+/**
+ * The batteries in many logs.
+ *
+ * @property seasons what is known of each.
+ * @property unreadable why files cannot be read, as sentences.
+ * @property problems why a file about batteries is not used, as sentences.
+ */
+class SeasonOfLogs private constructor(
+    val seasons: List<BatterySeason>,
+    val unreadable: Map<LogFile, String>,
+    val problems: List<String>,
+) {
+    /** Whether a log, or the team, names a battery. */
+    val hasNames: Boolean get() = seasons.any { it.battery != null }
+
+    companion object {
+        /** No batteries. */
+        internal val NONE = SeasonOfLogs(emptyList(), emptyMap(), emptyList())
+
+        /**
+         * Reads [files] on all cores, except for those that are known from before.
+         *
+         * @param cache a folder for what is known of logs, which the window uses, too; null for none.
+         * @param progress called on this thread with the number of files done.
+         */
+        fun over(files: List<LogFile>, cache: Path?, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): SeasonOfLogs {
+            val folder = commonFolderOf(files) ?: return NONE
+            val store = FolderStore(folder, cache, BADLOG_VERSION)
+            val reading = LogReading(store)
+            val entries = ArrayList<LogEntry>()
+            try {
+                FolderRun().forEach(files, { file, _ -> store[file] ?: reading.read(file, runsRules = false) }) { _, entry ->
+                    entries += entry
+                    progress(entries.size, files.size)
+                }
+            } finally {
+                store.save()
+            }
+            val unreadable = entries.mapNotNull { entry -> entry.summary.trouble?.let { entry.source to it } }
+            return of(entries, folder, unreadable.toMap())
+        }
+
+        /** Returns the batteries in the logs of a report. */
+        internal fun of(logs: List<LogReport>): SeasonOfLogs {
+            val folder = commonFolderOf(logs.map { it.file }) ?: return NONE
+            return of(logs.filter { it.unreadable == null }.map(::entryOf), folder, emptyMap())
+        }
+
+        private fun of(entries: List<LogEntry>, folder: Path, unreadable: Map<LogFile, String>): SeasonOfLogs {
+            val written = FolderBatteries.of(entries.map { it.file }, folder)
+            val seasons = BatterySeason.of(entries, written.batteries) { written.usedFor(it.file, it.summary.match.match) }
+            return SeasonOfLogs(seasons, unreadable, written.problems)
+        }
+
+        private fun entryOf(log: LogReport): LogEntry {
+            val date = log.began?.let { LogDate(it, DateSource.VALUES) } ?: LogDate.of(emptyList(), log.file.name, log.file.modified)
+            return LogEntry(log.file, LogSummary(log.match, date, content = Content.SOMETHING, battery = log.battery))
+        }
+    }
+}
+
+/** Returns the folder that has all [files] in it or below it; null for no files. */
+internal fun commonFolderOf(files: List<LogFile>): Path? = files.map { it.path.toAbsolutePath().normalize().parent }
+    .reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one.root }

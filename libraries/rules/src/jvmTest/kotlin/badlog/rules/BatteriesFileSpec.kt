@@ -1,0 +1,77 @@
+package badlog.rules
+
+import badlog.signals.battery.TeamBattery
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+private val FILE = """
+    # Our batteries
+    [[battery]]
+    name = "A1"
+    bought = "2025-01"
+
+    [[battery]]
+    name = "B2"
+    bought = 2023-11-30
+    retired = true
+
+    [used] # as on the sheet
+    "Qualification 12" = "A1"
+    elim = "B2"
+""".trimIndent() + "\n"
+
+class BatteriesFileSpec : FunSpec({
+    test("the file has batteries, and which was used") {
+        val read = BatteriesFile.parse(FILE)
+        read.batteries shouldBe listOf(TeamBattery("A1", "2025-01"), TeamBattery("B2", "2023-11-30", isRetired = true))
+        read.used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2")
+        read.usedFor("x.bag", "Qualification 12") shouldBe "A1"
+        BatteriesFile.parse("").batteries shouldBe emptyList()
+    }
+
+    test("a battery that is written down for a log leaves the rest of the file as it is") {
+        val added = BatteriesFile.withUse(FILE, "Qualification 13", "B2")
+        added shouldBe FILE.replace("sheet\n", "sheet\n\"Qualification 13\" = \"B2\"\n")
+        val changed = BatteriesFile.withUse(added, "Qualification 13", "A1")
+        changed shouldBe added.replace("13\" = \"B2\"", "13\" = \"A1\"")
+        BatteriesFile.withUse(changed, "Qualification 13", "") shouldBe FILE
+        BatteriesFile.withUse("", "m.bag", "A1") shouldBe "[used]\n\"m.bag\" = \"A1\"\n"
+    }
+
+    test("whatever a log and a battery are called, it is read as it was written") {
+        checkAll(300, Arb.string(1, 20), Arb.string(1, 20)) { log, name ->
+            val battery = name.trim().ifEmpty { "A1" }
+            BatteriesFile.parse(BatteriesFile.withUse(FILE, log, battery)).used shouldBe
+                mapOf("Qualification 12" to "A1", "elim" to "B2") + (log to battery)
+        }
+    }
+
+    test("whatever text is read, a mistake is told as one") {
+        checkAll(500, Arb.string(0, 80)) { text ->
+            try {
+                BatteriesFile.parse("[[battery]]\nname = \"A\"\n$text")
+            } catch (e: RulesException) {
+                e.message.shouldContain(".")
+            }
+        }
+    }
+
+    for ((text, mistake) in listOf(
+        "[[battery]]\nbought = \"2025\"" to "This battery has no “name”",
+        "[[battery]]\nname = \"A\"\n[[battery]]\nname = \"A\"" to "There are two batteries named “A”",
+        "[[battery]]\nname = \"A\"\nbought = \"last year\"" to "“bought” is a date",
+        "[[battery]]\nname = \"A\"\nage = 3" to "“age” is not a key of a battery",
+        "used = 3" to "“used” is a table",
+        "[used]\na = 3" to "“used” is a table",
+        "batteries = 3" to "“batteries” is not a key",
+    )) {
+        test("$mistake, as in ${text.replace("\n", " ")}") {
+            shouldThrow<RulesException> { BatteriesFile.parse(text) }.message.shouldContain(mistake)
+        }
+    }
+})

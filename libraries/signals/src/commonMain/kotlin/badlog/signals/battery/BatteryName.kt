@@ -1,0 +1,34 @@
+package badlog.signals.battery
+
+import badlog.core.analysis.isMeant
+import badlog.core.analysis.meant
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.signals.vocabulary.BATTERY_NAME
+import badlog.signals.vocabulary.NamePattern
+import badlog.signals.vocabulary.SignalVocabulary
+
+/**
+ * Returns what [recording] calls its battery: in a value of its header, or else at the end in a topic, both as [vocabulary] names them; null
+ * if it does not say.
+ */
+fun batteryNameIn(recording: Recording, vocabulary: SignalVocabulary): String? {
+    val patterns = vocabulary.find(BATTERY_NAME)?.topics.orEmpty().map { it.pattern }
+    fun isNamed(name: String) = NamePattern.folded(name).let { folded -> patterns.any { it.matchesFolded(folded) } }
+    val found = recording.values.firstOrNull { isMeant(it.text) && isNamed(it.name) }?.text
+        ?: recording.values.meant("battery")?.takeIf(::isName)
+        ?: recording.topics.firstNotNullOfOrNull { topic -> if (isNamed(topic.name)) lastIn(topic) else null }
+    return found?.trim()?.take(LONGEST)
+}
+
+// A value with this name may be a voltage.
+private fun isName(text: String) = text.trim().trimEnd('V', 'v', ' ').toDoubleOrNull() == null
+
+private fun lastIn(topic: Topic): String? {
+    val texts = topic.texts
+    for (i in texts.size - 1 downTo 0) if (isMeant(texts[i])) return texts[i]
+    return topic.samples.lastOrNull { it >= 1 && it == it.toInt().toDouble() }?.toInt()?.toString()
+}
+
+/** More letters than on any label. */
+private const val LONGEST = 60

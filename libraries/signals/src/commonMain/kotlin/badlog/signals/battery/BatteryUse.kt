@@ -1,0 +1,64 @@
+package badlog.signals.battery
+
+import badlog.core.analysis.LogView
+import badlog.core.analysis.Span
+import badlog.core.recording.Topic
+import badlog.expression.LogViewSignals
+import badlog.signals.LogShape
+import badlog.signals.NamedSamples
+import badlog.signals.vocabulary.SignalTopic
+import badlog.signals.vocabulary.SignalVocabulary
+
+/**
+ * What a log says of the battery that was in the robot. Each property is null if the log does not show it.
+ *
+ * @property name what the log calls it.
+ * @property topic the topic of its voltage.
+ * @property lowest the lowest voltage, in volts.
+ * @property restBefore the voltage at rest before the robot was enabled for the first time, in volts.
+ * @property restAfter the voltage at rest after it was enabled for the last time, in volts.
+ * @property energy what the robot took from it, in watt-hours.
+ * @property resistance the resistance of battery and wiring.
+ */
+data class BatteryUse(
+    val name: String? = null,
+    val topic: String? = null,
+    val lowest: Double? = null,
+    val restBefore: Double? = null,
+    val restAfter: Double? = null,
+    val energy: Double? = null,
+    val resistance: Resistance? = null,
+)
+
+/** Returns what [view], whose topics are named by [vocabulary], says of its battery; null for nothing. */
+fun batteryUseOf(view: LogView, vocabulary: SignalVocabulary): BatteryUse? {
+    val shape = LogShape.of(view)
+    val topics = shape.topicsOf(vocabulary)
+    val name = batteryNameIn(view.recording, vocabulary)
+    val voltage = topics.of("battery").firstOrNull() ?: return name?.let { BatteryUse(it) }
+    val use = BatteryUse(name, voltage.topic, lowestVoltage(view.recording.topics, voltage))
+    if (!shape.vocabulary.hasTime) return use
+    val series = BatterySeries.of(view, topics, NamedSamples(LogViewSignals(view), view)) ?: return use
+    val enabled = series.enabled
+    return use.copy(
+        restBefore = enabled.firstOrNull()?.let { series.atRest(Span(it.from - REST, it.from)) },
+        restAfter = enabled.lastOrNull()?.takeIf { it.to + SETTLING < series.end }?.let {
+            series.atRest(Span(maxOf(it.to + SETTLING, series.end - REST), series.end))
+        },
+        energy = series.energy(),
+        resistance = series.resistance(),
+    )
+}
+
+/** Before a sensor has been read for the first time, it returns 0, which no battery of a running robot has. */
+private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
+    var lowest = Double.POSITIVE_INFINITY
+    for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
+    return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
+}
+
+/** For how long before a match, and at its end, the voltage at rest is measured, in seconds. */
+private const val REST = 10.0
+
+/** A battery's voltage recovers after a load; in seconds. */
+private const val SETTLING = 5.0

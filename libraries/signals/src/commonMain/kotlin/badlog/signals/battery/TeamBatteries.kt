@@ -1,0 +1,29 @@
+package badlog.signals.battery
+
+/**
+ * What a team wrote down about its batteries.
+ *
+ * @property batteries the batteries that it has.
+ * @property used which battery was in the robot: by the name of a log's file, or by its match, `Qualification 12`.
+ */
+data class TeamBatteries(val batteries: List<TeamBattery> = emptyList(), val used: Map<String, String> = emptyMap()) {
+    /** Returns the battery for the log in the file [fileName], of [match] if that is not null, as written down; null if it is not. */
+    fun usedFor(fileName: String, match: String?): String? = used[fileName] ?: match?.let(used::get)
+}
+
+/**
+ * A battery that a team has.
+ *
+ * @property name what it is called, as on its label.
+ * @property bought when it was new: `2025`, `2025-01` or `2025-01-31`; null if not known.
+ * @property isRetired whether it is no longer used in matches.
+ */
+data class TeamBattery(val name: String, val bought: String? = null, val isRetired: Boolean = false) {
+    /** Returns its age in months at [date], which is written like [bought]; null if it is not known, or not yet bought then. */
+    fun monthsUntil(date: String): Int? {
+        val from = bought?.let(::monthsOf) ?: return null
+        return (monthsOf(date) ?: return null).minus(from).takeIf { it >= 0 }
+    }
+}
+
+private fun monthsOf(date: String) = date.take(4).toIntOrNull()?.let { it * 12 + (date.drop(5).take(2).toIntOrNull() ?: 1) }

@@ -1,0 +1,112 @@
+package badlog.viewer.shown.battery
+
+import badlog.signals.battery.Resistance
+import badlog.viewer.text.fixedText
+import kotlin.math.roundToInt
+
+/**
+ * What to do with batteries.
+ *
+ * @property next the battery to use next, and why; null if no log says which battery was used.
+ * @property retire the batteries to use no longer, and why.
+ * @property charge the batteries that were not full, and how that is known.
+ */
+class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: List<AdvisedBattery>, val charge: List<AdvisedBattery>) {
+    /** All of it: what to use next, what to use no longer, what to check. */
+    val all: List<AdvisedBattery> get() = listOfNotNull(next) + retire + charge
+
+    /** Returns what to do with [season], in a few words and with the reason; null for nothing. */
+    fun of(season: BatterySeason): AdvisedBattery? = all.find { it.name == season.battery?.name }
+
+    companion object {
+        /** Returns what to do with the batteries whose season is [seasons]. */
+        fun of(seasons: List<BatterySeason>): BatteryAdvice {
+            val inUse = seasons.filter { it.battery?.isRetired == false }
+            val best = inUse.filter { it.resistance != null }.minByOrNull { highOf(it.resistance!!) }
+            val retire = inUse.mapNotNull { retired(it, best) }
+            val charge = inUse.mapNotNull(::notFull)
+            val last = seasons.maxByOrNull { it.matches.firstOrNull()?.second ?: Long.MIN_VALUE }
+            val fit = inUse.filter { season -> retire.none { it.name == season.title } }
+            return BatteryAdvice(nextOf(fit.filter { it !== last }.ifEmpty { fit }, last), retire, charge)
+        }
+
+        private fun retired(season: BatterySeason, best: BatterySeason?): AdvisedBattery? {
+            val own = season.resistance?.takeIf { season !== best } ?: return null
+            val least = best?.resistance ?: return null
+            // A battery with a third more than a good one drops to the brownout voltage a third earlier.
+            if (own.milliohms - own.uncertainty <= highOf(least) * WORN) return null
+            val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
+            return AdvisedBattery(
+                season.title,
+                "Retire",
+                "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)}).",
+            )
+        }
+
+        private fun notFull(season: BatterySeason): AdvisedBattery? {
+            val last = season.matches.filter { it.use.restBefore != null }.take(MATCHES_TO_TELL)
+            if (last.size < MATCHES_TO_TELL || last.any { it.use.restBefore!! >= FULL }) return null
+            val volts = last.map { it.use.restBefore!! }
+            val before = "Before its last $MATCHES_TO_TELL matches it rested at ${voltsText(volts.min())} to ${voltsText(volts.max())}"
+            return AdvisedBattery(
+                season.title,
+                "Check",
+                "$before; a full battery has ${voltsText(FULL)} or more. Check it and its charger.",
+            )
+        }
+
+        /** Of those that are no worse than the best, the one that rested longest. */
+        private fun nextOf(fit: List<BatterySeason>, last: BatterySeason?): AdvisedBattery? {
+            if (fit.isEmpty() || fit.all { it.matches.isEmpty() }) return null
+            val least = fit.mapNotNull { it.resistance }.minByOrNull(::highOf)
+            val good = if (least ==
+                null
+            ) {
+                fit
+            } else {
+                fit.filter { it.resistance?.let { own -> own.milliohms - own.uncertainty <= highOf(least) } ?: false }
+            }
+            val next = good.minBy { it.matches.firstOrNull()?.second ?: Long.MIN_VALUE }
+            val reasons = listOfNotNull(
+                next.resistance?.let { "its resistance is ${resistanceText(it)}" },
+                next.matches.firstOrNull()?.let {
+                    if (next ===
+                        last
+                    ) {
+                        "it is the only one that is fit"
+                    } else {
+                        "it has rested since ${it.title}"
+                    }
+                },
+            )
+            return AdvisedBattery(next.title, "Use next", reasons.joinToString(" and ", postfix = ".").replaceFirstChar { it.uppercase() })
+        }
+
+        private fun highOf(resistance: Resistance) = resistance.milliohms + resistance.uncertainty
+
+        private const val PERCENT = 100
+        private const val WORN = 4.0 / 3
+
+        /** The voltage at rest of a lead battery that is nearly full, in volts, with the robot's computers on. */
+        private const val FULL = 12.4
+        private const val MATCHES_TO_TELL = 3
+    }
+}
+
+/**
+ * What to do with a battery.
+ *
+ * @property name its name.
+ * @property words what, in a word or two.
+ * @property reason why, as a sentence.
+ */
+class AdvisedBattery(val name: String, val words: String, val reason: String)
+
+/** Returns `20.7 ± 0.4 mΩ`. */
+fun resistanceText(resistance: Resistance): String =
+    "${fixedText(resistance.milliohms, 1)} ± ${fixedText(maxOf(resistance.uncertainty, LEAST_SHOWN), 1)} mΩ"
+
+internal fun voltsText(volts: Double): String = "${fixedText(volts, 2)} V"
+
+/** Nothing is known so well that its uncertainty would be nothing. */
+private const val LEAST_SHOWN = 0.1

@@ -1,0 +1,61 @@
+package badlog.viewer.shown.battery
+
+import badlog.viewer.text.countText
+import badlog.viewer.text.fixedText
+import kotlin.math.floor
+
+/** Returns `14 months`, or `3 years` when months no longer matter. */
+private fun ageText(months: Int) = if (months < MONTHS_TOLD) countText(months, "month") else countText(months / MONTHS_OF_YEAR, "year")
+
+private const val MONTHS_OF_YEAR = 12
+private const val MONTHS_TOLD = 24
+
+/**
+ * The columns of the table of batteries.
+ *
+ * @property title its heading.
+ * @property meaning what it shows, as a sentence.
+ * @property isNumber whether it is aligned to the right.
+ * @property text returns its text for people; null if that is not known.
+ */
+enum class BatteryColumn(val title: String, val meaning: String, val isNumber: Boolean = true, val text: (BatterySeason) -> String?) {
+    BATTERY("Battery", "What the team calls it.", isNumber = false, text = { it.title }),
+    MATCHES("Matches", "How many matches and other runs it was in the robot for.", text = { "${it.matches.size}" }),
+
+    // Rounded down, so that it does not look better than it was.
+    LOWEST("Lowest", "The lowest voltage in all matches.", text = { season ->
+        season.lowest?.let { voltsText(floor(it * 100 + 1e-6) / 100) }
+    }),
+    RESISTANCE(
+        "Resistance",
+        "The resistance of battery and wiring over all matches, and its uncertainty (95 %).",
+        text = { season -> season.resistance?.let(::resistanceText) },
+    ),
+    GROWTH(
+        "Growth",
+        "How much the resistance grew from the earlier half of its matches to the later half, if that is certain.",
+        text = { season -> season.growth?.let { "+${resistanceText(it)}" } },
+    ),
+    REST_BEFORE(
+        "Rest before",
+        "The median voltage in the 10 s before the robot was enabled.",
+        text = { season -> season.restBefore?.let(::voltsText) },
+    ),
+    REST_AFTER(
+        "Rest after",
+        "The median voltage at the end of the logs, at least 5 s after the robot was disabled.",
+        text = { season -> season.restAfter?.let(::voltsText) },
+    ),
+    ENERGY(
+        "Energy",
+        "What a match takes from it on average.",
+        text = { season -> season.energy?.let { "${fixedText(it, 1)} Wh" } },
+    ),
+    AGE("Age", "Its age at the last match.", text = { season -> season.age?.let(::ageText) }),
+    ;
+
+    companion object {
+        /** Returns the columns of which any of [seasons] has a text. */
+        fun of(seasons: List<BatterySeason>): List<BatteryColumn> = entries.filter { column -> seasons.any { column.text(it) != null } }
+    }
+}

@@ -1,0 +1,125 @@
+package badlog.viewer.shown.battery
+
+import badlog.signals.battery.BatteryUse
+import badlog.signals.battery.Resistance
+import badlog.signals.battery.TeamBattery
+import badlog.signals.battery.meanOf
+import badlog.signals.match.NaturalOrder
+import badlog.viewer.catalog.ListedLog
+import badlog.viewer.shown.folder.MatchRun
+import badlog.viewer.shown.folder.runsOf
+import badlog.viewer.text.isoText
+import kotlin.math.sqrt
+
+/**
+ * A match, or another run of the robot, and what it says of its battery.
+ *
+ * @property title its name for people.
+ * @property path the log that says most.
+ * @property second when it began, in s since 1970 on a clock on the wall.
+ */
+class BatteryMatch(val title: String, val path: String, val second: Long, val use: BatteryUse)
+
+/**
+ * A battery over a season.
+ *
+ * @property battery the battery; null for the matches whose battery is not known.
+ * @property matches the matches that it was in the robot for, the latest first.
+ * @property age its age in months at the last match of all batteries; null if nobody wrote down when it was new.
+ */
+class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, val age: Int? = null) {
+    /** Its name for people. */
+    val title: String get() = battery?.name ?: "Unknown"
+
+    /** The lowest voltage in all matches, in volts; null if no match shows it. */
+    val lowest: Double? = matches.mapNotNull { it.use.lowest }.minOrNull()
+
+    /** The resistance of battery and wiring in all matches together. */
+    val resistance: Resistance? = meanOf(resistancesOf(matches))
+
+    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is not certain. */
+    val growth: Resistance? = growthIn(matches)
+
+    /** The median voltage at rest before a match, in volts. */
+    val restBefore: Double? = medianOf(matches.mapNotNull { it.use.restBefore })
+
+    /** The median voltage at rest after a match, in volts. */
+    val restAfter: Double? = medianOf(matches.mapNotNull { it.use.restAfter })
+
+    /** The mean energy that a match takes, in watt-hours. */
+    val energy: Double? = matches.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }
+
+    companion object {
+        /**
+         * Returns the batteries that [logs] name, and those that the team wrote down, by their names; those no longer used are last, and the
+         * unknown one.
+         *
+         * @param team the batteries that the team has.
+         * @param usedFor returns the battery that the team wrote down for a log; null if it did not.
+         */
+        fun <E : ListedLog> of(
+            logs: List<E>,
+            team: List<TeamBattery> = emptyList(),
+            usedFor: (E) -> String? = { null },
+        ): List<BatterySeason> {
+            val matches = runsOf(logs.filter { it.isReadable && !it.isGray && it.summary.battery != null })
+                .map { run ->
+                    (run.logs.firstNotNullOfOrNull(usedFor) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to
+                        matchOf(run)
+                }
+                .groupBy({ it.first }, { it.second })
+            val last = matches.values.maxOfOrNull { it.first().second }
+            val named = (team.map { it.name } + matches.keys.filterNotNull()).distinct()
+            val known = named.map { name ->
+                val battery = team.find { it.name == name } ?: TeamBattery(name)
+                BatterySeason(battery, matches[name].orEmpty(), last?.let { battery.monthsUntil(isoText(it)) })
+            }
+            val order = compareBy<BatterySeason> { it.battery?.isRetired }.thenBy(NaturalOrder) { it.title }
+            return known.sortedWith(order) + listOfNotNull(matches[null]?.let { BatterySeason(null, it) })
+        }
+    }
+}
+
+/** The logs of robot and Driver Station know different things of one battery. */
+private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
+    val logs = run.logs.sortedByDescending { log ->
+        with(log.summary.battery) { listOfNotNull(this?.resistance, this?.energy, this?.lowest).size }
+    }
+    val uses = logs.mapNotNull { it.summary.battery }
+    val use = BatteryUse(
+        uses.firstNotNullOfOrNull { it.name },
+        uses.firstNotNullOfOrNull { it.topic },
+        uses.mapNotNull { it.lowest }.minOrNull(),
+        uses.firstNotNullOfOrNull { it.restBefore },
+        uses.firstNotNullOfOrNull { it.restAfter },
+        uses.firstNotNullOfOrNull { it.energy },
+        uses.mapNotNull { it.resistance }.minByOrNull { it.uncertainty },
+    )
+    return BatteryMatch(logs.first().title, logs.first().path, run.second, use)
+}
+
+private fun resistancesOf(matches: List<BatteryMatch>) = matches.mapNotNull { it.use.resistance }
+
+private fun growthIn(matches: List<BatteryMatch>): Resistance? {
+    val measured = resistancesOf(matches)
+    if (measured.size < LEAST_FOR_GROWTH) return null
+    val half = measured.size / 2
+    val later = meanOf(measured.take(half)) ?: return null
+    val earlier = meanOf(measured.takeLast(half)) ?: return null
+    val error = sqrt(later.uncertainty * later.uncertainty + earlier.uncertainty * earlier.uncertainty)
+    return Resistance(later.milliohms - earlier.milliohms, error).takeIf { it.milliohms > error }
+}
+
+private fun medianOf(values: List<Double>): Double? = values.sorted().let {
+    if (it.isEmpty()) {
+        null
+    } else {
+        (
+            it[(it.size - 1) / 2] +
+                it[it.size / 2]
+            ) /
+            2
+    }
+}
+
+private const val LEAST_FOR_GROWTH = 4

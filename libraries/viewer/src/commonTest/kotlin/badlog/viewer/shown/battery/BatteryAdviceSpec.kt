@@ -1,0 +1,54 @@
+package badlog.viewer.shown.battery
+
+import badlog.signals.battery.BatteryUse
+import badlog.signals.battery.Resistance
+import badlog.signals.battery.TeamBattery
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+
+class BatteryAdviceSpec : FunSpec({
+    fun adviceOn(vararg uses: BatteryUse, team: List<TeamBattery> = emptyList()) = BatteryAdvice.of(BatterySeason.of(uses.mapIndexed { i, use -> batteryLog(i + 1, use) }, team))
+
+    fun use(name: String?, milliohms: Double? = null, rest: Double? = null) = BatteryUse(name, restBefore = rest, resistance = milliohms?.let { Resistance(it, 0.3) })
+
+    test("of those that are as good as the best, the one that rested longest comes next") {
+        val advice = adviceOn(use("A1", 20.0), use("B2", 20.2), use("C3", 23.0), use("A1", 20.0), use("B2", 20.2), use("C3", 23.0))
+        advice.next?.name shouldBe "A1"
+        advice.next?.reason shouldBe "Its resistance is 20.0 ± 0.2 mΩ and it has rested since Qualification 4."
+        advice.retire.shouldBeEmpty()
+    }
+
+    test("the battery of the last match is not the next one while there is another") {
+        adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.name shouldBe "A1"
+        adviceOn(use("B2", 20.0)).next?.reason shouldBe "Its resistance is 20.0 ± 0.3 mΩ and it is the only one that is fit."
+    }
+
+    test("a battery with certainly a third more than the best is retired, with the reason") {
+        val advice = adviceOn(use("A1", 20.0), use("B2", 28.0), use("C3", 25.0), use("A1", 20.0))
+        advice.retire.map { it.name to it.reason } shouldContainExactly
+            listOf("B2" to "Its resistance is 28.0 ± 0.3 mΩ, 40 % more than that of A1 (20.0 ± 0.2 mΩ).")
+        advice.next?.name shouldBe "C3"
+    }
+
+    test("a battery that is no longer used is neither next nor retired again") {
+        val advice = adviceOn(use("A1", 40.0), use("B2", 20.0), team = listOf(TeamBattery("A1", isRetired = true)))
+        advice.next?.name shouldBe "B2"
+        advice.retire.shouldBeEmpty()
+    }
+
+    test("a battery that was not full before three matches is checked") {
+        val advice = adviceOn(use("A1", rest = 12.8), use("B2", rest = 12.1), use("B2", rest = 12.25), use("B2", rest = 12.2))
+        advice.charge.single().reason shouldBe
+            "Before its last 3 matches it rested at 12.10 V to 12.25 V; a full battery has 12.40 V or more. Check it and its charger."
+        adviceOn(use("B2", rest = 12.1), use("B2", rest = 12.6), use("B2", rest = 12.2)).charge.shouldBeEmpty()
+    }
+
+    test("nothing is advised of batteries that nobody has named") {
+        val advice = adviceOn(use(null, 20.0), use(null, 30.0))
+        advice.next.shouldBeNull()
+        advice.retire.shouldBeEmpty()
+    }
+})
