@@ -141,13 +141,13 @@ private fun SeasonRow(season: BatterySeason, columns: List<BatteryColumn>, advic
     Row(
         Modifier
             .fillMaxWidth()
-            .clickable(role = Role.Button, onClickLabel = if (isOpen) "Hide its matches" else "Show its matches", onClick = onToggle)
+            .clickable(season.matches.isNotEmpty(), if (isOpen) "Hide its matches" else "Show its matches", Role.Button, onClick = onToggle)
             .semantics { contentDescription = "Battery ${season.title}" }
             .padding(vertical = 6.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Box(Modifier.width(FOLD)) {
-            Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
+            if (season.matches.isNotEmpty()) Icon(if (isOpen) Icons.Down else Icons.Right, null, Modifier.size(14.dp), palette.muted)
         }
         for (column in columns) Cell(column, column.text(season).orEmpty(), isBold = column == BatteryColumn.BATTERY)
         val words = if (season.battery?.isRetired == true) "Retired" else advice?.words
@@ -161,9 +161,10 @@ private fun AdviceLabel(words: String) {
     val isNext = words == "Use next"
     Text(
         words,
-        Modifier.padding(
-            start = 12.dp,
-        ).background(if (isNext) palette.accentSoft else palette.raised, RoundedCornerShape(4.dp)).padding(horizontal = 6.dp),
+        Modifier
+            .padding(start = 12.dp)
+            .background(if (isNext) palette.accentSoft else palette.raised, RoundedCornerShape(4.dp))
+            .padding(horizontal = 6.dp),
         color = if (isNext) palette.accent else palette.text,
         fontSize = 12.sp,
     )

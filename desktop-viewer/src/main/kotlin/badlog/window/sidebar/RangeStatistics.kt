@@ -5,11 +5,13 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
 import badlog.core.recording.Topic
+import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
+import badlog.viewer.text.shortNames
 import badlog.window.compare.DrawnRecording
 import badlog.window.log.OpenRecording
 import badlog.window.log.Signal
@@ -34,8 +36,16 @@ internal class SignalStatistics(val signal: String, val unit: String, val record
 /** A name with its value, also [exact] to the last digit, in a separate line if [isWide]; [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
-/** Returns the statistics of [names] over [part] in each of [drawn]; calculates them all, so do not use it on the window's thread. */
-internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, part: NamedSpan): RangeStatistics {
+/**
+ * Returns the statistics of [names] over [part] in each of [drawn], and how the lines of each of [graphs] differ; calculates them all, so do
+ * not use it on the window's thread.
+ */
+internal fun rangeStatistics(
+    drawn: List<DrawnRecording>,
+    names: List<String>,
+    part: NamedSpan,
+    graphs: List<List<String>> = emptyList(),
+): RangeStatistics {
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
@@ -50,8 +60,22 @@ internal fun rangeStatistics(drawn: List<DrawnRecording>, names: List<String>, p
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
-    return RangeStatistics(part, xUnit, signals)
+    return RangeStatistics(part, xUnit, signals + graphs.flatMap { differencesIn(drawn, it, part) })
 }
+
+/** Returns how the lines after the first of the graph with [lines] differ from it, in each of [drawn]. */
+private fun differencesIn(drawn: List<DrawnRecording>, lines: List<String>, part: NamedSpan): List<SignalStatistics> =
+    drawn.flatMapIndexed { place, (recording, offset, recordingName) ->
+        val known = lines.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
+        val names = known.map { it.line }.zip(shortNames(known.map { it.name })).toMap()
+        NamedDifference.of(known.map { it.line }, part.parts.map { Span(it.from - offset, it.to - offset) }).map { difference ->
+            val cells = NamedDifference.TITLES.zip(difference.texts(recording.view.xAxis)).map { (title, text) ->
+                StatCell(title, text, Topic.UNITLESS, isWide = title == NamedDifference.TITLES.last())
+            }
+            val title = "${names[difference.one]} − ${names[difference.other]}"
+            SignalStatistics(title, difference.one.unit, if (drawn.size > 1) recordingName else "", place, cells)
+        }
+    }
 
 private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
     val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries

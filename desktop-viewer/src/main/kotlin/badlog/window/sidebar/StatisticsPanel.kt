@@ -59,7 +59,7 @@ internal fun StatisticsPanel(
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
         snapshotFlow { askedFor(compared, board, view, spanOf(panels.state.statistics, open, view)) }.conflate().map { asked ->
-            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part) }
+            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part, asked.graphs) }
         }.collect { value = it }
     }
     val known = statistics ?: return
@@ -112,12 +112,12 @@ internal fun titleOfShown(view: AxisView): String = when {
 }
 
 /** The input of the statistics; while it stays equal, nothing is recalculated. */
-internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan)
+internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan, val graphs: List<List<String>>)
 
 /** Returns the current input for [part]; if that is null, for the displayed range. */
 internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
-    val names = board.state.graphs.flatMap { it.lines }.distinct()
-    return Asked(compared.drawn, names, part ?: shownSpan(view))
+    val graphs = board.state.graphs.map { it.lines }
+    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), graphs.filter { it.size > 1 }.distinct())
 }
 
 private fun rangeText(statistics: RangeStatistics): String {

@@ -75,6 +75,15 @@ class InspectorTextsSpec : FunSpec({
         lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")
     }
 
+    test("lines of one graph are also told by how they differ") {
+        val open = recordingOf(bagOf(listOf("Time|xaxis", "Drive/Target", "Drive/Actual"), List(101) { "${it / 10.0},${it % 7},${it % 7 + 0.5}" }))
+        val part = NamedSpan("Whole log", open.span)
+        val statistics = rangeStatistics(listOf(DrawnRecording(open)), emptyList(), part, listOf(listOf("Drive/Target", "Drive/Actual")))
+        val difference = statistics.signals.single()
+        difference.signal shouldBe "Actual − Target"
+        difference.cells.take(3).map { it.text } shouldContainExactly listOf("0.5 V", "0.5 V", "0.5 V")
+    }
+
     test("statistics are shown with six digits, and copied with all of them") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,11.599600000000002", "1,11.599600000000002")))
         val statistics = rangeStatistics(listOf(DrawnRecording(open)), listOf("A"), NamedSpan("Selection", Span(0.0, 1.0)))

@@ -9,6 +9,7 @@ import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
@@ -57,6 +58,28 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                             val value = statistic.of(statistics)
                             add("td", "", if (statistic.isCount) countText(value.toInt()) else numberText(value)).title = exactText(value)
                         }
+                    }
+                }
+            }
+        }
+        addDifferences(now)
+    }
+
+    /** Adds how the lines after the first differ from it. */
+    private fun addDifferences(now: Span) {
+        val differences = NamedDifference.of(graph.series, listOf(now))
+        if (differences.isEmpty()) return
+        val names = graph.series.zip(legendNames(graph)).toMap()
+        element.add("table", "differences") {
+            add("thead").add("tr") {
+                add("th", "", "Difference")
+                NamedDifference.TITLES.forEachIndexed { i, title -> add("th", "", title).title = NamedDifference.HINTS[i] }
+            }
+            add("tbody") {
+                for (difference in differences) {
+                    add("tr") {
+                        add("th", "", "${names[difference.one]} − ${names[difference.other]}").setAttribute("scope", "row")
+                        for (text in difference.texts(scene.xAxis)) add("td", "", text)
                     }
                 }
             }

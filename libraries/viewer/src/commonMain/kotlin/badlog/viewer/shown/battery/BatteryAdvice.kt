@@ -24,7 +24,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val inUse = seasons.filter { it.battery?.isRetired == false }
             val best = inUse.filter { it.resistance != null }.minByOrNull { highOf(it.resistance!!) }
             val retire = inUse.mapNotNull { retired(it, best) }
-            val charge = inUse.mapNotNull(::notFull)
+            val charge = inUse.mapNotNull(::notFull).filter { tired -> retire.none { it.name == tired.name } }
             val last = seasons.maxByOrNull { it.matches.firstOrNull()?.second ?: Long.MIN_VALUE }
             val fit = inUse.filter { season -> retire.none { it.name == season.title } }
             return BatteryAdvice(nextOf(fit.filter { it !== last }.ifEmpty { fit }, last), retire, charge)

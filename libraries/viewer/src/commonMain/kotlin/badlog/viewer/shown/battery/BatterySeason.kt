@@ -37,8 +37,8 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The resistance of battery and wiring in all matches together. */
     val resistance: Resistance? = meanOf(resistancesOf(matches))
 
-    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is not certain. */
-    val growth: Resistance? = growthIn(matches)
+    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is not certain, or they are of several batteries. */
+    val growth: Resistance? = if (battery == null) null else growthIn(matches)
 
     /** The median voltage at rest before a match, in volts. */
     val restBefore: Double? = medianOf(matches.mapNotNull { it.use.restBefore })

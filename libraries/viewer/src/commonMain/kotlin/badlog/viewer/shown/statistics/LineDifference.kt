@@ -1,0 +1,149 @@
+package badlog.viewer.shown.statistics
+
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.round
+import kotlin.math.sqrt
+
+/**
+ * How one line differs from another, by time: a difference counts as long as it holds.
+ *
+ * @property mean the mean difference, the first line minus the second.
+ * @property rms the root mean square of the difference: the usual measure of how well something follows its target.
+ * @property largest the difference that is farthest from 0.
+ * @property largestAt where on x that is.
+ * @property lag how far the first line is behind the second on x, negative if it is ahead; null if no shift makes them fit much better.
+ */
+class LineDifference(val mean: Double, val rms: Double, val largest: Double, val largestAt: Double, val lag: Double?)
+
+/**
+ * Returns how [one] differs from [other] within [parts] of x; null where they have no samples in common, or x goes backwards. Each sample
+ * holds until the next one of its line.
+ *
+ * @param unit the unit of both: of angles, the shorter way around a turn counts.
+ */
+fun differenceOf(one: Series, other: Series, parts: List<Span>, unit: String): LineDifference? {
+    if (!one.isOrdered || !other.isOrdered) return null
+    val turn = turnOf(unit, one, other, parts)
+    var time = 0.0
+    var sum = 0.0
+    var squares = 0.0
+    var largest = 0.0
+    var largestAt = Double.NaN
+    for (part in parts) {
+        forEachDifference(one, other, part, turn) { from, to, difference ->
+            time += to - from
+            sum += (to - from) * difference
+            squares += (to - from) * difference * difference
+            if (largestAt.isNaN() || abs(difference) > abs(largest)) {
+                largest = difference
+                largestAt = from
+            }
+        }
+    }
+    if (!(time > 0)) return null
+    return LineDifference(sum / time, sqrt(squares / time), largest, largestAt, lagOf(one, other, parts.maxBy { it.width }, turn))
+}
+
+/** Calls [each] with every stretch within [part] in which neither line changes and both have a value. */
+private inline fun forEachDifference(
+    one: Series,
+    other: Series,
+    part: Span,
+    turn: Double,
+    each: (from: Double, to: Double, difference: Double) -> Unit,
+) {
+    if (one.size == 0 || other.size == 0) return
+    var i = one.firstAfter(part.from) - 1
+    var k = other.firstAfter(part.from) - 1
+    var from = part.from
+    while (from < part.to) {
+        val next = minOf(one.x.getOrElse(i + 1) { part.to }, other.x.getOrElse(k + 1) { part.to }, part.to)
+        // What holds after the last sample of a line is not known.
+        val isKnown = i >= 0 && k >= 0 && i + 1 < one.size && k + 1 < other.size
+        if (isKnown && next > from) {
+            val difference = wrapped(one.y[i] - other.y[k], turn)
+            if (difference.isFinite()) each(from, next, difference)
+        }
+        while (i + 1 < one.size && one.x[i + 1] <= next) i++
+        while (k + 1 < other.size && other.x[k + 1] <= next) k++
+        if (i + 1 >= one.size || k + 1 >= other.size) return
+        from = next
+    }
+}
+
+/**
+ * Returns the shift of at most a tenth of [part] at which the lines fit best, sampled at equal distances; null unless their squares then
+ * differ less than half as much, or if the best shift is the largest.
+ */
+private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double? {
+    val step = part.width / SAMPLES
+    if (!(step > 0)) return null
+    val first = sampled(one, part, step)
+    val second = sampled(other, part, step)
+
+    /** Returns the mean square when the first line is [shift] samples behind. */
+    fun squareAt(shift: Int): Double {
+        var sum = 0.0
+        var count = 0
+        for (i in MOST_SHIFT until SAMPLES - MOST_SHIFT) {
+            val difference = wrapped(first[i] - second[i - shift], turn)
+            if (difference.isNaN()) continue
+            sum += difference * difference
+            count++
+        }
+        return if (count < SAMPLES / 2) Double.NaN else sum / count
+    }
+    val squares = DoubleArray(2 * MOST_SHIFT + 1) { squareAt(it - MOST_SHIFT) }
+    if (squares.any { it.isNaN() }) return null
+    val best = squares.indices.minBy { squares[it] }
+    if (best == 0 || best == squares.lastIndex || squares[best] > squares[MOST_SHIFT] * MUCH_BETTER) return null
+    val (before, at, after) = listOf(squares[best - 1], squares[best], squares[best + 1])
+    // The vertex of the parabola through the three.
+    val bend = before - 2 * at + after
+    val fine = if (bend > 0) (before - after) / (2 * bend) else 0.0
+    return (best - MOST_SHIFT + fine) * step
+}
+
+private fun sampled(series: Series, part: Span, step: Double): DoubleArray {
+    var next = 0
+    return DoubleArray(SAMPLES) { i ->
+        val x = part.from + i * step
+        while (next < series.size && series.x[next] <= x) next++
+        if (next == 0) Double.NaN else series.y[next - 1]
+    }
+}
+
+private fun wrapped(difference: Double, turn: Double) = if (turn.isNaN()) difference else difference - turn * round(difference / turn)
+
+/** Returns a full turn in [unit]; NaN if it is not of angles, or the lines count turns: then a turn more is a difference. */
+private fun turnOf(unit: String, one: Series, other: Series, parts: List<Span>): Double {
+    val turn = when (unit.trim().lowercase()) {
+        "deg", "degree", "degrees", "°" -> DEGREES
+        "rad", "radian", "radians" -> 2 * PI
+        "rot", "rotation", "rotations", "turn", "turns", "rev", "revolutions" -> 1.0
+        else -> return Double.NaN
+    }
+    val isWithinTurn = listOf(one, other).all { series ->
+        var least = Double.POSITIVE_INFINITY
+        var most = Double.NEGATIVE_INFINITY
+        for (part in parts) {
+            for (i in maxOf(0, series.firstAfter(part.from) - 1) until series.firstAfter(part.to)) {
+                least = minOf(least, series.y[i].takeUnless { it.isNaN() } ?: least)
+                most = maxOf(most, series.y[i].takeUnless { it.isNaN() } ?: most)
+            }
+        }
+        most - least <= turn * ROUNDED && most <= turn * ROUNDED && least >= -turn * ROUNDED
+    }
+    return if (isWithinTurn) turn else Double.NaN
+}
+
+private const val DEGREES = 360.0
+
+/** A turn, and what rounding adds to it. */
+private const val ROUNDED = 1.001
+private const val SAMPLES = 1000
+private const val MOST_SHIFT = 100
+private const val MUCH_BETTER = 0.5
