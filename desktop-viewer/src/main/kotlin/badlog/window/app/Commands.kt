@@ -30,6 +30,9 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
     Command("Window", "Show or hide statistics across logs", listOf(KeyPress(Key.S, "S"))) {
         panels.change { toggled(MainView.STATISTICS) }
     },
+    Command("Window", "Graphs alone, or the lists again", listOf(KeyPress(Key.F, "F", shift = true))) {
+        panels.change { graphsAlone() }
+    },
     Command("Window", "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
         panels.change { copy(help = !panels.state.help) }
     },

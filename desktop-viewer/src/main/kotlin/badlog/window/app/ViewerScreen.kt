@@ -187,4 +187,5 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 
-private val NARROW = 720.dp
+/** Below this, three lists would leave no room for the graphs. */
+private val NARROW = 1100.dp

@@ -8,6 +8,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.composed
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
@@ -32,7 +33,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
         NothingOpen(isOpening, modifier)
         return
     }
-    Column(modifier.background(LocalPalette.current.surface).takesKeyboard()) {
+    Column(modifier.background(LocalPalette.current.surface).takesKeyboard(scene.board::pointerMoved)) {
         GraphToolbar(scene)
         AxisOffer(scene.axis)
         StationOffer(scene.stations)
@@ -53,12 +54,20 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     }
 }
 
-/** A press here removes the focus from text fields, so that keys are commands again. */
-private fun Modifier.takesKeyboard() = composed {
+/** A press here removes the focus from text fields, so that keys are commands again; [onMove] is called when the pointer moves. */
+private fun Modifier.takesKeyboard(onMove: () -> Unit) = composed {
     val focus = LocalFocusManager.current
     pointerInput(focus) {
         awaitPointerEventScope {
-            while (true) if (awaitPointerEvent(PointerEventPass.Initial).type == PointerEventType.Press) focus.clearFocus()
+            var place = Offset.Unspecified
+            while (true) {
+                val event = awaitPointerEvent(PointerEventPass.Initial)
+                if (event.type == PointerEventType.Press) focus.clearFocus()
+                // When what is below the pointer moves, there are events, too.
+                val now = event.changes.first().position
+                if (now != place) onMove()
+                place = now
+            }
         }
     }
 }

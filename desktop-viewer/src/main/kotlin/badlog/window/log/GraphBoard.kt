@@ -41,12 +41,16 @@ internal class GraphBoard {
     /** The id of the graph that the pointer was last over; keys apply to that. */
     var pointed: Int? = null
 
+    /** The graph that a key has just moved: until the pointer moves, keys go on with it, whatever is below the pointer now. */
+    private var moved: Int? = null
+
     /** The graphs that a person arranged, without those that were put on top to show a finding. */
     val kept: Board get() = Board(state.graphs - added)
 
-    /** The graph that keys apply to: the one last pointed at, or else the first visible one; null if there are none. */
+    /** The graph that keys apply to: the one just moved, the one last pointed at, or else the first visible one; null if there are none. */
     val current: BoardGraph?
-        get() = state.graphs.find { it.id == pointed } ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
+        get() = state.graphs.find { it.id == moved } ?: state.graphs.find { it.id == pointed }
+            ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
             ?: state.graphs.firstOrNull()
 
     /** Changes the graphs by [transition]; [undo] restores the previous ones. */
@@ -99,8 +103,14 @@ internal class GraphBoard {
         if (isEvidence(graph.id)) keep(graph.id) else change { without(graph.id) }
     }
 
-    /** Scrolls to graph [id], which was moved, if it is out of sight. */
+    /** Records that the pointer was moved. */
+    fun pointerMoved() {
+        moved = null
+    }
+
+    /** Scrolls to graph [id], which a key has moved, if it is out of sight. */
     fun keepInSight(id: Int) {
+        moved = id
         if (inSight?.contains(id) == false) goTo(id)
     }
 

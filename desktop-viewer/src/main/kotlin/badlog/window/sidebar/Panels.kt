@@ -1,6 +1,7 @@
 package badlog.window.sidebar
 
 import androidx.compose.ui.graphics.vector.ImageVector
+import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
@@ -13,7 +14,9 @@ import badlog.window.theme.Icons
  * @property main the content of the middle.
  * @property front the visible part, if the window is too narrow for more than one.
  * @property statistics the range of the statistics panel.
+ * @property channels how it ranks the channels of the power distribution.
  * @property help whether the help is open above everything.
+ * @property hidden what was open beside the graphs before a key hid it all; null if that was not so.
  */
 internal data class Panels(
     val library: Boolean = true,
@@ -22,10 +25,19 @@ internal data class Panels(
     val main: MainView = MainView.GRAPHS,
     val front: FrontPart = FrontPart.GRAPHS,
     val statistics: StatisticsRange = StatisticsRange.SHOWN,
+    val channels: ChannelOrder = ChannelOrder.CHARGE,
     val help: Boolean = false,
+    val hidden: Panels? = null,
 ) {
     /** Shows [view] in the middle, or the graphs if it is already shown. */
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
+
+    /** Hides everything beside the graphs, or shows again what was hidden so. */
+    fun graphsAlone(): Panels = if (library || topics || inspector != null) {
+        copy(library = false, topics = false, inspector = null, main = MainView.GRAPHS, hidden = copy(hidden = null))
+    } else {
+        copy(library = hidden?.library ?: true, topics = hidden?.topics ?: true, inspector = hidden?.inspector, hidden = null)
+    }
 
     /** Opens [tab] on the right, or closes it if it is open. */
     fun toggled(tab: InspectorTab): Panels = if (inspector == tab) withoutInspector() else inspecting(tab)

@@ -5,7 +5,10 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
 import badlog.core.recording.Topic
+import badlog.viewer.shown.statistics.ChannelOrder
+import badlog.viewer.shown.statistics.Channels
 import badlog.viewer.shown.statistics.NamedDifference
+import badlog.viewer.shown.statistics.RankedChannel
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
@@ -21,8 +24,15 @@ import badlog.window.log.Signal
  *
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
+ * @property channels what the channels of the power distribution gave, by [order].
  */
-internal class RangeStatistics(val part: NamedSpan, val xUnit: String, val signals: List<SignalStatistics>)
+internal class RangeStatistics(
+    val part: NamedSpan,
+    val xUnit: String,
+    val signals: List<SignalStatistics>,
+    val channels: List<RankedChannel> = emptyList(),
+    val order: ChannelOrder = ChannelOrder.CHARGE,
+)
 
 /**
  * Statistics of one signal.
@@ -37,14 +47,15 @@ internal class SignalStatistics(val signal: String, val unit: String, val record
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
 /**
- * Returns the statistics of [names] over [part] in each of [drawn], and how the lines of each of [graphs] differ; calculates them all, so do
- * not use it on the window's thread.
+ * Returns the statistics of [names] over [part] in each of [drawn], how the lines of each of [graphs] differ, and the channels of the first,
+ * by [order]; calculates them all, so do not use it on the window's thread.
  */
 internal fun rangeStatistics(
     drawn: List<DrawnRecording>,
     names: List<String>,
     part: NamedSpan,
     graphs: List<List<String>> = emptyList(),
+    order: ChannelOrder = ChannelOrder.CHARGE,
 ): RangeStatistics {
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
@@ -53,14 +64,15 @@ internal fun rangeStatistics(
             val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
             val statistics = recording.view.statisticsOf(signal.line, parts)
             val cells = when {
-                signal.hasFigures -> cellsOf(signal, statistics, recording.view.xAxis.unit)
+                signal.hasFigures && signal.states == null -> cellsOf(signal, statistics, recording.view.xAxis.unit)
                 else -> cellsOf(recording, signal, statistics, parts)
             }
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
-    return RangeStatistics(part, xUnit, signals + graphs.flatMap { differencesIn(drawn, it, part) })
+    val channels = drawn.firstOrNull()?.recording?.let { Channels.of(it.view, it.signalTopics).ranked(part.parts, order) }.orEmpty()
+    return RangeStatistics(part, xUnit, signals + graphs.flatMap { differencesIn(drawn, it, part) }, channels, order)
 }
 
 /** Returns how the lines after the first of the graph with [lines] differ from it, in each of [drawn]. */

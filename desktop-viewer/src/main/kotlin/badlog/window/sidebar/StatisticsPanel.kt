@@ -28,6 +28,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
@@ -58,8 +59,10 @@ internal fun StatisticsPanel(
 ) {
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
-        snapshotFlow { askedFor(compared, board, view, spanOf(panels.state.statistics, open, view)) }.conflate().map { asked ->
-            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part, asked.graphs) }
+        snapshotFlow {
+            askedFor(compared, board, view, spanOf(panels.state.statistics, open, view), panels.state.channels)
+        }.conflate().map { asked ->
+            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part, asked.graphs, asked.order) }
         }.collect { value = it }
     }
     val known = statistics ?: return
@@ -77,7 +80,11 @@ internal fun StatisticsPanel(
         }
         if (known.signals.isEmpty()) PanelHint("No topic is drawn. Click one in the list of topics.")
         Box(Modifier.fillMaxSize()) {
-            LazyColumn(Modifier.fillMaxSize(), state) { items(known.signals) { SignalCells(it) } }
+            LazyColumn(Modifier.fillMaxSize(), state) {
+                items(known.signals) { SignalCells(it) }
+                if (known.channels.isNotEmpty()) item { ChannelsHead(panels) }
+                items(known.channels) { ChannelLine(it, known.channels.maxOf { each -> each.by(known.order) }, known.order) }
+            }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
     }
@@ -112,12 +119,24 @@ internal fun titleOfShown(view: AxisView): String = when {
 }
 
 /** The input of the statistics; while it stays equal, nothing is recalculated. */
-internal data class Asked(val drawn: List<DrawnRecording>, val names: List<String>, val part: NamedSpan, val graphs: List<List<String>>)
+internal data class Asked(
+    val drawn: List<DrawnRecording>,
+    val names: List<String>,
+    val part: NamedSpan,
+    val graphs: List<List<String>>,
+    val order: ChannelOrder,
+)
 
 /** Returns the current input for [part]; if that is null, for the displayed range. */
-internal fun askedFor(compared: ComparedRecordings, board: GraphBoard, view: AxisView, part: NamedSpan? = null): Asked {
+internal fun askedFor(
+    compared: ComparedRecordings,
+    board: GraphBoard,
+    view: AxisView,
+    part: NamedSpan? = null,
+    order: ChannelOrder = ChannelOrder.CHARGE,
+): Asked {
     val graphs = board.state.graphs.map { it.lines }
-    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), graphs.filter { it.size > 1 }.distinct())
+    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), graphs.filter { it.size > 1 }.distinct(), order)
 }
 
 private fun rangeText(statistics: RangeStatistics): String {

@@ -83,6 +83,20 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state.graphs[1].id shouldBe before.graphs[0].id
     }
 
+    test("a key that is pressed again goes on with the graph that it moved, until the pointer moves") {
+        val viewer = viewerOf(sample("qualification-42.bag"))
+        val before = viewer.board.state.graphs.map { it.id }
+        viewer.board.pointed = before[2]
+        viewer.perform(Action.MOVE_UP)
+        // What is below the pointer now.
+        viewer.board.pointed = before[1]
+        viewer.perform(Action.MOVE_UP)
+        viewer.board.state.graphs.first().id shouldBe before[2]
+        viewer.board.pointerMoved()
+        viewer.perform(Action.MOVE_TO_TOP)
+        viewer.board.state.graphs.take(2).map { it.id } shouldBe listOf(before[1], before[2])
+    }
+
     test("the default graphs come with a way back to a person's own") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.board.replace(Board().withGraph(listOf("System/Battery Voltage")))

@@ -7,6 +7,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorValues
 import badlog.window.bagOf
 import badlog.window.compare.DrawnRecording
+import badlog.window.graph.sample
 import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -73,6 +74,12 @@ class InspectorTextsSpec : FunSpec({
         val lines = statistics.toTsv().lines()
         lines.map { it.count { char -> char == '\t' } }.dropLast(1).distinct().size shouldBe 1
         lines[1].split('\t').take(5) shouldContainExactly listOf("A", "V", "test.bag", "1", "2")
+    }
+
+    test("channels of the power distribution are ranked over the range") {
+        val statistics = rangeStatistics(listOf(DrawnRecording(sample("qualification-42.bag"))), emptyList(), NamedSpan("Push", Span(92.0, 95.0)))
+        statistics.channels.take(4).map { it.name }.toSet() shouldBe setOf("Current 0", "Current 1", "Current 14", "Current 15")
+        statistics.channels.zipWithNext().all { (more, less) -> more.charge!! >= less.charge!! } shouldBe true
     }
 
     test("lines of one graph are also told by how they differ") {

@@ -100,7 +100,7 @@ internal class LogPage(
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
     private val notes = PageNotes(about.fileKey, this.additions.notes)
-    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice).apply {
+    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.notes.now.notes
         this@LogPage.additions.field?.let { field = fieldOfJson(it) }

@@ -20,6 +20,7 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
     val numbers = item.cards.firstOrNull { !it.graph.showsStates }
     val isFixed = graph.yRange != null || graph.rightYRange != null
     return buildList {
+        if (place > 1) add(MenuEntry("Move to the top") { board.change { moved(id, -place) } })
         if (place > 0) add(MenuEntry("Move up") { board.change { moved(id, -1) } })
         if (place < others.size) add(MenuEntry("Move down") { board.change { moved(id, 1) } })
         add(MenuEntry("Add topics…") { topics.open(id) })

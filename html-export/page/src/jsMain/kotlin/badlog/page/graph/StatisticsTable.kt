@@ -5,10 +5,12 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
 import badlog.page.dom.add
+import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
@@ -24,6 +26,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
 
     private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
     private var shown: Span? = null
+    private var order = ChannelOrder.CHARGE
 
     private val wanted get() = scene.cursor.now.between ?: scene.range.now
 
@@ -63,6 +66,31 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
             }
         }
         addDifferences(now)
+        if (graph.series.any { it.topic.name in scene.channels.topics }) addChannels(now)
+    }
+
+    /** Adds what each channel gave; a click on a title sorts. */
+    private fun addChannels(now: Span) = element.add("table", "channels") {
+        add("thead").add("tr") {
+            add("th", "", "Channel")
+            for (by in ChannelOrder.entries) {
+                val title = add("th")
+                if (by == order) title.setAttribute("aria-sort", "descending")
+                title.addButton("text-button", by.title + if (by == order) " ↓" else "", by.hint) {
+                    order = by
+                    update()
+                }
+            }
+            add("th", "", "Share")
+        }
+        add("tbody") {
+            for (channel in scene.channels.ranked(listOf(now), order)) {
+                add("tr") {
+                    add("th", "", channel.name).setAttribute("scope", "row")
+                    for (text in listOf(channel.chargeText, channel.peakText, channel.shareText)) add("td", "", text)
+                }
+            }
+        }
     }
 
     /** Adds how the lines after the first differ from it. */

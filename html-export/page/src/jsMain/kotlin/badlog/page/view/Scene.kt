@@ -10,6 +10,8 @@ import badlog.core.analysis.enabledSpans
 import badlog.rules.Finding
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf
+import badlog.signals.signalTopicsOf
+import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
@@ -24,12 +26,23 @@ import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.shown.outline.traits
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
+import badlog.viewer.shown.statistics.Channels
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 import kotlin.math.abs
 
 /** What all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
-internal class Scene(val view: LogView, val fileName: String, val palette: Palette, val board: PageBoard, val notice: Notice) {
+internal class Scene(
+    val view: LogView,
+    val fileName: String,
+    val palette: Palette,
+    val board: PageBoard,
+    val notice: Notice,
+    signals: SignalVocabulary,
+) {
+    /** The channels of the power distribution, found by the names of signals. */
+    val channels: Channels by lazy { Channels.of(view, signalTopicsOf(view, signals)) }
+
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 

@@ -59,6 +59,9 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     /** Swaps the graph with the one below it. */
     MOVE_DOWN("Board", "Move the graph down", KeyStroke("↓", alt = true)),
 
+    /** Moves the graph above all others. */
+    MOVE_TO_TOP("Board", "Move the graph to the top", KeyStroke("↑", alt = true, shift = true)),
+
     /** Gives the graph the next of three heights. */
     NEXT_HEIGHT("Board", "Next height of the graph", KeyStroke("H")),
 

@@ -23,6 +23,7 @@ fun after(session: Session, shown: Shown, action: Action): Outcome = when (actio
     Action.PREVIOUS_FINDING -> session.visiting(shown, -1)
     Action.MOVE_UP -> session.moved(-1)
     Action.MOVE_DOWN -> session.moved(1)
+    Action.MOVE_TO_TOP -> session.moved(-session.graphs.graphs.size)
     Action.NEXT_HEIGHT -> session.resized()
     Action.UNDO -> Outcome(session.with(session.board.undone()))
     Action.REDO -> Outcome(session.with(session.board.redone()))

@@ -94,6 +94,7 @@ class AfterSpec : FunSpec({
     test("graphs are moved and resized, each of which can be undone and done again") {
         beginning.then(Action.MOVE_UP).names() shouldBe listOf("B", "A", "C")
         beginning.then(Action.MOVE_DOWN).names() shouldBe listOf("A", "C", "B")
+        beginning.then(Action.MOVE_DOWN, Action.MOVE_TO_TOP).names() shouldBe listOf("B", "A", "C")
         after(beginning, log, Action.MOVE_UP).request shouldBe Request.Graph(board.graphs[1].id)
         beginning.then(Action.MOVE_UP, Action.UNDO).names() shouldBe listOf("A", "B", "C")
         beginning.then(Action.MOVE_UP, Action.UNDO, Action.REDO).names() shouldBe listOf("B", "A", "C")
@@ -102,7 +103,7 @@ class AfterSpec : FunSpec({
 
     test("without a graph that keys apply to, the board stays") {
         val session = Session(beginning.place, beginning.board)
-        for (action in listOf(Action.MOVE_UP, Action.MOVE_DOWN, Action.NEXT_HEIGHT)) {
+        for (action in listOf(Action.MOVE_UP, Action.MOVE_DOWN, Action.MOVE_TO_TOP, Action.NEXT_HEIGHT)) {
             after(session, log, action).session shouldBe session
             after(session, log, action).request shouldBe null
         }
