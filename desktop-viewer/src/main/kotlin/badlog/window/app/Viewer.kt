@@ -211,6 +211,7 @@ internal class Viewer(
         scope.launch { settings.autosave() }
         scope.launch { newest.run() }
         scope.launch { newLogs.run() }
+        scope.launch { robot.run() }
     }
 
     /** Shows [recording], which was just read, in one step for all observers. */

@@ -1,5 +1,6 @@
 package badlog.window.robot
 
+import androidx.compose.runtime.snapshotFlow
 import badlog.fetch.FetchException
 import badlog.fetch.FetchListener
 import badlog.fetch.FetchOptions
@@ -47,6 +48,14 @@ internal class RobotLink(
     private val addressesOf: (String) -> List<RobotAddress>,
 ) : StateHolder<RobotLinkState>(RobotLinkState()) {
     private var job: Job? = null
+    private var fetching: Fetching? = null
+
+    /** Says where the robot's logs go when another folder is shown, until cancelled. */
+    suspend fun run() = snapshotFlow(folder).collect { shown ->
+        val now = fetching?.takeIf { state.isOn } ?: return@collect
+        if (shown == null || shown == now.target) return@collect
+        notices.say("The robot’s logs still go into ${now.target}.", NoticeAction("Fetch into this folder") { connect(now.robot) })
+    }
 
     /** Looks for [robot], a team's number or an address, and fetches from it until [disconnect]; [anyway] even if it may be enabled. */
     fun connect(robot: String, anyway: Boolean = false) {
@@ -58,6 +67,7 @@ internal class RobotLink(
         } catch (e: IllegalArgumentException) {
             return change { saying(e.message.orEmpty(), isTrouble = true) }
         }
+        fetching = Fetching(robot, target)
         change { saying("Looking for the robot…").copy(isOn = true) }
         job = scope.launch {
             // Two at a time would interfere with each other.
@@ -116,6 +126,9 @@ internal class RobotLink(
     }
 
     private fun logs(count: Int) = if (count == 1) "1 log" else "$count logs"
+
+    /** The logs of [robot], as a person typed it, go into [target]. */
+    private class Fetching(val robot: String, val target: Path)
 
     /** Reports on the window's thread what happens on another one. */
     private inner class Listener : FetchListener {

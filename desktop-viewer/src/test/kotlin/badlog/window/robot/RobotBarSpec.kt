@@ -81,6 +81,23 @@ class RobotBarSpec : FunSpec({
         }
     }
 
+    test("when another folder is opened, where the robot's logs go is said, and can be changed") {
+        val first = tempdir().toPath()
+        val second = tempdir().toPath()
+        FakeRobot(tempdir().toPath()).use { robot ->
+            beside({ listOf(robot.address()) }, first) { viewer ->
+                viewer.scope.launch { viewer.robot.run() }
+                connect()
+                waitFor { viewer.robot.state.isOn }
+                viewer.library.open(second)
+                waitForNotice(viewer, "The robot’s logs still go into $first.")
+                viewer.notices.all.last().action?.run?.invoke()
+                viewer.library.open(first)
+                waitForNotice(viewer, "The robot’s logs still go into $second.")
+            }
+        }
+    }
+
     test("a robot that nobody trusts is left alone") {
         FakeRobot(tempdir().toPath()).use { robot ->
             DriverStation().use { station ->
