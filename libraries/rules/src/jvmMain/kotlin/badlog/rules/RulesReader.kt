@@ -164,6 +164,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
             unless = toml.optionalStrings(table, "unless"),
             isForEachText = toml.isTrue(table, "each_text"),
             isForWholeLogs = toml.isTrue(table, "whole"),
+            checklist = toml.string(table, "checklist").orEmpty(),
         )
     }
 
@@ -263,7 +264,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
-            "each_text", "whole",
+            "each_text", "whole", "checklist",
         )
         val COMPARISON_KEYS = setOf("name", "severity", "of", "text", "group", "why", "next", "limits")
     }

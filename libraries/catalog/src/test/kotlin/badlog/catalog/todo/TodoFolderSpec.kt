@@ -1,0 +1,102 @@
+package badlog.catalog.todo
+
+import badlog.files.UnwritableFileException
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.todo.FoundLog
+import badlog.viewer.todo.OwnTask
+import badlog.viewer.todo.TodoChange
+import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.toLine
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import kotlin.io.path.appendText
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+
+class TodoFolderSpec : FunSpec({
+    fun change(text: String) = newChange(OwnTask(text), TodoDeed.Open, "Ada", last = null)
+
+    fun texts(files: TodoFiles) = files.changes.map { (it.subject as OwnTask).text }
+
+    test("each computer appends to its own file, and all are read, also what a synced folder calls a conflict") {
+        val folder = tempdir().toPath()
+        val pit = TodoFolder(folder, "Pit Laptop")
+        val drive = TodoFolder(folder, "drive")
+        pit.file.name shouldBe "badlog-todo-pit-laptop.jsonl"
+        pit.read().changes.shouldBeEmpty()
+        pit.append(change("Radio"))
+        val before = pit.file.readText()
+        pit.append(change("Bumpers"))
+        drive.append(change("Camera “left”"))
+        pit.file.readText().take(before.length) shouldBe before
+        folder.resolve("badlog-todo-pit (conflicted copy).jsonl").writeText(before + change("Ladder").toLine())
+        folder.resolve("other.jsonl").writeText("{}")
+        val all = pit.read()
+        texts(all).toSet() shouldBe setOf("Radio", "Bumpers", "Camera “left”", "Ladder")
+        all.problems.shouldBeEmpty()
+        TodoList.of(all.changes, emptyList()).open.size shouldBe 4
+    }
+
+    test("after a line that was cut off, the next one begins on a line of its own, and the rest stays as it is") {
+        val folder = TodoFolder(tempdir().toPath(), "pit")
+        folder.append(change("Radio"))
+        val cut = folder.file.readText() + "{\"id\":\"1\",\"ti"
+        folder.file.writeText(cut)
+        folder.append(change("Bumpers"))
+        texts(folder.read()) shouldContainExactly listOf("Radio", "Bumpers")
+        folder.read().problems shouldContainExactly
+            listOf("Line 2 of badlog-todo-pit.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.")
+        folder.file.readText() shouldContain cut + "\n"
+    }
+
+    test("bytes that are not text cost only their line") {
+        val folder = TodoFolder(tempdir().toPath(), "pit")
+        folder.append(change("Radio"))
+        folder.file.writeBytes(folder.file.readText().encodeToByteArray() + byteArrayOf(-1, 0, -64, '\n'.code.toByte()))
+        folder.append(change("Bumpers"))
+        texts(folder.read()) shouldContainExactly listOf("Radio", "Bumpers")
+        folder.read().problems.size shouldBe 1
+    }
+
+    test("the team’s checklist is read, and what changes is noticed without reading") {
+        val path = tempdir().toPath()
+        val folder = TodoFolder(path, "pit")
+        val empty = folder.stamp()
+        path.resolve("checklist.md").writeText("# Before\r\n- [ ] Battery in\r\n- Bumpers\r\n")
+        folder.read().checklist shouldContainExactlyInAnyOrder listOf("Battery in", "Bumpers")
+        val one = folder.stamp()
+        one shouldNotBe empty
+        folder.append(change("Radio"))
+        val two = folder.stamp()
+        two shouldNotBe one
+        folder.file.appendText(" ")
+        folder.stamp() shouldNotBe two
+    }
+
+    test("a folder that cannot be written says so") {
+        val missing = TodoFolder(tempdir().toPath().resolve("gone"), "pit")
+        shouldThrow<UnwritableFileException> { missing.append(change("Radio")) }.message shouldContain "cannot be written"
+    }
+
+    test("a change is after every change that is known, unless that has a date of long from now") {
+        val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), 77, emptyList())
+        val ahead = newChange(OwnTask("Radio"), TodoDeed.Open, "Ada", log).copy(time = newTime(3600))
+        val next = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead)
+        (next.time > ahead.time) shouldBe true
+        next.run { listOf(author, seen, event) } shouldBe listOf("Ben", 77L, "Mill Creek")
+        val wrong: TodoChange = ahead.copy(time = "2099-01-01T00:00:00.000Z")
+        (newChange(OwnTask("Radio"), TodoDeed.Done(), "Ben", log, wrong).time < wrong.time) shouldBe true
+    }
+})
+
+private fun newTime(ahead: Long) = java.time.Instant.now().plusSeconds(ahead).toString().take(19) + ".000Z"

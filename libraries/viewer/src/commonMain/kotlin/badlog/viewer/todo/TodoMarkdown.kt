@@ -1,0 +1,32 @@
+package badlog.viewer.todo
+
+/** Returns the list and the [checklist] before the next match as Markdown, for a wiki or a chat. */
+fun TodoList.toMarkdown(checklist: List<String> = emptyList()): String = buildString {
+    append("# To do\n")
+    if (open.isEmpty()) append("\nNothing is open.\n")
+    for (item in open) append(itemText(item))
+    val lines = checklist(checklist)
+    if (lines.isNotEmpty()) append("\n## ${plain(checklistTitle(next))}\n")
+    for (line in lines) {
+        append(
+            "\n- ${box(line.done != null)} ${plain(line.check.text)}${line.done?.let {
+                " (${plain(it.by)})"
+            }.orEmpty()}",
+        )
+    }
+    if (lines.isNotEmpty()) append('\n')
+    if (done.isNotEmpty()) append("\n## Done\n")
+    for (item in done) append(itemText(item))
+}
+
+private fun itemText(item: TodoItem): String = buildString {
+    append("\n- ${box(!item.isOpen)} **${plain(item.title)}**")
+    if (item.person.isNotEmpty()) append(" (${plain(item.person)})")
+    for (line in item.lines) append("  \n  ${plain(line)}")
+    append('\n')
+}
+
+private fun box(isTicked: Boolean) = if (isTicked) "[x]" else "[ ]"
+
+/** Returns [text] so that none of its characters is a sign of Markdown. */
+private fun plain(text: String): String = text.replace(Regex("\\s+"), " ").replace(Regex("[\\\\`*_\\[\\]<>#|]")) { "\\${it.value}" }

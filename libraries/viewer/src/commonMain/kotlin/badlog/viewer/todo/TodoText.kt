@@ -1,0 +1,41 @@
+package badlog.viewer.todo
+
+import badlog.viewer.text.countText
+
+/** Returns `Again, after it was done before Qualification 58.`; empty unless the item came back. */
+val TodoItem.againText: String
+    get() = done?.takeIf { isAgain }?.let { mark ->
+        "Again, after it was done ${mark.before?.let { "before $it" } ?: "by ${mark.by}"}."
+    }.orEmpty()
+
+/** Returns `Done before Qualification 58 by Ada: replaced main breaker`. */
+val DoneMark.text: String
+    get() = "Done${before?.let { " before $it" }.orEmpty()} by $by${if (what.isEmpty()) "" else ": $what"}"
+
+/**
+ * Returns what there is to know of the item besides its title, each as a line: that it came back, or how it was done, what was found and
+ * where, and who takes it on.
+ */
+val TodoItem.lines: List<String>
+    get() = listOfNotNull(
+        againText.ifEmpty { null },
+        done?.takeIf { !isOpen || isAgain }?.text,
+        found?.fault?.text,
+        placeText.ifEmpty { null },
+    )
+
+/** Returns where it is from: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag`; empty for what people wrote. */
+val TodoItem.placeText: String
+    get() = when (val task = task) {
+        is NoteTask -> "A note in ${task.log}"
+
+        is OwnTask -> ""
+
+        is FaultTask -> found?.let { last ->
+            val before = last.runs - 1
+            "Found in ${last.log.title}" + if (before > 0) ", and ${countText(before, "log")} before." else "."
+        } ?: "The logs of this folder do not show it."
+    }
+
+/** The title of the checklist before [match]. */
+fun checklistTitle(match: String): String = "Checklist before $match"

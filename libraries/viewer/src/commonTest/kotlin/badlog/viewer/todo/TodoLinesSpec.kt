@@ -1,0 +1,79 @@
+package badlog.viewer.todo
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.long
+import io.kotest.property.arbitrary.map
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
+
+class TodoLinesSpec : FunSpec({
+    val texts = Arb.string(1..30).map { it.ifBlank { "a\n“b”\u2028" } }
+    val numbers = Arb.double().map { if (it.isFinite()) it + 0.0 else 1.5 }
+    val changes = arbitrary {
+        val subject = when (Arb.int(0..4).bind()) {
+            0 -> FaultTask(texts.bind(), texts.orNull().bind())
+            1 -> NoteTask(texts.bind(), numbers.bind(), texts.bind())
+            2 -> OwnTask(texts.bind())
+            3 -> Check(texts.bind(), texts.bind())
+            else -> NextMatch(texts.bind())
+        }
+        val deeds = listOf(TodoDeed.Open, TodoDeed.Remove, TodoDeed.Assign(Arb.string(0..5).bind()), TodoDeed.Done(texts.bind(), texts.orNull().bind()))
+        TodoChange(texts.bind(), "2026-03-07T14:05:12.345Z", texts.bind(), subject, Arb.element(deeds).bind(), Arb.long().orNull().bind(), texts.orNull().bind())
+    }
+
+    test("a change is one line, and is read as it was written") {
+        checkAll(300, changes) { change ->
+            val line = change.toLine()
+            line shouldNotContain "\n"
+            val read = TodoLines.of("$line\n")
+            read.unreadable.shouldBeEmpty()
+            read.changes shouldBe listOf(change)
+        }
+    }
+
+    test("a line is what docs/todo.md says") {
+        val done = TodoDeed.Done("replaced main breaker", "Qualification 58")
+        TodoChange("4f1c", "2026-03-07T14:05:12.345Z", "Ada", FaultTask("Browned out", "PDP/Voltage"), done, 1772891712, "Mill Creek").toLine() shouldBe
+            """{"id":"4f1c","time":"2026-03-07T14:05:12.345Z","by":"Ada","do":"done","what":"replaced main breaker",""" +
+            """"before":"Qualification 58","rule":"Browned out","topic":"PDP/Voltage","event":"Mill Creek","seen":1772891712}"""
+    }
+
+    test("lines that are damaged, or of a newer badlog, are counted, and the others are read; unknown keys are ignored") {
+        val good = TodoChange("1", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Radio"), TodoDeed.Open).toLine()
+        val lines = listOf(
+            good,
+            "",
+            good.dropLast(3),
+            good.replace("\"open\"", "\"postpone\""),
+            good.replace("\"task\"", "\"photo\""),
+            good.replace("T14", " 14"),
+            good.replace("\"Ada\"", "\"\""),
+            "[]",
+            good.replace("}", ",\"color\":\"red\"}").replace("\"1\"", "\"2\""),
+        )
+        val read = TodoLines.of(lines.joinToString("\r\n"))
+        read.changes.map { it.id } shouldBe listOf("1", "2")
+        read.unreadable shouldBe listOf(3, 4, 5, 6, 7, 8)
+    }
+
+    test("whatever is cut off, overwritten or put between, every other line is still read") {
+        val lines = List(6) { TodoChange("$it", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Task $it"), TodoDeed.Done("x", "Playoff 1")).toLine() }
+        checkAll(500, Arb.int(0..5), Arb.int(0..300), Arb.string(0..20)) { damaged, at, junk ->
+            val text = lines.mapIndexed { i, line ->
+                if (i == damaged) line.take(at % line.length) + junk.replace("\n", " ") else line
+            }.joinToString("\n")
+            val read = TodoLines.of(text)
+            read.changes.map { it.id }.filter { it != "$damaged" } shouldBe lines.indices.filter { it != damaged }.map { "$it" }
+            read.changes.size + read.unreadable.size shouldBe lines.size - if (text.split('\n')[damaged].isBlank()) 1 else 0
+        }
+    }
+})
