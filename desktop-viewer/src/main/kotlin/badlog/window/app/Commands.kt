@@ -68,6 +68,9 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     Command("Logs", "Batteries: which to use next, and the matches of each", listOf(KeyPress(Key.B, "B", shift = true))) {
         panels.change { toggled(MainView.BATTERIES) }
     },
+    Command("Logs", "To do: what the team has to do, or the graphs", listOf(KeyPress(Key.D, "D"))) {
+        panels.change { toggled(MainView.TODO) }
+    },
 )
 
 /** Returns the keys for the list of topics. */

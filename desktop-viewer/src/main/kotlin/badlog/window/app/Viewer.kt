@@ -59,6 +59,7 @@ import badlog.window.sidebar.TableSaver
 import badlog.window.sidebar.WindowPanels
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
+import badlog.window.todo.FolderTodo
 import badlog.window.topics.TopicListing
 import badlog.window.topics.foldersOf
 import badlog.window.video.LogVideo
@@ -121,6 +122,7 @@ internal class Viewer(
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
     val charts = FolderCharts(scope, library, files, tasks, notices)
+    val todo = FolderTodo(scope, library, settings, files, tasks, notices)
     val graphs = GraphScene(
         current,
         board,
@@ -173,6 +175,7 @@ internal class Viewer(
         toggleCharts = { panels.change { toggled(MainView.CHARTS) } },
         togglePit = { panels.change { toggled(MainView.PIT) } },
         toggleBatteries = { panels.change { toggled(MainView.BATTERIES) } },
+        toggleTodo = { panels.change { toggled(MainView.TODO) } },
         showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
@@ -212,6 +215,7 @@ internal class Viewer(
         scope.launch { newest.run() }
         scope.launch { newLogs.run() }
         scope.launch { robot.run() }
+        scope.launch { todo.run() }
     }
 
     /** Shows [recording], which was just read, in one step for all observers. */

@@ -35,10 +35,13 @@ import badlog.window.sidebar.InspectorPane
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
 import badlog.window.sidebar.StatisticsTable
+import badlog.window.sidebar.rememberCopy
 import badlog.window.task.StatusLines
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.PaneDivider
 import badlog.window.theme.ViewerTheme
+import badlog.window.todo.TodoDialog
+import badlog.window.todo.TodoPane
 import badlog.window.topics.TopicPane
 import badlog.window.welcome.Welcome
 
@@ -65,6 +68,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         val open = current.recording
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
+                        todo.state.sheet?.let { TodoDialog(todo, it, Modifier.align(Alignment.TopCenter)) }
                         if (panels.state.help) {
                             HelpSheet(commands.map { it.help } + GESTURES + SEARCH_HELP, Modifier.align(Alignment.TopCenter)) {
                                 panels.change { copy(help = false) }
@@ -92,7 +96,9 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
         logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
-        details = { InspectorPane(current, compared, board, view, events, findings, since, notes, video, panels, actions::perform, it) },
+        details = {
+            InspectorPane(current, compared, board, view, events, findings, since, notes, video, todo, panels, actions::perform, it)
+        },
     )
 }
 
@@ -163,9 +169,11 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
             MainView.CHARTS -> ChartsPane(charts, library, settings, logActions, Modifier.fillMaxSize())
 
-            MainView.PIT -> PitPane(library, batteries, logActions, Modifier.fillMaxSize())
+            MainView.PIT -> PitPane(library, batteries, todo, logActions, Modifier.fillMaxSize())
 
             MainView.BATTERIES -> BatteriesPane(batteries, library, logActions, Modifier.fillMaxSize())
+
+            MainView.TODO -> TodoPane(todo, library, logActions, rememberCopy(), Modifier.fillMaxSize())
 
             MainView.STATISTICS -> StatisticsTable(
                 statistics,

@@ -18,6 +18,7 @@ import java.nio.file.Path
  * @property toggleCharts shows charts of the listed logs, or the graphs again.
  * @property togglePit shows the last logs in large letters, or the graphs again.
  * @property toggleBatteries shows the team's batteries, or the graphs again.
+ * @property toggleTodo shows what the team has to do, or the graphs again.
  * @property showGraphs shows the graphs again.
  */
 internal class LibraryActions(
@@ -33,6 +34,7 @@ internal class LibraryActions(
     val toggleCharts: () -> Unit,
     val togglePit: () -> Unit,
     val toggleBatteries: () -> Unit,
+    val toggleTodo: () -> Unit,
     val showGraphs: () -> Unit,
 )
 

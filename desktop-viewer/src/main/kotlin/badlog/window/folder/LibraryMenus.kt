@@ -70,6 +70,10 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
                 isOpen = false
                 actions.toggleBatteries()
             }
+            MenuLine("To do (D)") {
+                isOpen = false
+                actions.toggleTodo()
+            }
             MenuLine("Sound when a log arrives", Icons.Check.takeIf { settings.state.ringsForLogs }) {
                 settings.change { copy(ringsForLogs = !ringsForLogs) }
             }

@@ -47,10 +47,18 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 import badlog.window.theme.ToolButton
+import badlog.window.todo.FolderTodo
+import badlog.window.todo.PitTodo
 
 /** What a pit wants to know between two matches, in letters that are read from two meters: the last log and the ones before it. */
 @Composable
-internal fun PitPane(library: Library, season: FolderSeason, actions: LibraryActions, modifier: Modifier = Modifier) {
+internal fun PitPane(
+    library: Library,
+    season: FolderSeason,
+    todo: FolderTodo,
+    actions: LibraryActions,
+    modifier: Modifier = Modifier,
+) {
     val entries = library.state.entries
     val logs = remember(entries) { PitLogs.of(library.state.ofRobots) }
     Column(modifier.background(LocalPalette.current.surface).semantics { contentDescription = "Pit view" }) {
@@ -62,19 +70,19 @@ internal fun PitPane(library: Library, season: FolderSeason, actions: LibraryAct
             val isReading = library.state.folder != null && (!library.state.hasLooked || library.state.reading != null)
             Large(if (isReading) "Reading the first logs…" else "No log yet. The next one is shown here.", Modifier.padding(24.dp))
         } else {
-            BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, season.state, isNarrow = maxWidth < NARROW, actions) }
+            BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, season.state, todo, isNarrow = maxWidth < NARROW, actions) }
         }
     }
 }
 
 /** The [logs]: where there is no room beside each other, below each other. */
 @Composable
-private fun PitLogsPane(logs: PitLogs<LogEntry>, batteries: Batteries, isNarrow: Boolean, actions: LibraryActions) {
-    val onOpen = actions.openFindings
-    val earlier = @Composable { log: LogEntry, modifier: Modifier -> EarlierLog(log, modifier) { onOpen(log) } }
+private fun PitLogsPane(logs: PitLogs<LogEntry>, batteries: Batteries, todo: FolderTodo, isNarrow: Boolean, actions: LibraryActions) {
+    val earlier = @Composable { log: LogEntry, modifier: Modifier -> EarlierLog(log, modifier) { actions.openFindings(log) } }
     Column(Modifier.fillMaxSize().padding(horizontal = 24.dp).verticalScroll(rememberScrollState()), Arrangement.spacedBy(16.dp)) {
-        LastLog(logs.last) { onOpen(logs.last) }
+        LastLog(logs.last) { actions.openFindings(logs.last) }
         PitBatteries(batteries, actions.toggleBatteries)
+        PitTodo(todo, actions.toggleTodo)
         if (isNarrow) {
             for (log in logs.before) earlier(log, Modifier.fillMaxWidth())
         } else {

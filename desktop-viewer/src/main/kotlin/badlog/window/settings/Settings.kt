@@ -18,6 +18,7 @@ import kotlinx.serialization.Serializable
  * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
  * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
  * @property ringsForLogs whether there is a sound when a log arrives.
+ * @property author the name of the person who changes the list of what to do; empty for that of the system's user.
  */
 @Serializable
 internal data class Settings(
@@ -33,6 +34,7 @@ internal data class Settings(
     val videos: Map<String, String> = emptyMap(),
     val fields: Map<String, String> = emptyMap(),
     val ringsForLogs: Boolean = false,
+    val author: String = "",
 ) {
     /** Remembers that [folder] was opened. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
@@ -70,6 +72,7 @@ internal fun merged(mine: Settings, before: Settings, theirs: Settings): Setting
         videos = merged(mine.videos, before.videos, theirs.videos),
         fields = merged(mine.fields, before.fields, theirs.fields),
         ringsForLogs = of(Settings::ringsForLogs),
+        author = of(Settings::author),
     )
 }
 

@@ -45,6 +45,7 @@ import badlog.rules.SkippedRule
 import badlog.viewer.input.Action
 import badlog.viewer.shown.search.hiddenBySearch
 import badlog.viewer.text.countText
+import badlog.viewer.todo.taskOf
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.FindingList
 import badlog.window.findings.LogFindings
@@ -55,10 +56,15 @@ import badlog.window.folder.Changes
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
+import badlog.window.menu.ContextArea
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
+import badlog.window.todo.FindingMark
+import badlog.window.todo.FindingTodoButtons
+import badlog.window.todo.FolderTodo
+import badlog.window.todo.todoMenu
 
 /**
  * The findings in [open], incidents first, then the worst; a click on a line goes there and shows its evidence. Below are the skipped
@@ -72,6 +78,7 @@ import badlog.window.theme.ToolButton
 internal fun FindingsPanel(
     compared: ComparedRecordings,
     findings: LogFindings,
+    todo: FolderTodo,
     view: AxisView,
     board: GraphBoard,
     open: OpenRecording,
@@ -132,14 +139,22 @@ internal fun FindingsPanel(
         }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                val details = @Composable { finding: Finding -> FindingDetails(findings, view, board, open, finding, times) }
+                val details = @Composable { finding: Finding ->
+                    FindingMark(todo, taskOf(finding))
+                    FindingDetails(findings, view, board, open, finding, times)
+                    FindingTodoButtons(todo, taskOf(finding))
+                }
                 items(found.incidents) { incident ->
                     IncidentLine(incident, times, selected, { goTo(it) }, details)
                 }
 
                 fun lines(listed: List<Finding>) = items(listed, key = { it }) { finding ->
                     val isSelected = finding === selected
-                    FindingLine(finding, times, isSelected, { goTo(finding) }) { if (isSelected) details(finding) }
+                    ContextArea({ todoMenu(todo, taskOf(finding)) }) {
+                        FindingLine(finding, times, isSelected, { goTo(finding) }) {
+                            if (isSelected) details(finding) else FindingMark(todo, taskOf(finding))
+                        }
+                    }
                 }
                 lines(found.beside.outside)
                 if (found.beside.within.isNotEmpty()) {

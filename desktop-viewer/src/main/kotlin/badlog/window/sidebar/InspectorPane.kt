@@ -42,6 +42,7 @@ import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
+import badlog.window.todo.FolderTodo
 import badlog.window.video.LogVideo
 import badlog.window.video.VideoPanel
 import kotlinx.coroutines.launch
@@ -59,6 +60,7 @@ internal fun InspectorPane(
     since: SinceLastMatch,
     notes: LogNotes,
     video: LogVideo,
+    todo: FolderTodo,
     panels: WindowPanels,
     perform: (Action) -> Unit,
     modifier: Modifier = Modifier,
@@ -99,6 +101,7 @@ internal fun InspectorPane(
                 InspectorTab.FINDINGS -> FindingsPanel(
                     compared,
                     findings,
+                    todo,
                     view,
                     board,
                     open,

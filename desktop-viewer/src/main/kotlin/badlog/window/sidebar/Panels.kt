@@ -100,6 +100,9 @@ internal enum class MainView {
 
     /** The team's batteries over the folder's logs. */
     BATTERIES,
+
+    /** What the team has to do. */
+    TODO,
 }
 
 /** Which parts of this window are open. */

@@ -12,7 +12,7 @@ import badlog.core.recording.Severity
  * @property group what it is about, such as `power`; empty for none, and in rules that were read from JSON.
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
  * @property next what to look at next if it holds, as a sentence; empty if not given.
- * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules that were read from JSON.
+ * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
  */
 class Rule internal constructor(
     val name: String,

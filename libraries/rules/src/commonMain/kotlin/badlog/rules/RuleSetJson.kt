@@ -20,10 +20,12 @@ import badlog.signals.vocabulary.toJson
 /**
  * Returns these rules as a line of JSON, with everything that decides what they find in a log. It is in every page, so reasons are
  * omitted, which are in the guide, and so are rules that compare logs.
+ *
+ * @param haveChecklist whether rules also have their lines of the checklist, which pages do not show.
  */
-fun RuleSet.toJson(): String = jsonObject(
+fun RuleSet.toJson(haveChecklist: Boolean = false): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
-    "rules" to jsonArray(rules, ::ruleJson),
+    "rules" to jsonArray(rules) { ruleJson(it, haveChecklist) },
     "signals" to signals.toJson(),
     "causes" to causes.toJson(),
     "devices" to jsonList(devices.devices, ::deviceJson),
@@ -54,7 +56,7 @@ private fun aliasOf(value: JsonValue): Alias {
     return Alias(json.string("name"), json.patterns("names"), json.optional("unit"))
 }
 
-private fun ruleJson(rule: Rule): String = jsonObject(
+private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "name" to quotedJson(rule.name),
     "severity" to quotedJson(rule.severity.name.lowercase()),
     "when" to quotedJson(rule.condition),
@@ -66,6 +68,7 @@ private fun ruleJson(rule: Rule): String = jsonObject(
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },
     "whole" to "true".takeIf { rule.isForWholeLogs },
+    "checklist" to if (hasChecklist) textJson(rule.checklist) else null,
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
 
@@ -86,6 +89,7 @@ private fun ruleOf(value: JsonValue): Rule {
         unless = json.strings("unless"),
         isForEachText = json.isTrue("eachText"),
         isForWholeLogs = json.isTrue("whole"),
+        checklist = json.optional("checklist").orEmpty(),
     )
 }
 

@@ -21,6 +21,6 @@ internal fun builtInRulesFromToml(): RuleSet =
 internal fun main(arguments: Array<String>) {
     val folder = File(arguments.single()).apply { mkdirs() }
     val rules = builtInRulesFromToml()
-    File(folder, RULES_JSON).writeText(rules.toJson())
+    File(folder, RULES_JSON).writeText(rules.toJson(haveChecklist = true))
     File(folder, COMPARISONS_JSON).writeText(comparisonsJson(rules.comparisons))
 }

@@ -22,8 +22,19 @@ class RulesReaderSpec : FunSpec({
 
     test("the built-in rules as the build made JSON of them are those of their file") {
         val made = builtInRulesFromToml()
-        RuleSet.BUILT_IN.toJson() shouldBe made.toJson()
+        RuleSet.BUILT_IN.toJson(haveChecklist = true) shouldBe made.toJson(haveChecklist = true)
         comparisonsJson(RuleSet.BUILT_IN.comparisons) shouldBe comparisonsJson(made.comparisons)
+    }
+
+    test("lines of the checklist come from the rules, each once, and are not in pages") {
+        val rule = "severity=\"note\"\nwhen=\"a > 1\"\ntext=\"x\"\n"
+        val own = listOf("A" to "Battery in", "B" to "", "C" to "Battery in", "D" to "Bumpers tight")
+            .joinToString("") { (name, line) -> "[[rule]]\nname=\"$name\"\nchecklist=\"$line\"\n$rule" }
+        val rules = RulesFile.parse(own).rules
+        rules.checklist shouldBe listOf("Battery in", "Bumpers tight")
+        checkNotNull(RuleSet.fromJson(rules.toJson())).checklist shouldBe emptyList()
+        RulesFile.parse("extends = \"default\"\n$own").rules.checklist shouldBe RuleSet.BUILT_IN.checklist + rules.checklist
+        RuleSet.BUILT_IN.checklist.size shouldBe 5
     }
 
     test("a file without rules is fine") {

@@ -45,9 +45,9 @@ class TodoList private constructor(
             val recorded = logs.distinct().sortedWith(compareByDescending<FoundLog> { it.second }.thenBy { it.name }.thenBy { "$it" })
             val found = lastFound(recorded)
             val ofSubjects = ordered.groupBy { it.subject }
-            val recent = recorded.map { it.title }.distinct().take(RECENT_RUNS).toSet()
+            val recent = recentOf(recorded).toSet()
             val tasks = ofSubjects.keys.filterIsInstance<TodoTask>().toSet() +
-                found.filterValues { it.severity == Severity.ERROR && it.log.title in recent }.keys
+                found.filterValues { it.severity == Severity.ERROR && it.log in recent }.keys
             val items = tasks.mapNotNull { task -> itemOf(task, ofSubjects[task].orEmpty(), found, recorded) }
             val checks = ofSubjects.keys.filterIsInstance<Check>().mapNotNull { check ->
                 ofSubjects.getValue(check).lastOrNull { it.deed !is TodoDeed.Assign }?.mark()?.let { check to it }
@@ -80,6 +80,17 @@ class TodoList private constructor(
         /** The list of those who have not written anything, and have no logs. */
         val EMPTY: TodoList = of(emptyList(), emptyList())
     }
+}
+
+/**
+ * Returns those of [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
+ * logs between matches do not count.
+ */
+fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
+    val latestFirst = logs.sortedByDescending { it.second }
+    val runs = latestFirst.filter { it.match.match != null }.ifEmpty { latestFirst }.groupBy { it.title }.values
+    val begin = runs.take(TodoList.RECENT_RUNS).lastOrNull()?.first()?.second ?: return emptyList()
+    return logs.filter { it.second >= begin }
 }
 
 /**

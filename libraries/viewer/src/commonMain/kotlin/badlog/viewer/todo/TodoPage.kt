@@ -13,6 +13,7 @@ fun TodoList.toPage(place: String, checklist: List<String> = emptyList()): Strin
     append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
     append("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n")
     append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
+    append("$GENERATOR\n")
     append("<title>${html(title)}</title>\n<style>$STYLE</style>\n</head>\n<body>\n<h1>${html(title)}</h1>\n")
     if (open.isEmpty()) append("<p>Nothing is open.</p>\n") else appendItems(open)
     val lines = checklist(checklist)
@@ -30,6 +31,11 @@ fun TodoList.toPage(place: String, checklist: List<String> = emptyList()): Strin
     }
     append("</body>\n</html>\n")
 }
+
+/** Returns whether [begin], the first 1,000 characters of a file, are those of a page that [toPage] returned. */
+fun isTodoPage(begin: String): Boolean = GENERATOR in begin
+
+private const val GENERATOR = "<meta name=\"generator\" content=\"badlog todo\">"
 
 private fun StringBuilder.appendItems(items: List<TodoItem>) {
     append("<ul>\n")

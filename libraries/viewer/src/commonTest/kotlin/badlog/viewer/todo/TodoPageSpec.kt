@@ -57,6 +57,8 @@ class TodoPageSpec : FunSpec({
         page shouldContain "<p>Done before Qualification 58 by Ada: new cable</p>"
         page shouldContain "Bumpers tight"
         page shouldNotContain "<script"
+        isTodoPage(page.take(1000)) shouldBe true
+        isTodoPage("<!DOCTYPE html>") shouldBe false
         TodoList.EMPTY.toPage("logs") shouldContain "<p>Nothing is open.</p>"
     }
 })

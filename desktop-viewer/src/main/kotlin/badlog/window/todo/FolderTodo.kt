@@ -1,0 +1,164 @@
+package badlog.window.todo
+
+import androidx.compose.runtime.snapshotFlow
+import badlog.catalog.examine.ExaminedLog
+import badlog.catalog.folder.LogEntry
+import badlog.catalog.todo.TodoFiles
+import badlog.catalog.todo.TodoFolder
+import badlog.catalog.todo.newChange
+import badlog.core.recording.Severity
+import badlog.files.writeAtomically
+import badlog.rules.folder.FolderRules
+import badlog.viewer.todo.FaultTask
+import badlog.viewer.todo.FoundFault
+import badlog.viewer.todo.FoundLog
+import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoSubject
+import badlog.viewer.todo.recentOf
+import badlog.viewer.todo.toMarkdown
+import badlog.viewer.todo.toPage
+import badlog.window.files.FileChoice
+import badlog.window.files.askToWrite
+import badlog.window.folder.Library
+import badlog.window.settings.SettingsStore
+import badlog.window.state.StateHolder
+import badlog.window.task.LongTasks
+import badlog.window.task.Notices
+import badlog.window.task.openAction
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
+import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
+
+/** The team's list beside the logs of the open folder, which other laptops may change as well. Use it only on the window's thread. */
+internal class FolderTodo(
+    private val scope: CoroutineScope,
+    private val library: Library,
+    private val settings: SettingsStore,
+    private val files: FileChoice,
+    private val tasks: LongTasks,
+    private val notices: Notices,
+) : StateHolder<TodoState>(TodoState()) {
+    private val writing = Mutex()
+
+    /** Who changes the list here. */
+    val author: String get() = settings.state.author.ifBlank { System.getProperty("user.name").orEmpty() }.ifBlank { "somebody" }
+
+    /** Follows the open folder, until cancelled. */
+    suspend fun run() = snapshotFlow { library.state.folder }.collectLatest { path ->
+        change { TodoState() }
+        if (path == null) return@collectLatest
+        val folder = withContext(Dispatchers.IO) { TodoFolder(path) }
+        change { copy(folder = folder) }
+        coroutineScope {
+            launch { followFiles(folder, path) }
+            launch { followLogs() }
+        }
+    }
+
+    private suspend fun followFiles(folder: TodoFolder, path: Path) {
+        var last: List<Any>? = null
+        var reported = emptyList<String>()
+        while (true) {
+            val stamp = withContext(Dispatchers.IO) { folder.stamp() }
+            if (stamp != last) {
+                val (read, ofRules) = withContext(Dispatchers.IO) { readIn(folder, path) }
+                change { reading(read, ofRules) }
+                (read.problems - reported.toSet()).forEach(notices::complain)
+                reported = read.problems
+            }
+            last = stamp
+            delay(PERIOD)
+        }
+    }
+
+    private fun readIn(folder: TodoFolder, path: Path): Pair<TodoFiles, List<String>> = try {
+        folder.read()
+    } catch (e: IOException) {
+        TodoFiles(problems = listOf(e.message.orEmpty()))
+    } to FolderRules.of(path.resolve("any"), path).rules.checklist
+
+    private suspend fun followLogs() {
+        val known = HashMap<LogEntry, List<FoundFault>>()
+        snapshotFlow { examinedLogs() to state.list.rules }.collectLatest { (entries, rules) ->
+            val examined = library.examined
+            val logs = withContext(Dispatchers.IO) { foundLogs(entries, rules, known, examined) }
+            if (logs != state.logs) change { copy(logs = logs) }
+        }
+    }
+
+    private fun examinedLogs() = library.state.ofRobots.filter { !it.isGray && it.found?.rules != null }
+
+    /** Writes that [by] did [deed] to [subject]. It is on the list at once, and in the file soon. */
+    fun write(subject: TodoSubject, deed: TodoDeed, by: String = author) {
+        val folder = state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
+        val before = (state.files.changes + state.written).maxByOrNull { it.time }
+        val made = newChange(subject, deed, by, state.logs.maxByOrNull { it.second }, before)
+        change { copy(written = written + made) }
+        scope.launch {
+            try {
+                writing.withLock { withContext(Dispatchers.IO) { folder.append(made) } }
+            } catch (e: IOException) {
+                change { copy(written = written - made) }
+                notices.complain(e.message.orEmpty())
+            }
+        }
+    }
+
+    /** Remembers that the person at this computer is [name]. */
+    fun rememberAuthor(name: String) {
+        if (name.isNotBlank()) settings.change { copy(author = name.trim()) }
+    }
+
+    /** Opens [sheet]; null closes the open one. */
+    fun ask(sheet: TodoSheet?) = change { copy(sheet = sheet) }
+
+    /** The list and the checklist as Markdown. */
+    fun markdown(): String = state.list.toMarkdown(state.lines)
+
+    /** Asks for a file, and writes the list and the checklist to it as a page. */
+    fun savePage() {
+        val folder = library.state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
+        val file = askToWrite(files, notices, "Save the list", folder, "to-do", ".html") ?: return
+        val page = state.list.toPage("${folder.fileName ?: folder}", state.lines)
+        tasks.run("Saving ${file.fileName}", { writeAtomically(file) { it.write(page.encodeToByteArray()) } }) {
+            notices.say("Saved $file.", openAction(file, scope, notices))
+        }
+    }
+
+    private companion object {
+        val PERIOD = 2.seconds
+    }
+}
+
+/** The names of the rules whose findings are on the list. */
+private val TodoList.rules: Set<String> get() = (open + done).mapNotNullTo(HashSet()) { (it.task as? FaultTask)?.rule }
+
+/**
+ * Returns what [entries] say for the list. What the rules found is read only where it may matter: [rules] are on the list, or the log is one of
+ * the last with an error.
+ *
+ * @param known what was read before.
+ */
+private fun foundLogs(
+    entries: List<LogEntry>,
+    rules: Set<String>,
+    known: MutableMap<LogEntry, List<FoundFault>>,
+    examined: (LogEntry) -> ExaminedLog?,
+): List<FoundLog> {
+    val logs = entries.map { FoundLog(it.fileName, it.summary.match, it.summary.date.second, emptyList()) }
+    val recent = recentOf(logs).toSet()
+    return entries.zip(logs).map { (entry, log) ->
+        val isWanted = entry.found?.rules.orEmpty().any { it.name in rules || (log in recent && it.severity == Severity.ERROR) }
+        if (isWanted) log.copy(faults = known.getOrPut(entry) { examined(entry)?.findings.orEmpty().map(FoundFault::of) }) else log
+    }
+}

@@ -1,0 +1,55 @@
+package badlog.window.todo
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.todo.TodoItem
+import badlog.window.theme.LocalPalette
+
+/** What is still open, in letters that are read from two meters, and how much of the checklist is ticked; [onOpen] shows the whole list. */
+@Composable
+internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
+    val palette = LocalPalette.current
+    val open = todo.state.list.open
+    val checks = todo.state.checklist
+    if (todo.state.folder == null || (open.isEmpty() && checks.isEmpty())) return
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .background(palette.raised, RoundedCornerShape(12.dp))
+            .clickable(role = Role.Button, onClickLabel = "Show what is to do", onClick = onOpen)
+            .padding(horizontal = 24.dp, vertical = 16.dp),
+        Arrangement.spacedBy(6.dp),
+    ) {
+        Line(if (open.isEmpty()) "Nothing is open" else "To do", weight = FontWeight.SemiBold)
+        for (item in open.take(MOST)) Line("• ${textOf(item)}", if (item.isAgain) palette.error else palette.text)
+        if (open.size > MOST) Line("and ${open.size - MOST} more", palette.muted)
+        if (checks.isNotEmpty()) {
+            val ticked = checks.count { it.done != null }
+            Line("Checklist before ${todo.state.list.next}: $ticked of ${checks.size}", palette.muted)
+        }
+    }
+}
+
+private fun textOf(item: TodoItem): String =
+    item.title + (if (item.isAgain) ", again" else "") + if (item.person.isEmpty()) "" else " (${item.person})"
+
+@Composable
+private fun Line(text: String, color: Color = LocalPalette.current.text, weight: FontWeight = FontWeight.Normal) =
+    Text(text, color = color, fontSize = 28.sp, lineHeight = 36.sp, fontWeight = weight, maxLines = 1, overflow = TextOverflow.Ellipsis)
+
+/** As many as are read at a glance. */
+private const val MOST = 4

@@ -1,0 +1,137 @@
+package badlog.window.todo
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsOff
+import androidx.compose.ui.test.assertIsOn
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.putSamples
+import badlog.catalog.todo.TodoFolder
+import badlog.catalog.todo.newChange
+import badlog.files.UserFolders
+import badlog.viewer.todo.OwnTask
+import badlog.viewer.todo.TodoDeed
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.files.ChosenFiles
+import badlog.window.sidebar.MainView
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+
+@OptIn(ExperimentalTestApi::class)
+class TodoPaneSpec : FunSpec({
+    fun onFolder(main: MainView = MainView.TODO, page: Path? = null, steps: DesktopComposeUiTest.(Viewer, Path) -> Unit) {
+        val home = tempdir().toPath()
+        val folder = tempdir().toPath().also { it.putSamples() }
+        folder.resolve("checklist.md").writeText("# Before each match\n- [ ] Bumpers are tight\n")
+        val viewer = Viewer(MainScope(), UserFolders(home, home), files = ChosenFiles(page))
+        viewer.panels.change { copy(main = main) }
+        viewer.settings.change { copy(author = "Ada") }
+        runDesktopComposeUiTest(1366, 900) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.todo.run() }
+            viewer.library.open(folder)
+            waitFor { viewer.todo.state.list.open.isNotEmpty() && viewer.todo.state.lines.size > 1 }
+            try {
+                steps(viewer, folder)
+            } finally {
+                viewer.library.close()
+            }
+        }
+    }
+
+    fun open(viewer: Viewer) = viewer.todo.state.list.open.map { it.title }
+
+    test("an error is there by itself, is marked as done in a dialog, and its line is in the file") {
+        onFolder { viewer, folder ->
+            val title = open(viewer).first()
+            onNodeWithContentDescription("Mark as done: $title").performClick()
+            onNodeWithContentDescription("What was done").performTextInput("replaced main breaker")
+            onNodeWithContentDescription("Before which match").performTextReplacement("q58")
+            onNodeWithContentDescription("By whom").performKeyInput { pressKey(Key.Enter) }
+            onNodeWithContentDescription("To do sheet").assertDoesNotExist()
+            (title in open(viewer)) shouldBe false
+            onNodeWithText("Done: 1").performClick()
+            onNodeWithText("Done before Qualification 58 by Ada: replaced main breaker").assertExists()
+            val file = TodoFolder(folder).file
+            waitFor { file.exists() && file.readText().endsWith("\n") }
+            file.readText() shouldContain "\"what\":\"replaced main breaker\",\"before\":\"Qualification 58\""
+            onNodeWithContentDescription("Not done: $title").performClick()
+            (title in open(viewer)) shouldBe true
+        }
+    }
+
+    test("an own item is added and assigned; what another laptop writes appears; the checklist is ticked for one match") {
+        onFolder { viewer, folder ->
+            onNodeWithContentDescription("New item").performClick()
+            onNodeWithContentDescription("What is to be done").performTextInput("Check the radio")
+            onNodeWithContentDescription("Who takes it on; nobody if empty").performTextInput("Ben")
+            onNodeWithContentDescription("Add (Enter)").performClick()
+            onNodeWithText("Ben").assertExists()
+            TodoFolder(folder, "other").append(newChange(OwnTask("Tighten bumpers"), TodoDeed.Open, "Cem", last = null))
+            waitFor { "Tighten bumpers" in open(viewer) }
+            onNodeWithText("Tighten bumpers").assertExists()
+            onNodeWithContentDescription("Check: Bumpers are tight").performClick()
+            onNodeWithContentDescription("Check: Bumpers are tight").assertIsOn()
+            onNodeWithContentDescription("Set the next match").performClick()
+            onNodeWithContentDescription("Next match, such as Qualification 61 or q61").performTextInput("q61")
+            onNodeWithContentDescription("Set (Enter)").performClick()
+            onNodeWithText("Checklist before Qualification 61").assertExists()
+            onNodeWithContentDescription("Check: Bumpers are tight").assertIsOff()
+            waitFor { viewer.todo.state.written.isEmpty() }
+            viewer.todo.state.files.changes shouldHaveSize 5
+        }
+    }
+
+    test("the list is saved as a page, and is Markdown for the clipboard") {
+        val page = tempdir().toPath().resolve("list.html")
+        onFolder(page = page) { viewer, _ ->
+            onNodeWithContentDescription("Save the list as a page").performClick()
+            waitFor { page.exists() && viewer.tasks.all.isEmpty() }
+            page.readText() shouldContain "Bumpers are tight"
+            viewer.todo.markdown() shouldContain "- [ ] **${open(viewer).first()}**"
+        }
+    }
+
+    test("the pit view shows what is open, and a click on it shows the list") {
+        onFolder(MainView.PIT) { viewer, _ ->
+            onNodeWithText("• ${open(viewer).first()}").performClick()
+            viewer.panels.state.main shouldBe MainView.TODO
+        }
+    }
+
+    test("a finding of the open log says what became of it, and is assigned below it") {
+        onFolder(MainView.GRAPHS) { viewer, _ ->
+            viewer.scope.launch { viewer.findings.run() }
+            val item = viewer.todo.state.list.open.first()
+            viewer.todo.write(item.task, TodoDeed.Done("new lead", "Qualification 58"))
+            viewer.logActions.openFindings(viewer.library.state.entries.first { it.fileName == item.found?.log?.name })
+            waitFor { viewer.findings.selected != null }
+            viewer.findings.goTo(viewer.findings.state.list!!.all.first { it.rule == item.title })
+            waitForIdle()
+            onNodeWithText("Done before Qualification 58 by Ada: new lead").assertExists()
+            onNodeWithContentDescription("Assign…: ${item.title}").performClick()
+            onNodeWithContentDescription("Who takes it on; nobody if empty").performTextInput("Ben")
+            onNodeWithContentDescription("Assign (Enter)").performClick()
+            viewer.todo.state.list.item(item.task)?.person shouldBe "Ben"
+        }
+    }
+})
