@@ -27,6 +27,7 @@ import badlog.cli.replay.ReplayCommand
 import badlog.cli.report.ReportCommand
 import badlog.cli.sql.SqlCommand
 import badlog.cli.table.TableCommand
+import badlog.cli.todo.TodoCommand
 import badlog.exporter.BADLOG_VERSION
 import badlog.formats.READABLE_LOGS
 import com.github.ajalt.clikt.completion.CompletionGenerator
@@ -76,6 +77,7 @@ internal class BadlogCommand(
         FindCommand(),
         TableCommand(),
         ReportCommand(parts),
+        TodoCommand(),
         AssignCommand(),
         RulesCommand(),
         ReplayCommand(),

@@ -28,7 +28,7 @@ class RulesReaderSpec : FunSpec({
 
     test("lines of the checklist come from the rules, each once, and are not in pages") {
         val rule = "severity=\"note\"\nwhen=\"a > 1\"\ntext=\"x\"\n"
-        val own = listOf("A" to "Battery in", "B" to "", "C" to "Battery in", "D" to "Bumpers tight")
+        val own = listOf("A" to "Battery in", "B" to "Battery in", "C" to "Bumpers tight")
             .joinToString("") { (name, line) -> "[[rule]]\nname=\"$name\"\nchecklist=\"$line\"\n$rule" }
         val rules = RulesFile.parse(own).rules
         rules.checklist shouldBe listOf("Battery in", "Bumpers tight")

@@ -1,0 +1,105 @@
+package badlog.cli.todo
+
+import badlog.catalog.todo.TodoFiles
+import badlog.catalog.todo.TodoFolder
+import badlog.cli.command.ExitCode
+import badlog.cli.command.LogFiles
+import badlog.cli.command.Task
+import badlog.cli.console.Console
+import badlog.cli.console.Spelling
+import badlog.cli.search.rulesBeside
+import badlog.files.LogFile
+import badlog.files.UnreadableFileException
+import badlog.files.writeAtomically
+import badlog.report.LogReport
+import badlog.report.Report
+import badlog.signals.match.localSecondOf
+import badlog.viewer.todo.FoundFault
+import badlog.viewer.todo.FoundLog
+import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.isTodoPage
+import badlog.viewer.todo.toMarkdown
+import badlog.viewer.todo.toPage
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Prints the list that is beside the logs in [folder].
+ *
+ * @param page where it is also written as a page; null for nowhere.
+ * @param cache the folder for cached findings; null for none.
+ */
+internal class TodoTask(private val folder: Path, private val form: TodoForm, private val page: PagePlan?, private val cache: Path?) :
+    Task {
+    override fun run(console: Console): ExitCode {
+        if (!Files.isDirectory(folder)) {
+            console.warn("$folder is not a folder; name the folder of the logs, which has the list.")
+            return ExitCode.NOTHING
+        }
+        val files = try {
+            TodoFolder(folder).read()
+        } catch (e: UnreadableFileException) {
+            console.warn(e.message)
+            return ExitCode.NOTHING
+        }
+        val rules = rulesBeside(listOf(folder), console::warn)
+        val logs = LogFiles(listOf(folder), console).files
+        val result = console.progress("todo").use { bar ->
+            Report(rules, cache = cache).over(logs, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
+        }
+        val list = TodoList.of(files.changes, result.logs.filter { it.unreadable == null }.map(::foundIn))
+        val lines = (rules.checklist + files.checklist).distinct()
+        if (page != null && !written(page, list, lines, console)) return ExitCode.NOTHING
+        when (form) {
+            TodoForm.TEXT -> console.say(todoText(list, lines, console.width))
+            TodoForm.MARKDOWN -> console.say(list.toMarkdown(lines).trimEnd())
+            TodoForm.JSON -> for (line in todoJson(list, lines)) console.say(Spelling.ascii("$line"))
+        }
+        return codeOf(files, result.logs, console)
+    }
+
+    private fun written(page: PagePlan, list: TodoList, lines: List<String>, console: Console): Boolean = try {
+        page.write(list.toPage("${folder.toAbsolutePath().normalize().fileName ?: folder}", lines))
+        if (form != TodoForm.JSON) console.warn("The page is ${page.file}.")
+        true
+    } catch (e: IOException) {
+        console.warn(e.message ?: "${page.file} cannot be written.")
+        false
+    }
+
+    private fun codeOf(files: TodoFiles, logs: List<LogReport>, console: Console): ExitCode {
+        files.problems.forEach(console::warn)
+        val unreadable = logs.filter { it.unreadable != null && !it.isNoLog }
+        for (log in unreadable) console.warn("${log.file.path}: ${log.unreadable}")
+        return if (files.problems.isEmpty() && unreadable.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
+    }
+}
+
+private fun foundIn(log: LogReport) = FoundLog(log.file.name, log.match, log.began ?: writtenAt(log.file), log.findings.map(FoundFault::of))
+
+private fun writtenAt(file: LogFile) = localSecondOf(file.modified.floorDiv(MILLIS))
+
+private const val MILLIS = 1000L
+
+/** Where a page goes, [file], and whether something else there [isForced] out of the way. */
+internal class PagePlan(val file: Path, private val isForced: Boolean) {
+    /**
+     * Writes [page].
+     *
+     * @throws IOException with a sentence for the user, if it cannot be written or would replace something else.
+     */
+    fun write(page: String) {
+        if (Files.isDirectory(file)) throw IOException("$file is a folder; name a file for the page, such as list.html.")
+        if (!isForced && Files.exists(file) && !isTodoPage(beginOf(file))) {
+            throw IOException("$file exists already and is not such a page; choose another name, or add --force.")
+        }
+        writeAtomically(file) { it.write(page.encodeToByteArray()) }
+    }
+
+    private fun beginOf(file: Path) = Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() }
+
+    private companion object {
+        const val BEGIN = 1024
+    }
+}
