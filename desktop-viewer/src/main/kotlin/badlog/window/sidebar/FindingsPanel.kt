@@ -61,9 +61,9 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
-import badlog.window.todo.FindingMark
-import badlog.window.todo.FindingTodoButtons
 import badlog.window.todo.FolderTodo
+import badlog.window.todo.TodoButtons
+import badlog.window.todo.TodoMark
 import badlog.window.todo.todoMenu
 
 /**
@@ -140,9 +140,9 @@ internal fun FindingsPanel(
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
                 val details = @Composable { finding: Finding ->
-                    FindingMark(todo, taskOf(finding))
+                    TodoMark(todo, taskOf(finding))
                     FindingDetails(findings, view, board, open, finding, times)
-                    FindingTodoButtons(todo, taskOf(finding))
+                    TodoButtons(todo, taskOf(finding))
                 }
                 items(found.incidents) { incident ->
                     IncidentLine(incident, times, selected, { goTo(it) }, details)
@@ -152,7 +152,7 @@ internal fun FindingsPanel(
                     val isSelected = finding === selected
                     ContextArea({ todoMenu(todo, taskOf(finding)) }) {
                         FindingLine(finding, times, isSelected, { goTo(finding) }) {
-                            if (isSelected) details(finding) else FindingMark(todo, taskOf(finding))
+                            if (isSelected) details(finding) else TodoMark(todo, taskOf(finding))
                         }
                     }
                 }

@@ -111,7 +111,7 @@ internal fun InspectorPane(
                     Modifier.fillMaxSize(),
                 )
 
-                InspectorTab.NOTES -> NotesPanel(notes, view, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.NOTES -> NotesPanel(notes, todo, view, open, showGraphs, Modifier.fillMaxSize())
 
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
             }

@@ -37,15 +37,19 @@ import androidx.compose.ui.unit.dp
 import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
+import badlog.viewer.todo.NoteTask
 import badlog.window.log.AxisView
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
+import badlog.window.todo.FolderTodo
+import badlog.window.todo.TodoButtons
+import badlog.window.todo.TodoMark
 
 /** The notes of [open], each with a link to its moment, which also calls [onGo], and the field for writing one. */
 @Composable
-internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
+internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val times = remember(open) { EventTimes(open) }
     Column(modifier) {
         val draft = notes.draft
@@ -61,7 +65,8 @@ internal fun NotesPanel(notes: LogNotes, view: AxisView, open: OpenRecording, on
         }
         LazyColumn {
             items(notes.all) { note ->
-                NoteLine(notes, note, times) {
+                val task = NoteTask(open.file.fileName.toString(), note.x + 0.0, note.text)
+                NoteLine(notes, note, times, todo, task) {
                     view.go { at(note.x) }
                     onGo()
                 }
@@ -114,7 +119,7 @@ private fun hears(event: KeyEvent, notes: LogNotes): Boolean {
 }
 
 @Composable
-private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, onClick: () -> Unit) {
+private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, todo: FolderTodo, task: NoteTask, onClick: () -> Unit) {
     Column(Modifier.inspectorLine("Note: ${note.text}", isSelected = false, gap = 4.dp, onClick)) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)
@@ -122,5 +127,7 @@ private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, onClick: ()
             ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note) }
         }
         Text(note.text)
+        TodoMark(todo, task)
+        TodoButtons(todo, task)
     }
 }

@@ -4,6 +4,7 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
@@ -34,12 +35,13 @@ internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
             .padding(horizontal = 24.dp, vertical = 16.dp),
         Arrangement.spacedBy(6.dp),
     ) {
-        Line(if (open.isEmpty()) "Nothing is open" else "To do", weight = FontWeight.SemiBold)
-        for (item in open.take(MOST)) Line("• ${textOf(item)}", if (item.isAgain) palette.error else palette.text)
-        if (open.size > MOST) Line("and ${open.size - MOST} more", palette.muted)
-        if (checks.isNotEmpty()) {
-            val ticked = checks.count { it.done != null }
-            Line("Checklist before ${todo.state.list.next}: $ticked of ${checks.size}", palette.muted)
+        FlowRow(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
+            Line(if (open.isEmpty()) "Nothing is open" else "To do", weight = FontWeight.SemiBold)
+            if (checks.isNotEmpty()) Line("Checklist: ${checks.count { it.done != null }} of ${checks.size}", palette.muted)
+        }
+        FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(32.dp)) {
+            for (item in open.take(MOST)) Line("• ${textOf(item)}", if (item.isAgain) palette.error else palette.text)
+            if (open.size > MOST) Line("and ${open.size - MOST} more", palette.muted)
         }
     }
 }

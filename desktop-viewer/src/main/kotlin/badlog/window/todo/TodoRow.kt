@@ -60,7 +60,9 @@ internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (
         Row(Modifier, Arrangement.spacedBy(2.dp)) {
             if (log != null) ToolButton("Show what was found in ${log.title}", Icons.Graph) { onOpen(log) }
             // The box is the first of them.
-            for (offer in todoOffers(todo, item).drop(1)) ToolButton("${offer.label}: ${item.title}", offer.icon, onClick = offer.run)
+            for (offer in todoOffers(todo, item).drop(1)) {
+                ToolButton("${offer.label}: ${item.title}", offer.icon, offer.label.takeIf { it.endsWith('…') }, onClick = offer.run)
+            }
         }
     }
 }

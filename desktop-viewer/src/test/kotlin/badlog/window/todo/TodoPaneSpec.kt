@@ -16,12 +16,17 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.putSamples
 import badlog.catalog.todo.TodoFolder
 import badlog.catalog.todo.newChange
+import badlog.exporter.NotesFile
 import badlog.files.UserFolders
+import badlog.viewer.choices.note.Note
+import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.OwnTask
 import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.lines
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
+import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
@@ -115,6 +120,20 @@ class TodoPaneSpec : FunSpec({
         onFolder(MainView.PIT) { viewer, _ ->
             onNodeWithText("• ${open(viewer).first()}").performClick()
             viewer.panels.state.main shouldBe MainView.TODO
+        }
+    }
+
+    test("a note of the open log is put on the list") {
+        onFolder(MainView.GRAPHS) { viewer, folder ->
+            viewer.scope.launch { viewer.notes.run() }
+            val log = folder.resolve("practice.bag")
+            NotesFile.write(log, listOf(Note(1.5, "It smells burnt.")))
+            viewer.panels.change { copy(inspector = InspectorTab.NOTES) }
+            viewer.opener.open(viewer.library.state.entries.first { it.file == log })
+            waitFor { viewer.notes.all.isNotEmpty() }
+            onNodeWithContentDescription("Put on the list: It smells burnt.").performClick()
+            val item = viewer.todo.state.list.item(NoteTask("practice.bag", 1.5, "It smells burnt."))
+            item?.lines shouldBe listOf("A note in practice.bag.")
         }
     }
 

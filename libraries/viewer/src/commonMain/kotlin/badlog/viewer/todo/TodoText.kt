@@ -24,10 +24,10 @@ val TodoItem.lines: List<String>
         placeText.ifEmpty { null },
     )
 
-/** Returns where it is from: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag`; empty for what people wrote. */
+/** Returns where it is from: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag.`; empty for what people wrote. */
 val TodoItem.placeText: String
     get() = when (val task = task) {
-        is NoteTask -> "A note in ${task.log}"
+        is NoteTask -> "A note in ${task.log}."
 
         is OwnTask -> ""
 

@@ -14,18 +14,18 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
+import badlog.viewer.todo.TodoTask
 import badlog.viewer.todo.againText
 import badlog.viewer.todo.text
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** What the list says of a finding about [task], below the finding; nothing if nobody has dealt with it. */
+/** What the list says of [task], below the finding or note that it is about; nothing if nobody has dealt with it. */
 @Composable
-internal fun FindingMark(todo: FolderTodo, task: FaultTask) {
+internal fun TodoMark(todo: FolderTodo, task: TodoTask) {
     val palette = LocalPalette.current
     val item = todo.state.list.item(task) ?: return
     val done = item.done
@@ -39,19 +39,20 @@ internal fun FindingMark(todo: FolderTodo, task: FaultTask) {
     if (item.isOpen && item.person.isNotEmpty()) Text("To do: ${item.person}", color = palette.muted, fontSize = 12.sp)
 }
 
-/** The buttons with which a team says what becomes of a finding about [task]. */
+/** The buttons with which a team says what becomes of [task]. */
 @Composable
-internal fun FindingTodoButtons(todo: FolderTodo, task: FaultTask) {
+internal fun TodoButtons(todo: FolderTodo, task: TodoTask) {
     if (todo.state.folder == null) return
+    val item = todo.state.list.itemOrNew(task)
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        for (offer in todoOffers(todo, todo.state.list.itemOrNew(task))) {
-            ToolButton("${offer.label}: ${task.rule}", offer.icon, text = offer.label, onClick = offer.run)
+        for (offer in todoOffers(todo, item)) {
+            ToolButton("${offer.label}: ${item.title}", offer.icon, text = offer.label, onClick = offer.run)
         }
     }
 }
 
-/** Returns the context menu of a finding about [task]. */
-internal fun todoMenu(todo: FolderTodo, task: FaultTask): List<ContextMenuItem> = if (todo.state.folder ==
+/** Returns the context menu of [task]. */
+internal fun todoMenu(todo: FolderTodo, task: TodoTask): List<ContextMenuItem> = if (todo.state.folder ==
     null
 ) {
     emptyList()
