@@ -39,10 +39,11 @@ class TodoSpec : FunSpec({
             before.out shouldContain "Checklist before the match after Qualification 42:"
             before.out shouldContain "[ ] The battery is charged: 12.6 V or more at rest.\n"
             before.out shouldContain "[ ] Bumpers are tight"
-            folder.write(FaultTask("Browned out", null), TodoDeed.Done("new lead", "Qualification 43"))
+            folder.write(FaultTask("Browned out", "System/Browned Out"), TodoDeed.Done("new lead", "Qualification 43"))
             folder.write(OwnTask("Check the radio"), TodoDeed.Assign("Ben"))
             folder.write(Check("Bumpers are tight", "the match after Qualification 42"), TodoDeed.Done())
             val after = badlog("todo", folder, "--no-cache").out
+            after shouldNotContain "[ ] Browned out"
             after shouldContain "[ ] Check the radio (Ben)"
             after shouldContain "[x] Bumpers are tight (Ada)"
             after shouldContain "Done:\n[x] Browned out\n    Done before Qualification 43 by Ada: new lead"
