@@ -52,13 +52,7 @@ import badlog.window.todo.PitTodo
 
 /** What a pit wants to know between two matches, in letters that are read from two meters: the last log and the ones before it. */
 @Composable
-internal fun PitPane(
-    library: Library,
-    season: FolderSeason,
-    todo: FolderTodo,
-    actions: LibraryActions,
-    modifier: Modifier = Modifier,
-) {
+internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, actions: LibraryActions, modifier: Modifier = Modifier) {
     val entries = library.state.entries
     val logs = remember(entries) { PitLogs.of(library.state.ofRobots) }
     Column(modifier.background(LocalPalette.current.surface).semantics { contentDescription = "Pit view" }) {

@@ -34,7 +34,6 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
 import badlog.viewer.todo.NoteTask
@@ -61,7 +60,7 @@ internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open:
             NoteField(notes, draft, times)
         }
         if (notes.all.isEmpty()) {
-            PanelHint("Notes are kept beside the log, in ${NotesFile.of(open.file).fileName}, and exported with its page.")
+            PanelHint("Notes are kept beside the log, in ${open.file.fileName}.notes-….jsonl, and exported with its page.")
         }
         LazyColumn {
             items(notes.all) { note ->

@@ -61,14 +61,17 @@ class LogNotesSpec : FunSpec({
             NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
             onNodeWithText("Remove").performClick()
             waitFor { viewer.notes.all.isEmpty() }
-            Files.exists(NotesFile.of(log)) shouldBe false
+            NotesFile.read(log) shouldBe emptyList()
+            // Nothing is ever taken out of the file.
+            Files.readAllLines(NotesFile.of(log)).size shouldBe 4
+            Files.delete(NotesFile.of(log))
             scope.coroutineContext[Job]?.cancel()
         }
     }
 
     test("a note that is written before those of the log are read replaces none of them") {
         val earlier = listOf(Note(7.0, "from yesterday"))
-        NotesFile.write(log, earlier)
+        NotesFile.update(log, earlier, read = emptyList())
         // Nothing reads them here.
         val viewer = viewer(CoroutineScope(Dispatchers.Unconfined))
         viewer.notes.write(1.0)
@@ -81,7 +84,7 @@ class LogNotesSpec : FunSpec({
     }
 
     test("damaged notes are reported, and nothing replaces them") {
-        Files.writeString(NotesFile.of(log), "damaged")
+        Files.writeString(NotesFile.beginningOf(log), "damaged")
         runDesktopComposeUiTest(360, 600) {
             val scope = CoroutineScope(Dispatchers.Unconfined + Job())
             val viewer = viewer(scope)
@@ -92,7 +95,7 @@ class LogNotesSpec : FunSpec({
             viewer.notes.draft shouldBe null
             scope.coroutineContext[Job]?.cancel()
         }
-        Files.readString(NotesFile.of(log)) shouldBe "damaged"
-        Files.delete(NotesFile.of(log))
+        Files.readString(NotesFile.beginningOf(log)) shouldBe "damaged"
+        Files.delete(NotesFile.beginningOf(log))
     }
 })

@@ -127,7 +127,7 @@ class TodoPaneSpec : FunSpec({
         onFolder(MainView.GRAPHS) { viewer, folder ->
             viewer.scope.launch { viewer.notes.run() }
             val log = folder.resolve("practice.bag")
-            NotesFile.write(log, listOf(Note(1.5, "It smells burnt.")))
+            NotesFile.update(log, listOf(Note(1.5, "It smells burnt.")), read = emptyList())
             viewer.panels.change { copy(inspector = InspectorTab.NOTES) }
             viewer.opener.open(viewer.library.state.entries.first { it.file == log })
             waitFor { viewer.notes.all.isNotEmpty() }

@@ -1,31 +1,77 @@
 package badlog.exporter
 
-import badlog.files.writeAtomically
+import badlog.files.appendLines
+import badlog.files.appendedText
+import badlog.files.computerName
+import badlog.files.reading
+import badlog.viewer.choices.changeTime
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteChange
 import badlog.viewer.choices.note.NotesException
-import badlog.viewer.choices.note.notesMergedWith
+import badlog.viewer.choices.note.noteChangesOf
+import badlog.viewer.choices.note.notesOf
 import badlog.viewer.choices.note.notesOfJson
-import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLine
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.UUID
 
-/** The file with the notes of one log, beside it: `q42.bag.notes.json` for `q42.bag`. */
+/**
+ * The files with the notes of one log, beside it. Each computer appends lines to its own, `q42.bag.notes-pit.jsonl` for `q42.bag`, and all of
+ * them are read, so that a synced folder or git has nothing to resolve. What older versions wrote in `q42.bag.notes.json` is the beginning.
+ */
 object NotesFile {
     /** Larger files are not notes of a log. */
     private const val MAX_BYTES = 16L shl 20
 
-    /** Returns the path of the notes of [log], whether or not they exist. */
-    fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes.json")
+    /** Returns the path of the notes of [log] that older versions wrote, whether or not they exist. */
+    fun beginningOf(log: Path): Path = log.resolveSibling("${log.fileName}.notes.json")
+
+    /** Returns the path to which this computer appends the notes of [log]. */
+    fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes-$computerName.jsonl")
 
     /**
      * Returns the notes of [log], in the order of x; none if it has no such file.
      *
-     * @throws NotesException with a sentence for the user, if the file is damaged or cannot be read.
+     * @throws NotesException with a sentence for the user, if a file is damaged or cannot be read.
      */
-    fun read(log: Path): List<Note> {
-        val file = of(log)
+    fun read(log: Path): List<Note> = notesOf(beginning(log), changes(log))
+
+    /**
+     * Stores [notes] as those of [log], with what others have changed since they were [read]. Returns what is stored.
+     *
+     * @throws IOException with a sentence for the user, if it cannot be written.
+     * @throws NotesException if somebody has damaged a file meanwhile; it stays as it is.
+     */
+    fun update(log: Path, notes: List<Note>, read: List<Note>): List<Note> {
+        beginning(log)
+        var last = changes(log).maxOfOrNull { it.time }
+        val author = System.getProperty("user.name").orEmpty()
+        val lines = ((read - notes.toSet()).map { it to true } + (notes - read.toSet()).map { it to false }).map { (note, isRemoved) ->
+            val time = changeTime(last).also { last = it }
+            NoteChange(UUID.randomUUID().toString(), time, author, note, isRemoved).toLine()
+        }
+        if (lines.isNotEmpty()) appendLines(of(log), lines)
+        return read(log)
+    }
+
+    private fun changes(log: Path): List<NoteChange> = try {
+        filesOf(log).flatMap { noteChangesOf(appendedText(it)) }
+    } catch (e: IOException) {
+        throw NotesException(e.message ?: "The notes of ${log.fileName} cannot be read.")
+    }
+
+    private fun filesOf(log: Path): List<Path> {
+        val folder = log.toAbsolutePath().parent
+        val begin = "${log.fileName}.notes"
+        fun isOne(file: Path) = file.fileName.toString().let { it.startsWith(begin) && it.endsWith(".jsonl") } && Files.isRegularFile(file)
+        return reading(folder) { Files.newDirectoryStream(folder, ::isOne).use { it.toList() } }
+    }
+
+    private fun beginning(log: Path): List<Note> {
+        val file = beginningOf(log)
         return try {
             if (!Files.isRegularFile(file)) return emptyList()
             if (Files.size(file) > MAX_BYTES) throw NotesException("It is too large.")
@@ -36,32 +82,6 @@ object NotesFile {
             throw NotesException("The notes in ${file.fileName} are damaged: they are not text. Repair the file, or delete it.")
         } catch (e: IOException) {
             throw NotesException("The notes in ${file.fileName} cannot be read: ${e.message}")
-        }
-    }
-
-    /**
-     * Stores [notes] as those of [log], with what others have changed since they were [read]. Returns what is stored.
-     *
-     * @throws IOException with a sentence for the user, if it cannot be written.
-     * @throws NotesException if somebody has damaged the file meanwhile; it stays as it is.
-     */
-    fun update(log: Path, notes: List<Note>, read: List<Note>): List<Note> {
-        val merged = notes.notesMergedWith(read(log), read)
-        write(log, merged)
-        return merged
-    }
-
-    /**
-     * Stores [notes] as those of [log]; the file is deleted with the last of them.
-     *
-     * @throws IOException with a sentence for the user, if it cannot be written.
-     */
-    fun write(log: Path, notes: List<Note>) {
-        val file = of(log)
-        if (notes.isEmpty()) {
-            Files.deleteIfExists(file)
-        } else {
-            writeAtomically(file) { it.write(notes.toJson().encodeToByteArray()) }
         }
     }
 }

@@ -3,9 +3,11 @@ package badlog.exporter
 import badlog.core.bag.Mutant
 import badlog.files.FolderScan
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteChange
 import badlog.viewer.choices.note.NotesException
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLine
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -20,31 +22,46 @@ class NotesFileSpec : FunSpec({
     val log = tempdir().toPath().resolve("q42.bag")
     val notes = listOf(Note(1.0, "first \"hit\"\n‹second line›"), Note(93.7, "brownout"))
 
-    test("notes stand beside their log, are no log themselves, and go with the last of them") {
+    test("notes stand beside their log, are no log themselves, and what is removed is another line") {
         Files.writeString(log, "Time,A\n0,1\n")
         NotesFile.read(log) shouldBe emptyList()
-        NotesFile.write(log, notes)
-        NotesFile.read(log) shouldBe notes
-        NotesFile.of(log).fileName.toString() shouldBe "q42.bag.notes.json"
+        NotesFile.update(log, notes, read = emptyList()) shouldBe notes
         FolderScan.of(log.parent).files.map { it.path } shouldBe listOf(log)
-        NotesFile.write(log, emptyList())
-        Files.exists(NotesFile.of(log)) shouldBe false
+        val before = Files.readString(NotesFile.of(log))
+        NotesFile.update(log, emptyList(), read = notes) shouldBe emptyList()
+        Files.readString(NotesFile.of(log)).take(before.length) shouldBe before
+        Files.readAllLines(NotesFile.of(log)).size shouldBe 4
+        Files.delete(NotesFile.of(log))
     }
 
-    test("what two windows write and remove is in the file, whichever of them writes last") {
-        NotesFile.write(log, notes)
+    test("what two windows write and remove is in the file, whichever of them writes last, and so is what another laptop wrote") {
+        NotesFile.update(log, notes, read = emptyList())
         val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes)
         first shouldBe listOf(notes[0], Note(5.0, "first window"))
         val second = NotesFile.update(log, notes + Note(99.0, "second window"), read = notes)
         second shouldBe listOf(notes[0], Note(5.0, "first window"), Note(99.0, "second window"))
-        NotesFile.read(log) shouldBe second
+        val other = NoteChange("1", "2026-03-07T14:05:12.345Z", "Ada", Note(50.0, "other laptop"), isRemoved = false)
+        val copy = Files.writeString(log.resolveSibling("q42.bag.notes-pit (conflicted copy).jsonl"), other.toLine())
+        NotesFile.read(log) shouldBe (second + other.note).sortedBy { it.x }
+        Files.delete(copy)
+        Files.delete(NotesFile.of(log))
+    }
+
+    test("what an older badlog wrote is the beginning, and its file stays as it is") {
+        val text = notes.toJson()
+        Files.writeString(NotesFile.beginningOf(log), text)
+        NotesFile.read(log) shouldBe notes
+        NotesFile.update(log, notes.drop(1) + Note(99.0, "new"), read = notes) shouldBe notes.drop(1) + Note(99.0, "new")
+        Files.readString(NotesFile.beginningOf(log)) shouldBe text
+        Files.delete(NotesFile.beginningOf(log))
+        Files.delete(NotesFile.of(log))
     }
 
     test("damaged notes say which file is to be mended") {
-        Files.writeString(NotesFile.of(log), "{\"notes\":7}")
+        Files.writeString(NotesFile.beginningOf(log), "{\"notes\":7}")
         shouldThrow<NotesException> { NotesFile.read(log) }.message shouldBe
             "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Repair the file, or delete it."
-        Files.write(NotesFile.of(log), byteArrayOf(-1, -2, 7))
+        Files.write(NotesFile.beginningOf(log), byteArrayOf(-1, -2, 7))
         shouldThrow<NotesException> { NotesFile.read(log) }.message shouldStartWith "The notes in q42.bag.notes.json are damaged"
     }
 

@@ -21,7 +21,7 @@ internal class NotesSpec : PageSpec({
     }
 
     browserTest("notes beside a log are listed on its page and lead to their moments") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.write(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline"))) }
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
         onPage(page) {
             texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "second\nline")
             elements("#notes .event-go")[0].click()
@@ -35,7 +35,7 @@ internal class NotesSpec : PageSpec({
     }
 
     browserTest("a search finds notes, and hides the others") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.write(it, listOf(Note(3.0, "hit by 254"), Note(7.0, "jammed"))) }
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254"), Note(7.0, "jammed")), read = emptyList()) }
         onPage(page) {
             press("/")
             press("HIT")
@@ -48,7 +48,7 @@ internal class NotesSpec : PageSpec({
     }
 
     browserTest("damaged notes are a problem that the page lists, and nothing else changes") {
-        onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.of(it), "{") }) {
+        onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.beginningOf(it), "{") }) {
             element("#notes").isDisplayed shouldBe false
             text shouldContain "notes in match.bag.notes.json are damaged"
             graphNames shouldBe listOf("Step 1")
@@ -90,7 +90,7 @@ internal class NotesSpec : PageSpec({
     }
 
     browserTest("what two tabs write and remove is in the notes of both, whichever of them writes last") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.write(it, listOf(Note(1.0, "first"), Note(2.0, "second"))) }
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "first"), Note(2.0, "second")), read = emptyList()) }
         onPage(page) {
             // As another tab with the same page does.
             val other = "{\"version\":1,\"notes\":[{\"x\":2,\"text\":\"second\"},{\"x\":9,\"text\":\"of the other tab\"}]}"

@@ -2,20 +2,19 @@ package badlog.catalog.todo
 
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
+import badlog.files.appendLines
+import badlog.files.appendedText
+import badlog.files.computerName
+import badlog.files.fileNamePart
 import badlog.files.reading
-import badlog.files.safeName
 import badlog.viewer.todo.CHECKLIST_FILE
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoLines
 import badlog.viewer.todo.checklistOf
 import badlog.viewer.todo.toLine
 import java.io.IOException
-import java.nio.ByteBuffer
-import java.nio.channels.FileChannel
-import java.nio.charset.CodingErrorAction
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardOpenOption
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
@@ -25,9 +24,9 @@ import kotlin.io.path.name
  *
  * @param computer the name of this computer.
  */
-class TodoFolder(private val folder: Path, computer: String = computerName()) {
+class TodoFolder(private val folder: Path, computer: String = computerName) {
     /** The file that this computer writes. */
-    val file: Path = folder.resolve("$BEGIN-${safeName(computer).lowercase().replace(' ', '-')}$ENDING")
+    val file: Path = folder.resolve("$BEGIN-${fileNamePart(computer)}$ENDING")
 
     /**
      * Returns what all computers wrote.
@@ -39,7 +38,7 @@ class TodoFolder(private val folder: Path, computer: String = computerName()) {
         val problems = ArrayList<String>()
         for (file in files()) {
             try {
-                val lines = TodoLines.of(textOf(file))
+                val lines = TodoLines.of(appendedText(file))
                 changes += lines.changes
                 unreadableText(file, lines.unreadable)?.let(problems::add)
             } catch (e: UnreadableFileException) {
@@ -47,7 +46,7 @@ class TodoFolder(private val folder: Path, computer: String = computerName()) {
             }
         }
         val checklist = try {
-            folder.resolve(CHECKLIST_FILE).takeIf(Files::isRegularFile)?.let { checklistOf(textOf(it)) }.orEmpty()
+            folder.resolve(CHECKLIST_FILE).takeIf(Files::isRegularFile)?.let { checklistOf(appendedText(it)) }.orEmpty()
         } catch (e: UnreadableFileException) {
             problems += e.message
             emptyList()
@@ -65,36 +64,14 @@ class TodoFolder(private val folder: Path, computer: String = computerName()) {
     }
 
     /**
-     * Appends [change] as one line, in one piece. If the last line was cut off, for example because a stick was pulled out, the new one begins
-     * below it.
+     * Appends [change] as one line.
      *
      * @throws UnwritableFileException if it cannot be written.
      */
-    fun append(change: TodoChange) {
-        try {
-            FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE).use { channel ->
-                val size = channel.size()
-                val last = ByteBuffer.allocate(1)
-                val isCut = size > 0 && channel.read(last, size - 1) == 1 && last[0] != '\n'.code.toByte()
-                val line = ByteBuffer.wrap(((if (isCut) "\n" else "") + change.toLine() + "\n").encodeToByteArray())
-                var at = size
-                while (line.hasRemaining()) at += channel.write(line, at)
-                channel.force(true)
-            }
-        } catch (e: IOException) {
-            throw UnwritableFileException(file, "$file cannot be written (${e.message}); check that the folder is not write-protected.", e)
-        }
-    }
+    fun append(change: TodoChange) = appendLines(file, listOf(change.toLine()))
 
     private fun files(): List<Path> = reading(folder) {
         folder.listDirectoryEntries("$BEGIN*$ENDING").filter(Files::isRegularFile).sortedBy { it.name }
-    }
-
-    private fun textOf(file: Path): String = reading(file) {
-        if (Files.size(file) > MAX_BYTES) throw IOException("it is larger than 16 MB")
-        // Only the lines with damaged letters are lost.
-        Charsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPLACE).onUnmappableCharacter(CodingErrorAction.REPLACE)
-            .decode(ByteBuffer.wrap(Files.readAllBytes(file))).toString().removePrefix("\uFEFF")
     }
 
     private fun unreadableText(file: Path, lines: List<Int>): String? = when (lines.size) {
@@ -110,9 +87,6 @@ class TodoFolder(private val folder: Path, computer: String = computerName()) {
         /** What is after it may also be what a synced folder adds: `badlog-todo-pit (conflicted copy).jsonl`. */
         const val BEGIN = "badlog-todo"
         const val ENDING = ".jsonl"
-
-        /** A line has some 200 bytes. */
-        const val MAX_BYTES = 16L shl 20
     }
 }
 

@@ -1,0 +1,47 @@
+package badlog.files
+
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.channels.FileChannel
+import java.nio.charset.CodingErrorAction
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+
+/**
+ * Appends [lines] to [file] in one piece, which is created if it does not exist. If the last line there was cut off, for example because a
+ * stick was pulled out, they begin below it.
+ *
+ * @throws UnwritableFileException if it cannot be written.
+ */
+public fun appendLines(file: Path, lines: List<String>) {
+    try {
+        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE).use { channel ->
+            val size = channel.size()
+            val last = ByteBuffer.allocate(1)
+            val isCut = size > 0 && channel.read(last, size - 1) == 1 && last[0] != '\n'.code.toByte()
+            val text = lines.joinToString("", if (isCut) "\n" else "") { "$it\n" }
+            val bytes = ByteBuffer.wrap(text.encodeToByteArray())
+            var at = size
+            while (bytes.hasRemaining()) at += channel.write(bytes, at)
+            channel.force(true)
+        }
+    } catch (e: IOException) {
+        throw UnwritableFileException(file, "$file cannot be written (${e.message}); check that the folder is not write-protected.", e)
+    }
+}
+
+/**
+ * Returns the text of [file], to which lines are appended. Bytes that are not UTF-8 become replacement characters, so that only their line is
+ * lost.
+ *
+ * @throws UnreadableFileException if it cannot be read, or is larger than 16 MB.
+ */
+public fun appendedText(file: Path): String = reading(file) {
+    if (Files.size(file) > MAX_BYTES) throw IOException("it is larger than 16 MB")
+    Charsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPLACE).onUnmappableCharacter(CodingErrorAction.REPLACE)
+        .decode(ByteBuffer.wrap(Files.readAllBytes(file))).toString().removePrefix("\uFEFF")
+}
+
+/** Far more than people write: a line has some 200 bytes. */
+private const val MAX_BYTES = 16L shl 20
