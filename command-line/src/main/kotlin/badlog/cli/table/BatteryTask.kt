@@ -12,6 +12,7 @@ import badlog.report.battery.BatteryJson
 import badlog.report.battery.SeasonOfLogs
 import badlog.report.battery.batteryCsv
 import badlog.report.battery.batteryText
+import badlog.viewer.catalog.Content
 import badlog.viewer.shown.battery.BatteryAdvice
 import kotlinx.serialization.json.Json
 import java.nio.file.Path
@@ -21,20 +22,20 @@ internal class BatteryTask(private val paths: List<Path>, private val cache: Pat
     override fun run(console: Console): ExitCode {
         val logs = LogFiles(paths, console)
         val season = console.progress("table").use { bar ->
-            SeasonOfLogs.over(logs.files, cache) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+            SeasonOfLogs.over(logs.files, paths, cache) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
         }
         if (season.seasons.isNotEmpty()) say(season, console)
         season.problems.forEach(console::warn)
         if (logs.files.isNotEmpty() && !season.hasNames) console.warn(if (season.seasons.isEmpty()) NO_BATTERY else NO_NAME)
         val outcomes = Outcomes("table", console, isJson = false, isSummed = true)
+        val summaryOf = season.entries.associate { it.source to it.summary }
         logs.report(outcomes) { input, file ->
-            val trouble = season.unreadable[file]
-            if (trouble ==
-                null
-            ) {
-                outcomes.done(input.file, Outcome(false, "", emptyMap()))
+            val summary = summaryOf.getValue(file)
+            val trouble = summary.trouble
+            if (trouble == null) {
+                outcomes.done(input.file, Outcome(isSalvaged = summary.problems.errors > 0, "", emptyMap()))
             } else {
-                outcomes.unreadable(input, trouble, isNoLog = true)
+                outcomes.unreadable(input, trouble, isNoLog = summary.content == Content.NO_LOG)
             }
         }
         return outcomes.end()

@@ -64,7 +64,9 @@ internal class TableCommand :
         val cache = if (isFresh) null else UserFolders.ofSystem().answers
         val hasColumns = values.isNotEmpty() || hooks.runners.isNotEmpty() || !only.choice.isAll
         if (!hasColumns && by.singleOrNull().equals(MatchTable.BATTERY, ignoreCase = true)) {
-            if (condition != null) throw UsageError("--where needs a column: --value EXPRESSION")
+            if (condition != null || xTopic != null || virtual.definitions.isNotEmpty()) {
+                throw UsageError("--where, --x and virtual topics need a column: --value EXPRESSION")
+            }
             return BatteryTask(paths, cache, form)
         }
         if (!hasColumns) {
@@ -99,7 +101,7 @@ internal class TableTask(
         }
         val logs = LogFiles(paths, console)
         val rows = console.progress("table").use { bar ->
-            table.over(logs.files) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+            table.over(logs.files, paths, console::warn) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
         }
         table.mistakeIn(rows)?.let {
             // A topic missing in the question may be one that could not be calculated.

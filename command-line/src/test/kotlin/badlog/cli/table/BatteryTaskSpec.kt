@@ -58,13 +58,13 @@ class BatteryTaskSpec : FunSpec({
         }
     }
 
-    test("what is no log is skipped, and a condition needs a column") {
+    test("what cannot be read is said, and a condition needs a column") {
         inFolder { folder ->
             folder.with("notes.bag", "\u0000\u0001\u0002")
             table(folder, "--by", "battery").code shouldBe ExitCode.NOTHING
             folder.match(1, "A1")
-            table(folder, "--by", "battery").code shouldBe ExitCode.WHOLE
-            table(folder, "--by", "battery", "--where", "'Match Number' = '1'").err shouldContain "--where needs a column"
+            table(folder, "--by", "battery").code shouldBe ExitCode.SALVAGED
+            table(folder, "--by", "battery", "--where", "'Match Number' = '1'").err shouldContain "need a column"
         }
     }
 })

@@ -36,6 +36,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
@@ -64,6 +65,7 @@ internal fun BatteriesPane(season: FolderSeason, library: Library, actions: Libr
         }
         HorizontalDivider()
         ReadingLine(library)
+        for (problem in batteries.problems) Text(problem, Modifier.padding(12.dp), color = LocalPalette.current.warning)
         if (batteries.seasons.isEmpty()) {
             val hint = if (library.state.reading != null) "Reading the logs…" else "No log in this folder shows its battery."
             Text(hint, Modifier.padding(16.dp), color = LocalPalette.current.muted)
@@ -81,23 +83,20 @@ private fun SeasonTable(batteries: Batteries, library: Library, season: FolderSe
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val width = maxOf(maxWidth, columns.sumOf { it.width }.dp + FOLD + MARGINS)
         LazyColumn(Modifier.fillMaxSize().horizontalScroll(rememberScrollState()).width(width).padding(horizontal = 12.dp), list) {
-            items(batteries.problems) { Text(it, Modifier.padding(vertical = 4.dp), color = LocalPalette.current.warning) }
             item { Advice(batteries) }
             item { Head(columns) }
             for (each in batteries.seasons) {
-                val isOpen = each.title in opened
-                item(key = each.title) {
+                val isOpen = each.key in opened
+                item(key = each.key) {
                     SeasonRow(each, columns, batteries.advice.of(each), isOpen) {
                         opened =
-                            if (isOpen) opened - each.title else opened + each.title
+                            if (isOpen) opened - each.key else opened + each.key
                     }
                 }
                 if (isOpen) {
-                    items(each.matches, key = { "${each.title}\n${it.path}" }) { match ->
-                        val entry = library.state.entries.find { it.path == match.path }
-                        MatchRow(match, each, batteries.names, columns, { entry?.let(actions.openInGraphs) }) { name ->
-                            entry?.let { season.assign(name, it.file) }
-                        }
+                    items(each.matches, key = { "${each.key}\n${it.paths.first()}" }) { match ->
+                        val entry = library.state.entries.find { it.path == match.paths.first() }
+                        MatchRow(match, each, batteries.names, columns, { entry?.let(actions.openInGraphs) }) { season.assign(it, match) }
                     }
                 }
             }
@@ -142,7 +141,11 @@ private fun SeasonRow(season: BatterySeason, columns: List<BatteryColumn>, advic
         Modifier
             .fillMaxWidth()
             .clickable(season.matches.isNotEmpty(), if (isOpen) "Hide its matches" else "Show its matches", Role.Button, onClick = onToggle)
-            .semantics { contentDescription = "Battery ${season.title}" }
+            .semantics {
+                contentDescription = "Battery ${season.title}"
+                stateDescription =
+                    columns.drop(1).mapNotNull { column -> column.text(season)?.let { "${column.title} $it" } }.joinToString()
+            }
             .padding(vertical = 6.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {

@@ -4,6 +4,7 @@ import androidx.compose.runtime.snapshotFlow
 import badlog.catalog.folder.FolderBatteries
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.shown.battery.BatteryAdvice
+import badlog.viewer.shown.battery.BatteryMatch
 import badlog.viewer.shown.battery.BatterySeason
 import badlog.window.folder.Library
 import badlog.window.log.assertOffWindow
@@ -14,6 +15,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.combine
+import kotlinx.coroutines.flow.filterNotNull
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import java.nio.file.Path
@@ -38,26 +40,32 @@ internal class Batteries(
         fun of(logs: List<LogEntry>, folder: Path?): Batteries {
             assertOffWindow()
             val written = FolderBatteries.of(logs.map { it.file }, folder)
-            val seasons = BatterySeason.of(logs, written.batteries) { written.usedFor(it.file, it.summary.match.match) }
+            val seasons = BatterySeason.of(logs, written.batteries) { entries ->
+                written.usedFor(entries.map { it.file }, matchOf(entries))
+            }
             return Batteries(seasons, BatteryAdvice.of(seasons), written.problems)
         }
     }
 }
 
-/** Follows what the folder's logs say of its batteries, and what the team writes down. Use it only on the window's thread. */
-internal class FolderSeason(private val scope: CoroutineScope, private val library: Library, private val notices: Notices) :
-    StateHolder<Batteries>(Batteries()) {
+/**
+ * Follows what the folder's logs say of its batteries, and what the team writes down, while that is shown. Use it only on the window's thread.
+ *
+ * @param isShown returns whether a person sees it.
+ */
+internal class FolderSeason(
+    private val scope: CoroutineScope,
+    private val library: Library,
+    private val notices: Notices,
+    private val isShown: () -> Boolean,
+) : StateHolder<Batteries>(Batteries()) {
     private val written = MutableStateFlow(0)
 
     /** Follows the folder, until cancelled. */
     suspend fun run() {
-        combine(
-            snapshotFlow {
-                library.state.entries to library.state.folder
-            },
-            written,
-        ) { logs, _ -> logs }.collectLatest { (logs, folder) ->
-            val found = withContext(Dispatchers.IO) { Batteries.of(logs, folder) }
+        val logs = snapshotFlow { if (isShown()) library.state.entries to library.state.folder else null }
+        combine(logs, written) { shown, _ -> shown }.filterNotNull().collectLatest { (entries, folder) ->
+            val found = withContext(Dispatchers.IO) { Batteries.of(entries, folder) }
             change { found }
         }
     }
@@ -67,12 +75,18 @@ internal class FolderSeason(private val scope: CoroutineScope, private val libra
         written.value++
     }
 
-    /** Writes down beside the log [file] that the battery called [name] was in the robot; an empty name takes that back. */
-    fun assign(name: String, file: Path) {
+    /** Writes down beside the logs of [match] that the battery called [name] was in the robot; an empty name takes that back. */
+    fun assign(name: String, match: BatteryMatch) {
+        val logs = library.state.entries.filter { it.path in match.paths }.sortedBy { match.paths.indexOf(it.path) }
+        if (logs.isEmpty()) return
         val folder = library.state.folder
+        val known = state.names.find { it.equals(name.trim(), ignoreCase = true) } ?: name.trim()
         scope.launch {
-            withContext(Dispatchers.IO) { FolderBatteries.assign(name.trim(), file, folder) }?.let(notices::complain)
+            val problem = withContext(Dispatchers.IO) { FolderBatteries.assign(known, logs.map { it.file }, matchOf(logs), folder) }
+            problem?.let(notices::complain)
             refresh()
         }
     }
 }
+
+private fun matchOf(logs: List<LogEntry>) = logs.firstNotNullOfOrNull { it.summary.match.match }

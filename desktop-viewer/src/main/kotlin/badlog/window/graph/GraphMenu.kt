@@ -38,7 +38,7 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
             GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) },
             GraphAction("Move to the top") {
                 board.change { moved(spec.id, -graphs.size) }
-            }.takeIf { board.state.graphs.indexOf(spec) > 1 },
+            }.takeIf { board.state.graphs.indexOf(spec) > 0 },
             GraphAction("Only this graph") { board.change { Board(listOf(spec)) } },
             GraphAction("Remove this graph") { board.change { without(spec.id) } },
             GraphAction("Remove all graphs") { board.change { Board() } },

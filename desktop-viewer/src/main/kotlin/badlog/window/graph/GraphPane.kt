@@ -65,7 +65,7 @@ private fun Modifier.takesKeyboard(onMove: () -> Unit) = composed {
                 if (event.type == PointerEventType.Press) focus.clearFocus()
                 // When what is below the pointer moves, there are events, too.
                 val now = event.changes.first().position
-                if (now != place) onMove()
+                if (now != place || event.type == PointerEventType.Scroll || event.type == PointerEventType.Press) onMove()
                 place = now
             }
         }

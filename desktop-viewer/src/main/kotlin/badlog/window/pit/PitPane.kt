@@ -17,6 +17,7 @@ import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -54,6 +55,7 @@ import badlog.window.todo.PitTodo
 @Composable
 internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, actions: LibraryActions, modifier: Modifier = Modifier) {
     val entries = library.state.entries
+    LaunchedEffect(season) { season.refresh() }
     val logs = remember(entries) { PitLogs.of(library.state.ofRobots) }
     Column(modifier.background(LocalPalette.current.surface).semantics { contentDescription = "Pit view" }) {
         Row(Modifier.fillMaxWidth().padding(8.dp), Arrangement.End) {

@@ -23,11 +23,11 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
-/** The heading above the channels of the power distribution, and by what they are ranked. */
+/** The heading above the channels of the power distribution, or [what] stands in for them, and by what they are ranked. */
 @Composable
-internal fun ChannelsHead(panels: WindowPanels) =
+internal fun ChannelsHead(what: String, panels: WindowPanels) =
     Row(Modifier.padding(start = 12.dp, top = 14.dp), Arrangement.spacedBy(4.dp), Alignment.CenterVertically) {
-        Text("Channels by", fontWeight = FontWeight.SemiBold)
+        Text("${what}s by", fontWeight = FontWeight.SemiBold)
         for (order in ChannelOrder.entries) {
             ToolButton(order.hint, text = order.title, isOn = panels.state.channels == order) { panels.change { copy(channels = order) } }
         }

@@ -34,7 +34,14 @@ internal data class Panels(
 
     /** Hides everything beside the graphs, or shows again what was hidden so. */
     fun graphsAlone(): Panels = if (library || topics || inspector != null) {
-        copy(library = false, topics = false, inspector = null, main = MainView.GRAPHS, hidden = copy(hidden = null))
+        copy(
+            library = false,
+            topics = false,
+            inspector = null,
+            main = MainView.GRAPHS,
+            front = FrontPart.GRAPHS,
+            hidden = if (library || topics || hidden == null) copy(hidden = null) else hidden,
+        )
     } else {
         copy(library = hidden?.library ?: true, topics = hidden?.topics ?: true, inspector = hidden?.inspector, hidden = null)
     }

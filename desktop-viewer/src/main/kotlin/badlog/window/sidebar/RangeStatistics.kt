@@ -24,7 +24,7 @@ import badlog.window.log.Signal
  *
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property channels what the channels of the power distribution gave, by [order].
+ * @property channels what the channels of the power distribution gave, by [order]; [what] they are.
  */
 internal class RangeStatistics(
     val part: NamedSpan,
@@ -32,6 +32,7 @@ internal class RangeStatistics(
     val signals: List<SignalStatistics>,
     val channels: List<RankedChannel> = emptyList(),
     val order: ChannelOrder = ChannelOrder.CHARGE,
+    val what: String = "",
 )
 
 /**
@@ -71,18 +72,30 @@ internal fun rangeStatistics(
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
-    val channels = drawn.firstOrNull()?.recording?.let { Channels.of(it.view, it.signalTopics).ranked(part.parts, order) }.orEmpty()
-    return RangeStatistics(part, xUnit, signals + graphs.flatMap { differencesIn(drawn, it, part) }, channels, order)
+    val channels = drawn.firstOrNull()?.recording?.let { Channels.of(it.view, it.signalTopics) }
+    return RangeStatistics(
+        part,
+        xUnit,
+        signals + graphs.flatMap {
+            differencesIn(drawn, it, part)
+        },
+        channels?.ranked(part.parts, order).orEmpty(),
+        order,
+        channels?.what.orEmpty(),
+    )
 }
 
 /** Returns how the lines after the first of the graph with [lines] differ from it, in each of [drawn]. */
 private fun differencesIn(drawn: List<DrawnRecording>, lines: List<String>, part: NamedSpan): List<SignalStatistics> =
     drawn.flatMapIndexed { place, (recording, offset, recordingName) ->
         val known = lines.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
+        val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
         val names = known.map { it.line }.zip(shortNames(known.map { it.name })).toMap()
-        NamedDifference.of(known.map { it.line }, part.parts.map { Span(it.from - offset, it.to - offset) }).map { difference ->
-            val cells = NamedDifference.TITLES.zip(difference.texts(recording.view.xAxis)).map { (title, text) ->
-                StatCell(title, text, Topic.UNITLESS, isWide = title == NamedDifference.TITLES.last())
+        NamedDifference.of(known.map { it.line }, parts, recording.span.to).map { difference ->
+            val texts = difference.texts(recording.view.xAxis, offset)
+            val exact = difference.exactTexts(offset)
+            val cells = NamedDifference.TITLES.mapIndexed { i, title ->
+                StatCell(title, texts[i], Topic.UNITLESS, isWide = i == NamedDifference.TITLES.lastIndex, exact[i])
             }
             val title = "${names[difference.one]} − ${names[difference.other]}"
             SignalStatistics(title, difference.one.unit, if (drawn.size > 1) recordingName else "", place, cells)

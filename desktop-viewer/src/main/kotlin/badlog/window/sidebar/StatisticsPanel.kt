@@ -82,7 +82,7 @@ internal fun StatisticsPanel(
         Box(Modifier.fillMaxSize()) {
             LazyColumn(Modifier.fillMaxSize(), state) {
                 items(known.signals) { SignalCells(it) }
-                if (known.channels.isNotEmpty()) item { ChannelsHead(panels) }
+                if (known.channels.isNotEmpty()) item { ChannelsHead(known.what, panels) }
                 items(known.channels) { ChannelLine(it, known.channels.maxOf { each -> each.by(known.order) }, known.order) }
             }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())

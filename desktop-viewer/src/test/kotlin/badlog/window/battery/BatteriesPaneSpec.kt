@@ -52,7 +52,8 @@ class BatteriesPaneSpec : FunSpec({
         runDesktopComposeUiTest(1366, 768) {
             setContent { ViewerScreen(viewer) }
             viewer.scope.launch { viewer.batteries.run() }
-            val logs = listOf(entry(folder, 1, "A1", 20.0), entry(folder, 2, "B2", 30.0), entry(folder, 3, null, 21.0), entry(folder, 4, "A1", 20.2))
+            val used = listOf("B2" to 30.0, "B2" to 30.0, null to 21.0, "A1" to 20.0, "A1" to 20.2)
+            val logs = used.mapIndexed { i, (battery, milliohms) -> entry(folder, i + 1, battery, milliohms) }
             viewer.library.change { copy(folder = folder, hasLooked = true, files = logs.map { it.source }).knowing(logs) }
             viewer.panels.change { copy(main = MainView.BATTERIES) }
             waitFor { viewer.batteries.state.seasons.size == 3 }
@@ -63,7 +64,7 @@ class BatteriesPaneSpec : FunSpec({
     test("the batteries are listed with what to do with them, and a click shows the matches of one") {
         onFolder { _, _ ->
             onNodeWithText("Use A1 next").assertExists()
-            onNodeWithText("Retire B2. Its resistance is 30.0 ± 0.4 mΩ, 49 % more than that of A1 (20.1 ± 0.3 mΩ).").assertExists()
+            onNodeWithText("Retire B2. Its resistance is 30.0 ± 0.3 mΩ, 49 % more than that of A1 (20.1 ± 0.3 mΩ).").assertExists()
             onNodeWithText("20.1 ± 0.3 mΩ").assertExists()
             onAllNodesWithText("Qualification 4").fetchSemanticsNodes().size shouldBe 0
             onNodeWithContentDescription("Battery A1").performClick()

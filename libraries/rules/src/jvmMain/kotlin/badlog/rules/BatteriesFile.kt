@@ -18,36 +18,56 @@ object BatteriesFile {
     fun parse(text: String): TeamBatteries = notTooDeep { BatteriesReader(TomlText(text)).read() }
 
     /**
-     * Returns [text], which is such a file, with [battery] as the one that was in the robot for [log], a file's name or a match; everything
-     * else in it stays as it is. An empty name takes the battery back.
+     * Returns [text], which is such a file, with [battery] as the one that was in the robot for [log], the place of a file or a match;
+     * everything else in it stays as it is. An empty name takes the battery back.
      *
      * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
      */
     fun withUse(text: String, log: String, battery: String): String {
         val before = parse(text)
-        val own = quotedJson(log)
-        val lines = text.lines().filterNot { log in before.used && isFor(it, log) }.toMutableList()
-        val line = if (battery.isEmpty()) null else "$own = ${quotedJson(battery)}"
-        val place = lines.indexOfFirst { it.substringBefore('#').trim() == "[$USED]" }
-        if (line != null) {
-            if (place >= 0) {
-                lines.add(place + 1, line)
-            } else {
-                while (lines.lastOrNull()?.isBlank() == true) lines.removeLast()
-                lines += listOfNotNull("".takeIf { lines.isNotEmpty() }, "[$USED]", line, "")
-            }
+        if (before.used[log].orEmpty() == battery) return text
+        val made = edited(text, log, battery, isKnown = log in before.used)
+        val expected = before.copy(used = if (battery.isEmpty()) before.used - log else before.used + (log to battery))
+        val isRight = try {
+            parse(made) == expected
+        } catch (_: RulesException) {
+            false
         }
-        val made = lines.joinToString("\n")
-        val expected = if (battery.isEmpty()) before.used - log else before.used + (log to battery)
-        if (parse(made).used != expected) throw RulesException(1, "The battery of $log cannot be changed here; change it in an editor.")
+        if (!isRight) throw RulesException(1, "The battery of $log cannot be changed here; change it in an editor.")
         return made
     }
 
-    /** Returns whether [line] is that of [log] among the batteries used. */
-    private fun isFor(line: String, log: String): Boolean {
-        val key = line.substringBefore('=').trim()
-        return key == quotedJson(log) || key == "'$log'" || key == log
+    private fun edited(text: String, log: String, battery: String, isKnown: Boolean): String {
+        val lineEnd = if ("\r\n" in text) "\r\n" else "\n"
+        val lines = text.lines().toMutableList()
+        val entry = "${quotedJson(log)} = ${quotedJson(battery)}"
+        val own = if (isKnown) lines.indexOfFirst { isFor(it, log) } else -1
+        val table = lines.indexOfFirst { TABLE.matches(it.substringBefore('#').trim()) }
+        when {
+            own >= 0 && battery.isEmpty() -> lines.removeAt(own)
+
+            own >= 0 -> lines[own] = entry + COMMENT.find(lines[own])?.value.orEmpty()
+
+            table >= 0 -> lines.add(table + 1, entry)
+
+            else -> {
+                while (lines.lastOrNull()?.isBlank() == true) lines.removeLast()
+                lines += listOfNotNull("".takeIf { lines.isNotEmpty() }, "[$USED]", entry, "")
+            }
+        }
+        return lines.joinToString(lineEnd)
     }
+
+    /** Returns whether [line] is that of [log] among the batteries used. */
+    private fun isFor(line: String, log: String): Boolean = listOf(quotedJson(log), "'$log'", log).any { key ->
+        line.trimStart().startsWith(key) && line.trimStart().removePrefix(key).trimStart().startsWith("=")
+    }
+
+    /** The heading of the table, also behind a mark that some Windows editors write. */
+    private val TABLE = Regex("\uFEFF?\\[ *\"?$USED\"? *]")
+
+    /** A comment behind a battery's name. */
+    private val COMMENT = Regex("(?<=[\"'])\\s+#[^\"']*$")
 
     internal const val USED = "used"
 }
@@ -66,7 +86,7 @@ private class BatteriesReader(private val toml: TomlText) {
         return TeamBatteries(batteries, used(root))
     }
 
-    /** Returns the day, month or year, which may be written with or without quotes. */
+    /** Returns the day, month or year. */
     private fun bought(table: TomlTable): String? {
         val value = table.get(listOf("bought"))?.toString() ?: return null
         if (!DATE.matches(value)) toml.fail(toml.placeOf(table, "bought"), "“bought” is a date, as in bought = \"2025-01\".")
@@ -84,6 +104,6 @@ private class BatteriesReader(private val toml: TomlText) {
 
     private companion object {
         val KEYS = setOf("name", "bought", "retired")
-        val DATE = Regex("\\d{4}(-\\d{2}(-\\d{2})?)?")
+        val DATE = Regex("\\d{4}(-(0[1-9]|1[0-2])(-\\d{2})?)?")
     }
 }

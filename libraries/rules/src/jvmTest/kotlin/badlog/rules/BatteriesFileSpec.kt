@@ -17,7 +17,7 @@ private val FILE = """
 
     [[battery]]
     name = "B2"
-    bought = 2023-11-30
+    bought = "2023-11-30"
     retired = true
 
     [used] # as on the sheet
@@ -30,7 +30,8 @@ class BatteriesFileSpec : FunSpec({
         val read = BatteriesFile.parse(FILE)
         read.batteries shouldBe listOf(TeamBattery("A1", "2025-01"), TeamBattery("B2", "2023-11-30", isRetired = true))
         read.used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2")
-        read.usedFor("x.bag", "Qualification 12") shouldBe "A1"
+        read.usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "A1"
+        read.copy(used = read.used + ("x.bag" to "B2")).usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "B2"
         BatteriesFile.parse("").batteries shouldBe emptyList()
     }
 
@@ -43,11 +44,28 @@ class BatteriesFileSpec : FunSpec({
         BatteriesFile.withUse("", "m.bag", "A1") shouldBe "[used]\n\"m.bag\" = \"A1\"\n"
     }
 
-    test("whatever a log and a battery are called, it is read as it was written") {
+    test("whatever a log and a battery are called, it is read as it was written, and changed, and taken back") {
         checkAll(300, Arb.string(1, 20), Arb.string(1, 20)) { log, name ->
             val battery = name.trim().ifEmpty { "A1" }
-            BatteriesFile.parse(BatteriesFile.withUse(FILE, log, battery)).used shouldBe
-                mapOf("Qualification 12" to "A1", "elim" to "B2") + (log to battery)
+            val written = BatteriesFile.withUse(FILE, log, battery)
+            BatteriesFile.parse(written).used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2") + (log to battery)
+            val changed = BatteriesFile.withUse(written, log, "A1")
+            BatteriesFile.parse(changed).used[log] shouldBe "A1"
+            BatteriesFile.withUse(changed, log, "") shouldBe FILE
+        }
+    }
+
+    test("line ends and comments stay as they are") {
+        val windows = FILE.replace("\n", "\r\n")
+        BatteriesFile.withUse(windows, "m.bag", "A1") shouldBe windows.replace("sheet\r\n", "sheet\r\n\"m.bag\" = \"A1\"\r\n")
+        val commented = FILE.replace("elim = \"B2\"", "elim = \"B2\" # swapped at lunch")
+        BatteriesFile.withUse(commented, "elim", "A1") shouldBe commented.replace("elim = \"B2\"", "\"elim\" = \"A1\"")
+    }
+
+    for (text in listOf("used = { a = \"A1\" }\n", "[[battery]]\nname = \"A\"\n[used.x]\n", "used.\"a b\" = \"A1\"\n")) {
+        test("what only a person can change is said to be so, as in ${text.replace("\n", " ")}") {
+            val problem = shouldThrow<RulesException> { BatteriesFile.withUse(text, "b.bag", "B2") }
+            problem.message.shouldContain(if (".x" in text) "“used” is a table" else "cannot be changed here")
         }
     }
 

@@ -18,6 +18,7 @@ import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
+import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
@@ -72,14 +73,16 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
     /** Adds what each channel gave; a click on a title sorts. */
     private fun addChannels(now: Span) = element.add("table", "channels") {
         add("thead").add("tr") {
-            add("th", "", "Channel")
+            add("th", "", scene.channels.what)
             for (by in ChannelOrder.entries) {
                 val title = add("th")
                 if (by == order) title.setAttribute("aria-sort", "descending")
-                title.addButton("text-button", by.title + if (by == order) " ↓" else "", by.hint) {
+                val button = title.addButton("text-button", by.title + if (by == order) " ↓" else "", by.hint) {
                     order = by
                     update()
+                    document.getElementById(idOf(by))?.asDynamic()?.focus()
                 }
+                button.id = idOf(by)
             }
             add("th", "", "Share")
         }
@@ -95,7 +98,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
 
     /** Adds how the lines after the first differ from it. */
     private fun addDifferences(now: Span) {
-        val differences = NamedDifference.of(graph.series, listOf(now))
+        val differences = NamedDifference.of(graph.series, listOf(now), scene.range.full.to)
         if (differences.isEmpty()) return
         val names = graph.series.zip(legendNames(graph)).toMap()
         element.add("table", "differences") {
@@ -107,12 +110,15 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                 for (difference in differences) {
                     add("tr") {
                         add("th", "", "${names[difference.one]} − ${names[difference.other]}").setAttribute("scope", "row")
-                        for (text in difference.texts(scene.xAxis)) add("td", "", text)
+                        val exact = difference.exactTexts()
+                        difference.texts(scene.xAxis).forEachIndexed { i, text -> add("td", "", text).title = exact[i] }
                     }
                 }
             }
         }
     }
+
+    private fun idOf(order: ChannelOrder) = "channels-${graph.name}-${order.name}"
 
     /** Returns, line by line, how long and how often the lane [index] was in each state over the current range. */
     fun hintOf(index: Int): String = timesOf(index, wanted).joinToString("\n") { it.text(scene.xAxis) }

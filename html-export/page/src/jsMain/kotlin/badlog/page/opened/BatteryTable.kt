@@ -24,13 +24,16 @@ internal class BatteryTable {
         val advised = BatteryAdvice.of(seasons).all.map { "${it.words}: ${it.name}. ${it.reason}" }
         val texts = seasons.map { season -> columns.map { it.text(season).orEmpty() } }
         // The list is renewed several times a second while logs are read.
-        if (texts == shown) return
-        shown = texts
+        val now = texts + listOf(advised)
+        if (now == shown) return
+        shown = now
         element.isHidden = seasons.none { it.battery != null }
         element.textContent = ""
         element.add("h2", "", "Batteries")
         for (text in advised) element.add("p", "", text)
-        element.add("div", "statistics-scroll").add("table") {
+        val scroll = element.add("div", "statistics-scroll")
+        scroll.tabIndex = 0
+        scroll.add("table") {
             add("thead").add("tr") { for (column in columns) addCell("th", column, column.title).title = column.meaning }
             add("tbody") {
                 for (row in texts) add("tr") { columns.forEachIndexed { i, column -> addCell(if (i == 0) "th" else "td", column, row[i]) } }
@@ -39,5 +42,7 @@ internal class BatteryTable {
     }
 
     private fun HTMLElement.addCell(tag: String, column: BatteryColumn, text: String) =
-        add(tag, if (column.isNumber) "is-number" else "", text)
+        add(tag, if (column.isNumber) "is-number" else "", text).apply {
+            if (tag == "th") setAttribute("scope", if (text == column.title) "col" else "row")
+        }
 }

@@ -15,12 +15,17 @@ import java.nio.file.Path
  *
  * @property problems why a file is not used, as sentences.
  */
-class FolderBatteries private constructor(private val byFolder: Map<Path?, TeamBatteries>, val problems: List<String>) {
-    /** All batteries, each once. */
-    val batteries: List<TeamBattery> get() = byFolder.values.flatMap { it.batteries }.distinctBy { it.name }
+class FolderBatteries private constructor(private val byFolder: Map<Path?, Written>, val problems: List<String>) {
+    /** The content of a file in [folder]. */
+    private class Written(val folder: Path?, val batteries: TeamBatteries)
 
-    /** Returns the battery for the log [file], of [match] if that is not null, as written down; null if it is not. */
-    fun usedFor(file: Path, match: String?): String? = byFolder[file.parent]?.usedFor("${file.fileName}", match)
+    /** All batteries, each once. */
+    val batteries: List<TeamBattery> get() = byFolder.values.flatMap { it.batteries.batteries }.distinctBy { it.name.lowercase() }
+
+    /** Returns the battery of a match, whose logs are [files], as written down; null if it is not. */
+    fun usedFor(files: List<Path>, match: String?): String? = files.groupBy { byFolder[it.parent] }.firstNotNullOfOrNull { (written, own) ->
+        written?.batteries?.usedFor(own.map { placeFrom(written.folder, it) }, match)
+    }
 
     companion object {
         /** Nothing is written down. */
@@ -29,27 +34,37 @@ class FolderBatteries private constructor(private val byFolder: Map<Path?, TeamB
         /** Returns what is written down for [logs], up to the folder [top], which is null for the logs' own folders only. */
         fun of(logs: Collection<Path>, top: Path?): FolderBatteries {
             val problems = LinkedHashSet<String>()
-            val byFolder = logs.groupBy { it.parent }.mapNotNull { (folder, files) ->
-                val nearest = nearestTo(files.first(), top, BatteriesFile::parse)
-                nearest.problem?.let { problems += "${nearest.file} is not used: $it" }
-                nearest.found?.let { folder to it }
+            val read = HashMap<Path, Written?>()
+            val byFolder = HashMap<Path?, Written>()
+            for (folder in logs.mapTo(LinkedHashSet()) { it.parent }) {
+                val file = nearestTo(folder.resolve(BatteriesFile.NAME), top) { "" }.file ?: continue
+                val written = read.getOrPut(file) {
+                    val nearest = nearestTo(file, null, BatteriesFile::parse)
+                    nearest.problem?.let { problems += "$file is not used: $it" }
+                    nearest.found?.let { Written(file.parent, it) }
+                }
+                if (written != null) byFolder[folder] = written
             }
-            return FolderBatteries(byFolder.toMap(), problems.toList())
+            return FolderBatteries(byFolder, problems.toList())
         }
 
         /**
-         * Writes down that [battery] was in the robot for [log]; an empty name takes that back. The file is the nearest one up to [top], or
-         * else a new one beside the log.
+         * Writes down that [battery] was in the robot for a match, whose logs are [logs]; an empty name takes back what was written down for
+         * them, or for [match]. The file is the nearest one up to [top], or else a new one beside the log.
          *
          * @return why that is not done, as a sentence; null if it is.
          */
-        fun assign(battery: String, log: Path, top: Path?): String? {
-            val nearest = nearestTo(log, top) { text -> text.also(BatteriesFile::parse) }
-            val file = nearest.file ?: log.resolveSibling(BatteriesFile.NAME)
+        @Synchronized
+        fun assign(battery: String, logs: List<Path>, match: String?, top: Path?): String? {
+            val nearest = nearestTo(logs.first(), top) { text -> text.also(BatteriesFile::parse) }
+            val file = nearest.file ?: logs.first().resolveSibling(BatteriesFile.NAME)
             if (nearest.problem != null) return "$file is not changed: ${nearest.problem}"
             return try {
-                val text = BatteriesFile.withUse(nearest.found.orEmpty(), "${log.fileName}", battery)
-                writeAtomically(file) { it.write(text.encodeToByteArray()) }
+                val before = nearest.found.orEmpty()
+                val places = logs.map { placeFrom(file.parent, it) }
+                val keys = if (battery.isEmpty()) places + places.map { it.substringAfterLast('/') } + listOfNotNull(match) else places
+                val text = keys.fold(before) { made, key -> BatteriesFile.withUse(made, key, battery) }
+                if (text != before) writeAtomically(file) { it.write(text.encodeToByteArray()) }
                 null
             } catch (e: RulesException) {
                 e.message
@@ -60,5 +75,12 @@ class FolderBatteries private constructor(private val byFolder: Map<Path?, TeamB
 
         private fun <T> nearestTo(log: Path, top: Path?, parse: (String) -> T) =
             NearestFile.of(log, top, { it.resolve(BatteriesFile.NAME).takeIf(Files::isRegularFile) }, parse)
+
+        /** Returns where [log] is from [folder] on, with slashes; its name if it is not below. */
+        private fun placeFrom(folder: Path?, log: Path): String {
+            val own = log.toAbsolutePath().normalize()
+            val from = folder?.toAbsolutePath()?.normalize()
+            return if (from != null && own.startsWith(from)) from.relativize(own).joinToString("/") else "${log.fileName}"
+        }
     }
 }

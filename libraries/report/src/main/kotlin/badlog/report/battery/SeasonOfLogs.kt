@@ -13,35 +13,38 @@ import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.shown.battery.BatterySeason
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
  * The batteries in many logs.
  *
  * @property seasons what is known of each.
- * @property unreadable why files cannot be read, as sentences.
+ * @property entries the logs, in the given order.
  * @property problems why a file about batteries is not used, as sentences.
  */
-class SeasonOfLogs private constructor(
-    val seasons: List<BatterySeason>,
-    val unreadable: Map<LogFile, String>,
-    val problems: List<String>,
-) {
+class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val entries: List<LogEntry>, val problems: List<String>) {
     /** Whether a log, or the team, names a battery. */
     val hasNames: Boolean get() = seasons.any { it.battery != null }
 
     companion object {
         /** No batteries. */
-        internal val NONE = SeasonOfLogs(emptyList(), emptyMap(), emptyList())
+        internal val NONE = SeasonOfLogs(emptyList(), emptyList(), emptyList())
 
         /**
          * Reads [files] on all cores, except for those that are known from before.
          *
+         * @param folders the folders in which they were found; what the team wrote down is looked for up to them.
          * @param cache a folder for what is known of logs, which the window uses, too; null for none.
          * @param progress called on this thread with the number of files done.
          */
-        fun over(files: List<LogFile>, cache: Path?, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): SeasonOfLogs {
-            val folder = commonFolderOf(files) ?: return NONE
+        fun over(
+            files: List<LogFile>,
+            folders: List<Path>,
+            cache: Path?,
+            progress: (done: Int, total: Int) -> Unit = { _, _ -> },
+        ): SeasonOfLogs {
+            val folder = commonFolderOf(files, folders) ?: return NONE
             val store = FolderStore(folder, cache, BADLOG_VERSION)
             val reading = LogReading(store)
             val entries = ArrayList<LogEntry>()
@@ -53,20 +56,21 @@ class SeasonOfLogs private constructor(
             } finally {
                 store.save()
             }
-            val unreadable = entries.mapNotNull { entry -> entry.summary.trouble?.let { entry.source to it } }
-            return of(entries, folder, unreadable.toMap())
+            return of(entries, folder)
         }
 
         /** Returns the batteries in the logs of a report. */
         internal fun of(logs: List<LogReport>): SeasonOfLogs {
             val folder = commonFolderOf(logs.map { it.file }) ?: return NONE
-            return of(logs.filter { it.unreadable == null }.map(::entryOf), folder, emptyMap())
+            return of(logs.filter { it.unreadable == null }.map(::entryOf), folder)
         }
 
-        private fun of(entries: List<LogEntry>, folder: Path, unreadable: Map<LogFile, String>): SeasonOfLogs {
+        private fun of(entries: List<LogEntry>, folder: Path): SeasonOfLogs {
             val written = FolderBatteries.of(entries.map { it.file }, folder)
-            val seasons = BatterySeason.of(entries, written.batteries) { written.usedFor(it.file, it.summary.match.match) }
-            return SeasonOfLogs(seasons, unreadable, written.problems)
+            val seasons = BatterySeason.of(entries, written.batteries) { logs ->
+                written.usedFor(logs.map { it.file }, logs.firstNotNullOfOrNull { it.summary.match.match })
+            }
+            return SeasonOfLogs(seasons, entries, written.problems)
         }
 
         private fun entryOf(log: LogReport): LogEntry {
@@ -76,6 +80,7 @@ class SeasonOfLogs private constructor(
     }
 }
 
-/** Returns the folder that has all [files] in it or below it; null for no files. */
-internal fun commonFolderOf(files: List<LogFile>): Path? = files.map { it.path.toAbsolutePath().normalize().parent }
-    .reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one.root }
+/** Returns the folder that has all [files] and [folders] in it or below it; null for no files. */
+internal fun commonFolderOf(files: List<LogFile>, folders: List<Path> = emptyList()): Path? =
+    (files.map { it.path.toAbsolutePath().normalize().parent } + folders.map { it.toAbsolutePath().normalize() }.filter(Files::isDirectory))
+        .reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one.root }

@@ -39,7 +39,7 @@ fun reportPage(
     appendSection(out, "Trends", trends(logs))
     appendSection(out, "Charts", chartsPart(charts))
     appendSection(out, "Incidents and findings", logs.filter { it.report.findings.isNotEmpty() }.joinToString("", transform = ::matchPart))
-    appendList(out, "Skipped", notesOf(result))
+    appendList(out, "Skipped", notesOf(result) + result.batteries.problems)
     appendList(out, "Unreadable", result.logs.mapNotNull { log -> log.unreadable?.let { "${names[log.file]}: $it" } })
     return out.append("</main>\n<script>$SCRIPT</script>\n</body>\n</html>\n").toString()
 }

@@ -32,6 +32,7 @@ import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import badlog.signals.QuestionNames
 import badlog.signals.battery.batteryNameIn
+import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalVocabulary
@@ -106,10 +107,17 @@ class MatchTable(
     /**
      * Evaluates the questions for each of [files], on all cores.
      *
+     * @param folders the folders in which they were found.
+     * @param complain called with why a file about batteries is not used, as a sentence.
      * @param progress called on this thread with the number of files done.
      * @return a row for each file, sorted.
      */
-    fun over(files: List<LogFile>, progress: (done: Int, total: Int) -> Unit = { _, _ -> }): List<TableRow> {
+    fun over(
+        files: List<LogFile>,
+        folders: List<Path> = emptyList(),
+        complain: (String) -> Unit = {},
+        progress: (done: Int, total: Int) -> Unit = { _, _ -> },
+    ): List<TableRow> {
         val rows = ArrayList<TableRow>(files.size)
         val parts =
             listOf(
@@ -122,11 +130,21 @@ class MatchTable(
                 "only" +
                 only.map { it.text }
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
-        val batteries = if (by.any(::isBattery)) FolderBatteries.of(files.map { it.path }, commonFolderOf(files)) else FolderBatteries.NONE
+        val batteries = if (by.any(::isBattery)) {
+            FolderBatteries.of(
+                files.map {
+                    it.path
+                },
+                commonFolderOf(files, folders),
+            )
+        } else {
+            FolderBatteries.NONE
+        }
+        batteries.problems.forEach(complain)
         runCached(files, known, { file, cores ->
             LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores, work = ::ask)
         }) { file, stored ->
-            val battery = batteries.usedFor(file.path, stored.match)
+            val battery = batteries.usedFor(listOf(file.path), stored.match ?: matchInName(file.name).match)
             rows += rowOf(file, stored, by.zip(stored.headers) { name, header -> if (isBattery(name)) battery ?: header else header })
             progress(rows.size, files.size)
         }

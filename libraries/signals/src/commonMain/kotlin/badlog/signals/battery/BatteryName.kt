@@ -22,11 +22,12 @@ fun batteryNameIn(recording: Recording, vocabulary: SignalVocabulary): String? {
 }
 
 // A value with this name may be a voltage.
-private fun isName(text: String) = text.trim().trimEnd('V', 'v', ' ').toDoubleOrNull() == null
+private fun isName(text: String) = text.trim().lowercase().removeSuffix("volts").trimEnd('v', ' ').toDoubleOrNull() == null
 
 private fun lastIn(topic: Topic): String? {
     val texts = topic.texts
     for (i in texts.size - 1 downTo 0) if (isMeant(texts[i])) return texts[i]
+    if (topic.type == "boolean") return null
     return topic.samples.lastOrNull { it >= 1 && it == it.toInt().toDouble() }?.toInt()?.toString()
 }
 

@@ -38,7 +38,8 @@ class BatterySeries private constructor(
         val weights = DoubleArray(volts.size)
         var size = 0
         forEachHeld(volts) { from, to, volt ->
-            val held = minOf(to, span.to) - maxOf(from, span.from)
+            // What was logged long before is no longer known.
+            val held = minOf(to, from + LONGEST_LOAD, span.to) - maxOf(from, span.from)
             // Until there is a first voltage, libraries log 0.
             if (held > 0 && volt > LEAST_VOLTS) {
                 values[size] = volt

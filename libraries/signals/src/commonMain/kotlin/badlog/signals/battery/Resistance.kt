@@ -48,6 +48,8 @@ fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
  * expansion in Abramowitz and Stegun, 26.7.5.
  */
 internal fun quantile95(degrees: Int): Double {
+    // The expansion is for more.
+    if (degrees <= FEW_DEGREES.size) return FEW_DEGREES[degrees - 1]
     val n = degrees.toDouble()
     return NORMAL95 + 2.3723 / n + 2.8225 / (n * n) + 2.5558 / (n * n * n)
 }
@@ -75,6 +77,7 @@ private class Sums {
 
 private const val MILLI = 1000.0
 internal const val NORMAL95 = 1.95996
+private val FEW_DEGREES = listOf(12.706, 4.303)
 
 /** Until there is a first voltage, libraries log 0. */
 internal const val LEAST_VOLTS = 1.0

@@ -4,11 +4,13 @@ package badlog.signals.battery
  * What a team wrote down about its batteries.
  *
  * @property batteries the batteries that it has.
- * @property used which battery was in the robot: by the name of a log's file, or by its match, `Qualification 12`.
+ * @property used which battery was in the robot: by the place of a log's file from that file on, with slashes, by its name alone, or by its
+ * match, `Qualification 12`.
  */
 data class TeamBatteries(val batteries: List<TeamBattery> = emptyList(), val used: Map<String, String> = emptyMap()) {
-    /** Returns the battery for the log in the file [fileName], of [match] if that is not null, as written down; null if it is not. */
-    fun usedFor(fileName: String, match: String?): String? = used[fileName] ?: match?.let(used::get)
+    /** Returns the battery of a match, whose logs are at [places], as written down; null if it is not. */
+    fun usedFor(places: List<String>, match: String?): String? = places.firstNotNullOfOrNull(used::get)
+        ?: places.firstNotNullOfOrNull { used[it.substringAfterLast('/')] } ?: match?.let(used::get)
 }
 
 /**
@@ -26,4 +28,5 @@ data class TeamBattery(val name: String, val bought: String? = null, val isRetir
     }
 }
 
-private fun monthsOf(date: String) = date.take(4).toIntOrNull()?.let { it * 12 + (date.drop(5).take(2).toIntOrNull() ?: 1) }
+// A year alone counts from its middle.
+private fun monthsOf(date: String) = date.take(4).toIntOrNull()?.let { it * 12 + (date.drop(5).take(2).toIntOrNull() ?: 7) }

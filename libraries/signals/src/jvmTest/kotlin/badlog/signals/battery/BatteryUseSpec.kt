@@ -81,7 +81,7 @@ class BatteryUseSpec : FunSpec({
     }
 
     test("a voltage, or what says nothing, is no name") {
-        for (text in listOf("12.4", "12.4 V", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
+        for (text in listOf("12.4", "12.4 V", "12.4 volts", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
         logOf(values = mapOf("Battery Name" to "none"))?.name.shouldBeNull()
     }
 })

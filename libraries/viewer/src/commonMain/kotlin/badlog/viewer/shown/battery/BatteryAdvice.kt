@@ -7,7 +7,7 @@ import kotlin.math.roundToInt
 /**
  * What to do with batteries.
  *
- * @property next the battery to use next, and why; null if no log says which battery was used.
+ * @property next the battery to use next, and why; null if no log has a battery of the team.
  * @property retire the batteries to use no longer, and why.
  * @property charge the batteries that were not full, and how that is known.
  */
@@ -25,26 +25,25 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val best = inUse.filter { it.resistance != null }.minByOrNull { highOf(it.resistance!!) }
             val retire = inUse.mapNotNull { retired(it, best) }
             val charge = inUse.mapNotNull(::notFull).filter { tired -> retire.none { it.name == tired.name } }
-            val last = seasons.maxByOrNull { it.matches.firstOrNull()?.second ?: Long.MIN_VALUE }
-            val fit = inUse.filter { season -> retire.none { it.name == season.title } }
-            return BatteryAdvice(nextOf(fit.filter { it !== last }.ifEmpty { fit }, last), retire, charge)
+            val usable = inUse.filter { season -> retire.none { it.name == season.title } }
+            val fit = usable.filter { season -> charge.none { it.name == season.title } }.ifEmpty { usable }
+            return BatteryAdvice(if (inUse.all { it.matches.isEmpty() }) null else nextOf(fit, seasons), retire, charge)
         }
 
         private fun retired(season: BatterySeason, best: BatterySeason?): AdvisedBattery? {
             val own = season.resistance?.takeIf { season !== best } ?: return null
             val least = best?.resistance ?: return null
-            // A battery with a third more than a good one drops to the brownout voltage a third earlier.
+            // One match does not say how much matches differ.
+            if (season.matches.count { it.use.resistance != null } < LEAST_TO_RETIRE) return null
+            // At the same current, its voltage drops a third more.
             if (own.milliohms - own.uncertainty <= highOf(least) * WORN) return null
             val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
-            return AdvisedBattery(
-                season.title,
-                "Retire",
-                "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)}).",
-            )
+            val reason = "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)})."
+            return AdvisedBattery(season.title, "Retire", reason)
         }
 
         private fun notFull(season: BatterySeason): AdvisedBattery? {
-            val last = season.matches.filter { it.use.restBefore != null }.take(MATCHES_TO_TELL)
+            val last = season.matches.filter { it.isMatch && it.use.restBefore != null }.take(MATCHES_TO_TELL)
             if (last.size < MATCHES_TO_TELL || last.any { it.use.restBefore!! >= FULL }) return null
             val volts = last.map { it.use.restBefore!! }
             val before = "Before its last $MATCHES_TO_TELL matches it rested at ${voltsText(volts.min())} to ${voltsText(volts.max())}"
@@ -55,32 +54,32 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             )
         }
 
-        /** Of those that are no worse than the best, the one that rested longest. */
-        private fun nextOf(fit: List<BatterySeason>, last: BatterySeason?): AdvisedBattery? {
-            if (fit.isEmpty() || fit.all { it.matches.isEmpty() }) return null
-            val least = fit.mapNotNull { it.resistance }.minByOrNull(::highOf)
-            val good = if (least ==
-                null
-            ) {
-                fit
-            } else {
-                fit.filter { it.resistance?.let { own -> own.milliohms - own.uncertainty <= highOf(least) } ?: false }
+        /** Of the [fit] ones that are no worse than the best, the one that rested longest; of those never measured, only if there is no other. */
+        private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>): AdvisedBattery? {
+            val last = all.maxByOrNull { it.lastUse }
+            val others = fit.filter { it !== last }
+            val offered = others.ifEmpty { fit }
+            val least = offered.mapNotNull { it.resistance }.minByOrNull(::highOf)
+            val good = offered.filter { season ->
+                least == null ||
+                    season.resistance?.let { it.milliohms - it.uncertainty <= highOf(least) } ?: false
             }
-            val next = good.minBy { it.matches.firstOrNull()?.second ?: Long.MIN_VALUE }
+            val next = good.minByOrNull { it.lastUse } ?: return null
+            val match = next.matches.firstOrNull()
+            val isUnknownSince = all.any { it.battery == null && match != null && it.lastUse > match.second }
             val reasons = listOfNotNull(
                 next.resistance?.let { "its resistance is ${resistanceText(it)}" },
-                next.matches.firstOrNull()?.let {
-                    if (next ===
-                        last
-                    ) {
-                        "it is the only one that is fit"
-                    } else {
-                        "it has rested since ${it.title}"
-                    }
+                when {
+                    match == null -> "no log has it yet"
+                    others.isEmpty() -> "it is the only one that is fit"
+                    isUnknownSince -> "no log after ${match.title} names it"
+                    else -> "it has rested since ${match.title}"
                 },
             )
             return AdvisedBattery(next.title, "Use next", reasons.joinToString(" and ", postfix = ".").replaceFirstChar { it.uppercase() })
         }
+
+        private val BatterySeason.lastUse: Long get() = matches.firstOrNull()?.second ?: Long.MIN_VALUE
 
         private fun highOf(resistance: Resistance) = resistance.milliohms + resistance.uncertainty
 
@@ -90,6 +89,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         /** The voltage at rest of a lead battery that is nearly full, in volts, with the robot's computers on. */
         private const val FULL = 12.4
         private const val MATCHES_TO_TELL = 3
+        private const val LEAST_TO_RETIRE = 2
     }
 }
 

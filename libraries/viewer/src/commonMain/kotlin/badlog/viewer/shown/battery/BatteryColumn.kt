@@ -33,7 +33,7 @@ enum class BatteryColumn(val title: String, val meaning: String, val isNumber: B
     ),
     GROWTH(
         "Growth",
-        "How much the resistance grew from the earlier half of its matches to the later half, if that is certain.",
+        "How much the resistance grew from the earlier half of its matches to the later half, if that is beyond the uncertainty.",
         text = { season -> season.growth?.let { "+${resistanceText(it)}" } },
     ),
     REST_BEFORE(
@@ -48,7 +48,7 @@ enum class BatteryColumn(val title: String, val meaning: String, val isNumber: B
     ),
     ENERGY(
         "Energy",
-        "What a match takes from it on average.",
+        "What a match takes from it on average; where there is none, another run.",
         text = { season -> season.energy?.let { "${fixedText(it, 1)} Wh" } },
     ),
     AGE("Age", "Its age at the last match.", text = { season -> season.age?.let(::ageText) }),

@@ -15,10 +15,11 @@ import kotlin.math.sqrt
  * A match, or another run of the robot, and what it says of its battery.
  *
  * @property title its name for people.
- * @property path the log that says most.
+ * @property paths its logs, the one that says most first.
  * @property second when it began, in s since 1970 on a clock on the wall.
+ * @property isMatch whether it is known to be a match.
  */
-class BatteryMatch(val title: String, val path: String, val second: Long, val use: BatteryUse)
+class BatteryMatch(val title: String, val paths: List<String>, val second: Long, val use: BatteryUse, val isMatch: Boolean)
 
 /**
  * A battery over a season.
@@ -37,7 +38,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The resistance of battery and wiring in all matches together. */
     val resistance: Resistance? = meanOf(resistancesOf(matches))
 
-    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is not certain, or they are of several batteries. */
+    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is within the uncertainty. */
     val growth: Resistance? = if (battery == null) null else growthIn(matches)
 
     /** The median voltage at rest before a match, in volts. */
@@ -46,8 +47,13 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The median voltage at rest after a match, in volts. */
     val restAfter: Double? = medianOf(matches.mapNotNull { it.use.restAfter })
 
-    /** The mean energy that a match takes, in watt-hours. */
-    val energy: Double? = matches.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }
+    /** The mean energy that a match takes, in watt-hours; where there is none, another run. */
+    val energy: Double? = matches.filter {
+        it.isMatch
+    }.ifEmpty { matches }.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }
+
+    /** Identifies it among others: a battery may be called as the unknown one is shown. */
+    val key: String get() = battery?.let { "battery ${it.name}" } ?: "unknown"
 
     companion object {
         /**
@@ -55,28 +61,27 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
          * unknown one.
          *
          * @param team the batteries that the team has.
-         * @param usedFor returns the battery that the team wrote down for a log; null if it did not.
+         * @param usedFor returns the battery that the team wrote down for one of the logs of a match; null if it did not.
          */
         fun <E : ListedLog> of(
             logs: List<E>,
             team: List<TeamBattery> = emptyList(),
-            usedFor: (E) -> String? = { null },
+            usedFor: (List<E>) -> String? = { null },
         ): List<BatterySeason> {
             val matches = runsOf(logs.filter { it.isReadable && !it.isGray && it.summary.battery != null })
-                .map { run ->
-                    (run.logs.firstNotNullOfOrNull(usedFor) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to
-                        matchOf(run)
-                }
-                .groupBy({ it.first }, { it.second })
-            val last = matches.values.maxOfOrNull { it.first().second }
-            val named = (team.map { it.name } + matches.keys.filterNotNull()).distinct()
+                .map { run -> (usedFor(run.logs) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to matchOf(run) }
+                .groupBy({ it.first?.lowercase() }, { it })
+            val last = matches.values.maxOfOrNull { it.first().second.second }
+            val named = (team.map { it.name } + matches.values.mapNotNull { it.first().first }).distinctBy { it.lowercase() }
             val known = named.map { name ->
-                val battery = team.find { it.name == name } ?: TeamBattery(name)
-                BatterySeason(battery, matches[name].orEmpty(), last?.let { battery.monthsUntil(isoText(it)) })
+                val battery = team.find { it.name.equals(name, ignoreCase = true) } ?: TeamBattery(name)
+                BatterySeason(battery, ofBattery(matches[name.lowercase()]), last?.let { battery.monthsUntil(isoText(it)) })
             }
             val order = compareBy<BatterySeason> { it.battery?.isRetired }.thenBy(NaturalOrder) { it.title }
-            return known.sortedWith(order) + listOfNotNull(matches[null]?.let { BatterySeason(null, it) })
+            return known.sortedWith(order) + listOfNotNull(matches[null]?.let { BatterySeason(null, ofBattery(it)) })
         }
+
+        private fun ofBattery(named: List<Pair<String?, BatteryMatch>>?) = named.orEmpty().map { it.second }
     }
 }
 
@@ -95,7 +100,7 @@ private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
         uses.firstNotNullOfOrNull { it.energy },
         uses.mapNotNull { it.resistance }.minByOrNull { it.uncertainty },
     )
-    return BatteryMatch(logs.first().title, logs.first().path, run.second, use)
+    return BatteryMatch(logs.first().title, logs.map { it.path }, run.second, use, logs.any { it.summary.match.match != null })
 }
 
 private fun resistancesOf(matches: List<BatteryMatch>) = matches.mapNotNull { it.use.resistance }

@@ -54,8 +54,12 @@ enum class ChannelOrder(val title: String, val hint: String) {
     PEAK("Peak", "Channels by their highest current: what makes the voltage drop"),
 }
 
-/** The channels of a log, in whose [view] they are found. */
-class Channels private constructor(private val view: LogView, private val lines: List<Pair<GraphSeries, Double>>) {
+/**
+ * The channels of a log, in whose [view] they are found.
+ *
+ * @property what what they are: `Channel`, or `Motor` where a log does not show the channels.
+ */
+class Channels private constructor(private val view: LogView, private val lines: List<Pair<GraphSeries, Double>>, val what: String) {
     private val names = shortNames(lines.map { (line, _) -> line.topic.name })
 
     /** The names of their topics. */
@@ -77,10 +81,22 @@ class Channels private constructor(private val view: LogView, private val lines:
     companion object {
         /** Returns the channels of [view], whose topics [topics] knows; or else its motors. */
         fun of(view: LogView, topics: SignalTopics): Channels {
-            val found = topics.of("channel current").ifEmpty { topics.of("motor current") }
+            val channels = topics.of("channel current")
+            // A log may have them twice, from two libraries.
+            val first = channels.firstOrNull()?.let { listOfName(it.topic) }
+            val found = channels.filter { listOfName(it.topic) == first }.ifEmpty { topics.of("motor current") }
             val byName = view.recording.topics.associateBy { it.name }
-            return Channels(view, found.mapNotNull { topic -> byName[topic.topic]?.let { view.seriesOf(it) to (topic.scale ?: 1.0) } })
+            return Channels(
+                view,
+                found.mapNotNull { topic ->
+                    byName[topic.topic]?.let { view.seriesOf(it) to (topic.scale ?: 1.0) }
+                },
+                if (channels.isEmpty()) "Motor" else "Channel",
+            )
         }
+
+        /** The name of the channel [topic] without its number. */
+        private fun listOfName(topic: String) = topic.filterNot { it.isDigit() }
 
         private const val SECONDS_PER_HOUR = 3600.0
     }

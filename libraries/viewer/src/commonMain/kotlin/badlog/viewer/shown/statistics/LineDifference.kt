@@ -20,19 +20,29 @@ class LineDifference(val mean: Double, val rms: Double, val largest: Double, val
 
 /**
  * Returns how [one] differs from [other] within [parts] of x; null where they have no samples in common, or x goes backwards. Each sample
- * holds until the next one of its line.
+ * holds until the next one of its line, and the last one until [endOfOne] or [endOfOther].
  *
- * @param unit the unit of both: of angles, the shorter way around a turn counts.
+ * @param unit the unit of both: if one of them turns on from one end of a turn to the other, the shorter way around counts.
  */
-fun differenceOf(one: Series, other: Series, parts: List<Span>, unit: String): LineDifference? {
+fun differenceOf(
+    one: Series,
+    other: Series,
+    parts: List<Span>,
+    unit: String,
+    endOfOne: Double = one.range?.endInclusive ?: Double.NaN,
+    endOfOther: Double = other.range?.endInclusive ?: Double.NaN,
+): LineDifference? {
     if (!one.isOrdered || !other.isOrdered) return null
-    val turn = turnOf(unit, one, other, parts)
+    val until = minOf(endOfOne, endOfOther)
+    val known = parts.map { Span(it.from, minOf(it.to, until)) }.filter { it.from < it.to }
+    if (known.isEmpty()) return null
+    val turn = turnOf(unit, one, other)
     var time = 0.0
     var sum = 0.0
     var squares = 0.0
     var largest = 0.0
     var largestAt = Double.NaN
-    for (part in parts) {
+    for (part in known) {
         forEachDifference(one, other, part, turn) { from, to, difference ->
             time += to - from
             sum += (to - from) * difference
@@ -44,7 +54,7 @@ fun differenceOf(one: Series, other: Series, parts: List<Span>, unit: String): L
         }
     }
     if (!(time > 0)) return null
-    return LineDifference(sum / time, sqrt(squares / time), largest, largestAt, lagOf(one, other, parts.maxBy { it.width }, turn))
+    return LineDifference(sum / time, sqrt(squares / time), largest, largestAt, lagOf(one, other, known.maxBy { it.width }, turn))
 }
 
 /** Calls [each] with every stretch within [part] in which neither line changes and both have a value. */
@@ -61,15 +71,12 @@ private inline fun forEachDifference(
     var from = part.from
     while (from < part.to) {
         val next = minOf(one.x.getOrElse(i + 1) { part.to }, other.x.getOrElse(k + 1) { part.to }, part.to)
-        // What holds after the last sample of a line is not known.
-        val isKnown = i >= 0 && k >= 0 && i + 1 < one.size && k + 1 < other.size
-        if (isKnown && next > from) {
+        if (i >= 0 && k >= 0 && next > from) {
             val difference = wrapped(one.y[i] - other.y[k], turn)
             if (difference.isFinite()) each(from, next, difference)
         }
         while (i + 1 < one.size && one.x[i + 1] <= next) i++
         while (k + 1 < other.size && other.x[k + 1] <= next) k++
-        if (i + 1 >= one.size || k + 1 >= other.size) return
         from = next
     }
 }
@@ -99,7 +106,7 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
     val squares = DoubleArray(2 * MOST_SHIFT + 1) { squareAt(it - MOST_SHIFT) }
     if (squares.any { it.isNaN() }) return null
     val best = squares.indices.minBy { squares[it] }
-    if (best == 0 || best == squares.lastIndex || squares[best] > squares[MOST_SHIFT] * MUCH_BETTER) return null
+    if (best == MOST_SHIFT || best == 0 || best == squares.lastIndex || squares[best] > squares[MOST_SHIFT] * MUCH_BETTER) return null
     val (before, at, after) = listOf(squares[best - 1], squares[best], squares[best + 1])
     // The vertex of the parabola through the three.
     val bend = before - 2 * at + after
@@ -108,7 +115,7 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
 }
 
 private fun sampled(series: Series, part: Span, step: Double): DoubleArray {
-    var next = 0
+    var next = series.firstAfter(part.from)
     return DoubleArray(SAMPLES) { i ->
         val x = part.from + i * step
         while (next < series.size && series.x[next] <= x) next++
@@ -118,32 +125,25 @@ private fun sampled(series: Series, part: Span, step: Double): DoubleArray {
 
 private fun wrapped(difference: Double, turn: Double) = if (turn.isNaN()) difference else difference - turn * round(difference / turn)
 
-/** Returns a full turn in [unit]; NaN if it is not of angles, or the lines count turns: then a turn more is a difference. */
-private fun turnOf(unit: String, one: Series, other: Series, parts: List<Span>): Double {
+/** Returns a full turn in [unit]; NaN if it is not of angles, or neither line goes on from one end of the turn to the other. */
+private fun turnOf(unit: String, one: Series, other: Series): Double {
     val turn = when (unit.trim().lowercase()) {
         "deg", "degree", "degrees", "°" -> DEGREES
         "rad", "radian", "radians" -> 2 * PI
         "rot", "rotation", "rotations", "turn", "turns", "rev", "revolutions" -> 1.0
         else -> return Double.NaN
     }
-    val isWithinTurn = listOf(one, other).all { series ->
-        var least = Double.POSITIVE_INFINITY
-        var most = Double.NEGATIVE_INFINITY
-        for (part in parts) {
-            for (i in maxOf(0, series.firstAfter(part.from) - 1) until series.firstAfter(part.to)) {
-                least = minOf(least, series.y[i].takeUnless { it.isNaN() } ?: least)
-                most = maxOf(most, series.y[i].takeUnless { it.isNaN() } ?: most)
-            }
-        }
-        most - least <= turn * ROUNDED && most <= turn * ROUNDED && least >= -turn * ROUNDED
-    }
-    return if (isWithinTurn) turn else Double.NaN
+    return if (wraps(one, turn) || wraps(other, turn)) turn else Double.NaN
 }
+
+/** Returns whether [series] jumps by about a [turn], as an angle does that goes on from one end of the turn to the other. */
+private fun wraps(series: Series, turn: Double): Boolean =
+    (1 until series.size).any { abs(abs(series.y[it] - series.y[it - 1]) - turn) < turn * JUMP }
 
 private const val DEGREES = 360.0
 
-/** A turn, and what rounding adds to it. */
-private const val ROUNDED = 1.001
+/** How far a line has moved on meanwhile, as a share of the turn. */
+private const val JUMP = 0.2
 private const val SAMPLES = 1000
 private const val MOST_SHIFT = 100
 private const val MUCH_BETTER = 0.5

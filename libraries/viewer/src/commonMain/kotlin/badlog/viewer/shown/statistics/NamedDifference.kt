@@ -3,6 +3,7 @@ package badlog.viewer.shown.statistics
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
+import badlog.viewer.text.exactText
 import badlog.viewer.text.lengthText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.placeText
@@ -17,15 +18,20 @@ import kotlin.math.abs
  * @param width the part of x that was looked at.
  */
 class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val difference: LineDifference, private val width: Double) {
-    /** Returns its values for people, under [TITLES]. */
-    fun texts(axis: XAxis): List<String> = with(difference) {
+    /** Returns its values for people, under [TITLES]; [offset] is added to the place. */
+    fun texts(axis: XAxis, offset: Double = 0.0): List<String> = with(difference) {
         listOf(
             withUnit(numberText(mean), one.unit),
             withUnit(numberText(rms), one.unit),
             withUnit(numberText(largest), one.unit),
-            withUnit(placeText(largestAt, axis, width), axis.unit),
+            withUnit(placeText(largestAt + offset, axis, width), axis.unit),
             lag?.let { "${lengthText(abs(it), axis)} ${if (it >= 0) "behind" else "ahead"}" } ?: "–",
         )
+    }
+
+    /** Returns the same to the last digit, without units; [offset] is added to the place. */
+    fun exactTexts(offset: Double = 0.0): List<String> = with(difference) {
+        listOf(exactText(mean), exactText(rms), exactText(largest), exactText(largestAt + offset), lag?.let(::exactText) ?: "–")
     }
 
     companion object {
@@ -42,18 +48,22 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
         )
 
         /** More than anybody compares in one graph. */
-        private const val MOST = 6
+        const val MOST: Int = 6
 
         /**
-         * Returns how the lines after the first of [lines], which are those of a graph, differ from the first within [parts] of x; only those
-         * with numbers of the same unit.
+         * Returns how [lines], which are those of a graph, differ within [parts] of x: each from the first of its unit; at most [MOST]. A line
+         * that holds its last value does so until [end].
          */
-        fun of(lines: List<GraphSeries>, parts: List<Span>): List<NamedDifference> {
-            val numbers = lines.filter { it.states == null }
-            val first = numbers.firstOrNull() ?: return emptyList()
+        fun of(lines: List<GraphSeries>, parts: List<Span>, end: Double): List<NamedDifference> {
             val width = parts.sumOf { it.width }
-            return numbers.drop(1).filter { it.unit == first.unit }.take(MOST).mapNotNull { line ->
-                differenceOf(line.data, first.data, parts, first.unit)?.let { NamedDifference(line, first, it, width) }
+            fun endOf(line: GraphSeries) = if (line.holds) end else line.data.range?.endInclusive ?: Double.NaN
+            val pairs = lines.filter {
+                it.states == null
+            }.groupBy { it.unit }.values.flatMap { alike -> alike.drop(1).map { it to alike[0] } }
+            return pairs.take(MOST).mapNotNull { (line, first) ->
+                differenceOf(line.data, first.data, parts, first.unit, endOf(line), endOf(first))?.let {
+                    NamedDifference(line, first, it, width)
+                }
             }
         }
     }

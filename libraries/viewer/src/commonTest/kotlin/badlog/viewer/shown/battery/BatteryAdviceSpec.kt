@@ -27,9 +27,9 @@ class BatteryAdviceSpec : FunSpec({
     }
 
     test("a battery with certainly a third more than the best is retired, with the reason") {
-        val advice = adviceOn(use("A1", 20.0), use("B2", 28.0), use("C3", 25.0), use("A1", 20.0))
+        val advice = adviceOn(use("A1", 20.0), use("B2", 28.0), use("B2", 28.0), use("C3", 25.0), use("A1", 20.0))
         advice.retire.map { it.name to it.reason } shouldContainExactly
-            listOf("B2" to "Its resistance is 28.0 ± 0.3 mΩ, 40 % more than that of A1 (20.0 ± 0.2 mΩ).")
+            listOf("B2" to "Its resistance is 28.0 ± 0.2 mΩ, 40 % more than that of A1 (20.0 ± 0.2 mΩ).")
         advice.next?.name shouldBe "C3"
     }
 
@@ -44,6 +44,26 @@ class BatteryAdviceSpec : FunSpec({
         advice.charge.single().reason shouldBe
             "Before its last 3 matches it rested at 12.10 V to 12.25 V; a full battery has 12.40 V or more. Check it and its charger."
         adviceOn(use("B2", rest = 12.1), use("B2", rest = 12.6), use("B2", rest = 12.2)).charge.shouldBeEmpty()
+    }
+
+    test("one match is too little to retire a battery, because it does not say how much matches differ") {
+        adviceOn(use("A1", 20.0), use("B2", 40.0), use("A1", 20.0)).retire.shouldBeEmpty()
+    }
+
+    test("a battery that no log has yet comes next if there is no other but that of the last match") {
+        val advice = adviceOn(use("A1", 20.0), team = listOf(TeamBattery("D4")))
+        advice.next?.name shouldBe "D4"
+        advice.next?.reason shouldBe "No log has it yet."
+        adviceOn(team = listOf(TeamBattery("D4"))).next.shouldBeNull()
+    }
+
+    test("a battery to be checked is not the next one while there is another") {
+        val advice = adviceOn(use("A1", rest = 12.8), use("B2", rest = 12.1), use("B2", rest = 12.1), use("B2", rest = 12.1), use("C3", rest = 12.8))
+        advice.next?.name shouldBe "A1"
+    }
+
+    test("that a battery rested is not said if nobody knows which was used since") {
+        adviceOn(use("A1"), use("B2"), use(null)).next?.reason shouldBe "No log after Qualification 1 names it."
     }
 
     test("nothing is advised of batteries that nobody has named") {

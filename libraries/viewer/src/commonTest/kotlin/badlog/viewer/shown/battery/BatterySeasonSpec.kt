@@ -38,6 +38,12 @@ class BatterySeasonSpec : FunSpec({
         seasons.map { it.title } shouldContainExactly listOf("A1")
     }
 
+    test("a battery has one row, however its name is written, and one called Unknown is not the unknown one") {
+        val seasons = BatterySeason.of(listOf(batteryLog(1, use("a1")), batteryLog(2, use("A1")), batteryLog(3, use("Unknown")), batteryLog(4, use(null))))
+        seasons.map { it.matches.size } shouldContainExactly listOf(2, 1, 1)
+        seasons.map { it.key }.distinct().size shouldBe 3
+    }
+
     test("logs of robot and Driver Station are one match, and idle logs are none") {
         val robot = batteryLog(1, use("A1", lowest = null), "robot.bag")
         val station = batteryLog(1, use(null, 20.0, lowest = 7.256), "station.dslog")

@@ -35,6 +35,16 @@ class LineDifferenceSpec : FunSpec({
         differenceOf(target, follower, all, "m/s").shouldNotBeNull().lag.shouldNotBeNull() shouldBe (-0.12 plusOrMinus 0.01)
     }
 
+    test("a line has no lag behind itself") {
+        differenceOf(line { sin(it) }, line { sin(it) }, all, "m/s").shouldNotBeNull().lag.shouldBeNull()
+    }
+
+    test("a line that holds its last value is compared until the end") {
+        val target = Series(doubleArrayOf(0.0), doubleArrayOf(3.0))
+        differenceOf(line { 1.0 }, target, all, "V", endOfOther = 30.0).shouldNotBeNull().mean shouldBe (-2.0 plusOrMinus 1e-9)
+        differenceOf(line { 1.0 }, target, all, "V").shouldBeNull()
+    }
+
     test("lines of different shape have no lag") {
         differenceOf(line { sin(it) }, line { sin(5 * it) }, all, "m/s").shouldNotBeNull().lag.shouldBeNull()
     }
@@ -47,8 +57,13 @@ class LineDifferenceSpec : FunSpec({
 
     for ((unit, turn) in listOf("deg" to 360.0, "rad" to 2 * PI, "rot" to 1.0)) {
         test("of angles in $unit, the shorter way counts, unless they count turns") {
-            differenceOf(line { 0.49 * turn }, line { -0.49 * turn }, all, unit).shouldNotBeNull().mean shouldBe (-0.02 * turn plusOrMinus 1e-9)
+            fun angle(turns: Double) = (turns - kotlin.math.round(turns)) * turn
+            differenceOf(line { angle(0.3 * it + 0.01) }, line { angle(0.3 * it) }, all, unit).shouldNotBeNull().run {
+                mean shouldBe (0.01 * turn plusOrMinus 1e-9)
+                largest shouldBe (0.01 * turn plusOrMinus 1e-9)
+            }
             differenceOf(line { it * turn + turn }, line { it * turn }, all, unit).shouldNotBeNull().mean shouldBe (turn plusOrMinus 1e-9)
+            differenceOf(line { 0.2 * turn }, line { 0.9 * turn }, all, unit).shouldNotBeNull().mean shouldBe (-0.7 * turn plusOrMinus 1e-9)
         }
     }
 
