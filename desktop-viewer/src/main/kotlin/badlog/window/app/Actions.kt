@@ -10,6 +10,7 @@ import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.finding.FindingOrder
 import badlog.window.findings.LogFindings
 import badlog.window.formula.FormulaStore
+import badlog.window.graph.SpokenCursor
 import badlog.window.layout.KeptLayouts
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
@@ -31,6 +32,7 @@ internal class Actions(
     private val layouts: KeptLayouts,
     private val panels: WindowPanels,
     private val video: LogVideo,
+    private val spoken: SpokenCursor,
 ) {
     /** Performs [action]; most need an open log. */
     fun perform(action: Action) {
@@ -50,11 +52,11 @@ internal class Actions(
 
         is Request.Layout -> layouts.step(request.steps)
 
-        // The values at the cursor are read from the panel.
-        Request.Cursor -> Unit
+        Request.Cursor -> spoken.sayValues()
 
         is Request.Finding -> {
             findings.showEvidence(request.step.place.finding)
+            spoken.sayFinding(request.step.spoken)
             openFindings()
         }
 

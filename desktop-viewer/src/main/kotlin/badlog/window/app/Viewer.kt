@@ -29,6 +29,7 @@ import badlog.window.folder.LibraryActions
 import badlog.window.folder.NewLogs
 import badlog.window.folder.SinceLastMatch
 import badlog.window.formula.FormulaStore
+import badlog.window.graph.SpokenCursor
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.graphCommands
 import badlog.window.layout.KeptLayouts
@@ -179,7 +180,8 @@ internal class Viewer(
         showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
-    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video)
+    val spoken = SpokenCursor(current, board, view)
+    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video, spoken)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */

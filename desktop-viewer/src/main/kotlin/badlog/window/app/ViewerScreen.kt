@@ -26,6 +26,7 @@ import badlog.window.folder.LogTable
 import badlog.window.folder.ShownLogs
 import badlog.window.formula.FormulaDialog
 import badlog.window.graph.GraphPane
+import badlog.window.graph.SpokenText
 import badlog.window.layout.LayoutMenu
 import badlog.window.pit.PitPane
 import badlog.window.settings.PaneWidths
@@ -163,6 +164,7 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
                     CompareBar(current, compared)
                     GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
                 }
+                SpokenText(spoken)
             }
 
             MainView.LOGS -> LogTable(library, settings, shownLogs(), logActions, Modifier.fillMaxSize())

@@ -1,0 +1,57 @@
+package badlog.window.graph
+
+import androidx.compose.foundation.layout.size
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import badlog.viewer.shown.cursor.spokenAt
+import badlog.viewer.text.placeText
+import badlog.viewer.text.withUnit
+import badlog.window.log.AxisView
+import badlog.window.log.CurrentRecording
+import badlog.window.log.GraphBoard
+import badlog.window.log.OpenRecording
+import badlog.window.state.StateHolder
+
+/**
+ * What a screen reader says after a key has moved the cursor: its place, with the values or the finding there. The state is the last text;
+ * the pointer does not change it, because it moves too fast to be followed.
+ */
+internal class SpokenCursor(private val current: CurrentRecording, private val board: GraphBoard, private val view: AxisView) :
+    StateHolder<String>("") {
+    /** Says where the cursor is that keys move, and the first values of the graphs there. */
+    fun sayValues() {
+        val open = current.recording ?: return
+        val x = view.cursors.moving ?: return
+        val names = board.state.graphs.flatMap { it.lines - it.hidden }.distinct()
+        change { spokenAt(names.mapNotNull { open.signal(it)?.line }, x, placeOf(x, open)) }
+    }
+
+    /** Says where the cursor was pinned, and what was [found] there. */
+    fun sayFinding(found: String) {
+        val open = current.recording ?: return
+        val x = view.cursors.pinned ?: return
+        if (found.isNotEmpty()) change { "${placeOf(x, open)}: $found" }
+    }
+
+    private fun placeOf(x: Double, open: OpenRecording) =
+        open.view.xAxis.let { withUnit(placeText(x, it, view.viewport.visible.width), it.unit) }
+}
+
+/** The text of [spoken] for screen readers alone: it is there, but nothing of it is drawn. */
+@Composable
+internal fun SpokenText(spoken: SpokenCursor) {
+    // One without a size does not exist for screen readers.
+    Text(
+        spoken.state,
+        Modifier.size(1.dp).semantics { liveRegion = LiveRegionMode.Polite },
+        color = Color.Transparent,
+        softWrap = false,
+        maxLines = 1,
+    )
+}
