@@ -43,6 +43,8 @@ import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.Tip
 import java.nio.file.Path
@@ -82,14 +84,12 @@ internal fun TableHead(library: Library, previewTopic: String?, spare: Dp) {
 
 @Composable
 private fun PreviewTitle(topic: String?) {
-    Text(
+    NameText(
         topic ?: "Battery voltage",
         Modifier.width(PREVIEW_WIDTH.dp).padding(horizontal = 8.dp, vertical = 6.dp),
         color = LocalPalette.current.muted,
         fontSize = 12.sp,
         fontWeight = FontWeight.SemiBold,
-        maxLines = 1,
-        overflow = TextOverflow.StartEllipsis,
     )
 }
 
@@ -138,16 +138,23 @@ internal fun TableRow(
             val color = cellColor(entry, column, palette)
             val isWay = column == LogColumn.FINDINGS && entry.found?.worst != null
             val cell = @Composable { width: Modifier ->
-                Text(
-                    cellText(entry, column, folder),
-                    width.padding(horizontal = 8.dp),
-                    color = color,
-                    fontWeight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal,
-                    textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
-                    maxLines = 1,
-                    textDecoration = TextDecoration.Underline.takeIf { isWay && isHovered },
-                    overflow = if (column == LogColumn.FILE) TextOverflow.MiddleEllipsis else TextOverflow.Ellipsis,
-                )
+                val text = cellText(entry, column, folder)
+                val place = width.padding(horizontal = 8.dp)
+                val weight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal
+                if (column == LogColumn.FILE) {
+                    NameText(text, place, color, fontWeight = weight, cut = NameCut.MIDDLE)
+                } else {
+                    Text(
+                        text,
+                        place,
+                        color = color,
+                        fontWeight = weight,
+                        textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
+                        maxLines = 1,
+                        textDecoration = TextDecoration.Underline.takeIf { isWay && isHovered },
+                        overflow = TextOverflow.Ellipsis,
+                    )
+                }
             }
             val width = Modifier.width(widthOf(column, spare))
             if (isWay) {

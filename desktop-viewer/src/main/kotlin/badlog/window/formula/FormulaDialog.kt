@@ -44,7 +44,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.input.OffsetMapping
 import androidx.compose.ui.text.input.TransformedText
 import androidx.compose.ui.text.style.TextDecoration
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.expression.ExpressionError
@@ -52,6 +51,7 @@ import badlog.viewer.choices.formula.reasonToKeepName
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.ToolButton
 import badlog.window.theme.sheet
@@ -176,7 +176,7 @@ internal fun SuggestedNames(writer: FormulaWriter) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().heightIn(max = 200.dp)) {
         writer.suggestions.names.forEachIndexed { index, name ->
-            Text(
+            NameText(
                 name,
                 Modifier
                     .fillMaxWidth()
@@ -187,8 +187,6 @@ internal fun SuggestedNames(writer: FormulaWriter) {
                         selected = index == writer.marked
                     }
                     .padding(horizontal = 10.dp, vertical = 3.dp),
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
             )
         }
     }

@@ -2,7 +2,6 @@ package badlog.window.graph
 
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.withFrameNanos
@@ -16,7 +15,6 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.isPrimaryPressed
 import androidx.compose.ui.input.pointer.pointerInput
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -27,6 +25,7 @@ import badlog.window.graph.scene.GraphDrag
 import badlog.window.graph.scene.GraphScene
 import badlog.window.menu.ClosesByEscape
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.labelFrame
 
@@ -92,15 +91,13 @@ internal fun DraggedGraph(scene: GraphScene, height: Int) {
             list.dispatchRawDelta(if (isUp) -SCROLL else SCROLL)
         }
     }
-    Text(
+    NameText(
         graph.title,
         Modifier
             .offset { IntOffset(drag.pointer.x.toInt() + BESIDE.dp.roundToPx(), drag.pointer.y.toInt() + BESIDE.dp.roundToPx()) }
             .widthIn(max = 260.dp)
             .labelFrame(palette.accent),
         fontSize = 12.sp,
-        maxLines = 1,
-        overflow = TextOverflow.MiddleEllipsis,
     )
 }
 

@@ -25,7 +25,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -37,6 +36,7 @@ import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.xy.XyLegend
 import badlog.window.menu.MenuBox
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import java.awt.Cursor
 
 /** The title and legend of a graph, in at most [maxLines] lines of text. What does not fit is in a menu. */
@@ -97,14 +97,12 @@ private fun GraphTitle(title: String) {
     val palette = LocalPalette.current
     val folder = title.substringBeforeLast('/', "").takeLast(MAX_FOLDER_LETTERS)
     Row(Modifier.pointerHoverIcon(PointerIcon(Cursor(Cursor.MOVE_CURSOR)))) {
-        Text(
+        NameText(
             buildAnnotatedString {
                 if (folder.isNotEmpty()) withStyle(SpanStyle(color = palette.muted)) { append("$folder / ") }
                 withStyle(SpanStyle(fontWeight = FontWeight.Medium)) { append(title.substringAfterLast('/')) }
             },
             Modifier.widthIn(max = 420.dp),
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
         )
     }
 }

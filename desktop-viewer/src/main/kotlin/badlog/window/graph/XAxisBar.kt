@@ -19,12 +19,11 @@ import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.rememberTextMeasurer
-import androidx.compose.ui.text.style.TextOverflow
-import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.Span
@@ -36,7 +35,9 @@ import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.plotPointer
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
 import badlog.window.theme.Palette
+import badlog.window.theme.measureName
 
 /** The common x axis below the graphs, with the cursor's place; dragging it pans. */
 @Composable
@@ -71,14 +72,8 @@ internal fun XAxisBar(scene: GraphScene) {
 
 private fun DrawScope.drawPlaces(visible: Span, title: String, letters: TextMeasurer, style: TextStyle, palette: Palette) {
     drawLine(palette.border, Offset.Zero, Offset(size.width, 0f))
-    val name = letters.measure(
-        title.take(MAX_LETTERS),
-        style,
-        TextOverflow.Ellipsis,
-        softWrap = false,
-        maxLines = 1,
-        constraints = Constraints(maxWidth = (size.width / 4).toInt().coerceAtLeast(1)),
-    )
+    val room = (size.width / 4).toInt().coerceAtLeast(1)
+    val name = letters.measureName(AnnotatedString(title.takeLast(MAX_LETTERS)), style, room, NameCut.BEGINNING)
     val top = TICK * density
     drawText(name, topLeft = Offset(size.width - name.size.width, top))
     val ticks = Ticks.ofX(visible, size.width.toDp().value.toDouble())

@@ -35,6 +35,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 
 /**
@@ -107,7 +109,7 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
     ) {
         Column(Modifier.weight(1f)) {
             val tint = if (isEnabled) palette.text else palette.muted.copy(alpha = 0.6f)
-            Text(entry.text, color = tint, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            NameText(entry.text, color = tint, cut = NameCut.MIDDLE)
             val small = entry.whyNot ?: entry.hint
             if (small.isNotEmpty()) {
                 Text(small, color = palette.muted, fontSize = 11.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
@@ -138,7 +140,7 @@ internal fun MenuLine(text: String, mark: ImageVector? = null, isMarked: Boolean
         horizontalArrangement = Arrangement.spacedBy(8.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(text, Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.MiddleEllipsis)
+        NameText(text, Modifier.weight(1f), cut = NameCut.MIDDLE)
         if (mark != null) Icon(mark, contentDescription = "selected", Modifier.size(14.dp), palette.accent)
     }
 }

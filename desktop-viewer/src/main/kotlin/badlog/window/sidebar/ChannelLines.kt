@@ -14,12 +14,12 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.RankedChannel
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
@@ -40,7 +40,7 @@ internal fun ChannelLine(channel: RankedChannel, most: Double, order: ChannelOrd
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 4.dp)) {
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
             Tip(channel.topic, Modifier.weight(1f)) {
-                Text(channel.name, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.StartEllipsis)
+                NameText(channel.name, fontSize = 12.sp)
             }
             Text(
                 "${channel.chargeText}, ${channel.shareText}, up to ${channel.peakText}",

@@ -47,6 +47,7 @@ import badlog.window.log.isFoundBy
 import badlog.window.log.valueText
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.Tip
 import kotlinx.coroutines.Dispatchers
@@ -141,7 +142,7 @@ private fun CursorLine(row: CursorRow, isDrawn: Boolean, onPin: () -> Unit) {
             Modifier.size(14.dp).clickable(role = Role.Button, onClick = onPin),
             if (isDrawn) palette.accent else palette.muted,
         )
-        Text(row.name, Modifier.weight(1f), color = palette.muted, maxLines = 1, overflow = TextOverflow.StartEllipsis)
+        NameText(row.name, Modifier.weight(1f), color = palette.muted)
         Tip(row.exact, Modifier.weight(0.8f)) {
             Text(row.text, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }

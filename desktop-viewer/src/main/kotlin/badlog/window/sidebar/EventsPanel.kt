@@ -44,6 +44,7 @@ import badlog.window.log.AxisView
 import badlog.window.log.FilteredEvents
 import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
@@ -152,7 +153,7 @@ internal fun EventLine(
         Column(Modifier.weight(1f)) {
             Text(text, maxLines = 4, overflow = TextOverflow.Ellipsis)
             if (isTopicShown) {
-                Text(events.topicOf(index), color = palette.muted, fontSize = 11.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+                NameText(events.topicOf(index), color = palette.muted, fontSize = 11.sp)
             }
         }
     }

@@ -40,6 +40,7 @@ import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
@@ -149,11 +150,11 @@ private fun rangeText(statistics: RangeStatistics): String {
 private fun SignalCells(signal: SignalStatistics) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
-        Text(signal.signal, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        NameText(signal.signal, fontWeight = FontWeight.SemiBold)
         if (signal.recording.isNotEmpty()) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
                 Box(Modifier.size(8.dp).background(palette.colorOf(signal.place), RoundedCornerShape(2.dp)))
-                Text(signal.recording, color = palette.muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+                NameText(signal.recording, color = palette.muted, fontSize = 12.sp)
             }
         }
         val (wide, narrow) = signal.cells.partition { it.isWide }

@@ -41,6 +41,7 @@ import badlog.core.recording.Topic
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import java.nio.file.Path
 
@@ -101,15 +102,13 @@ private fun Heading(statistics: SelectedStatistics, grid: StatisticsGrid, column
 @Composable
 private fun HeadingText(text: String, isFigure: Boolean, isSecond: Boolean) {
     val palette = LocalPalette.current
-    Text(
+    NameText(
         text,
         Modifier.fillMaxWidth(),
         color = if (isSecond) palette.muted else palette.text,
         fontSize = if (isSecond) 11.sp else 13.sp,
         fontWeight = if (isSecond) null else FontWeight.SemiBold,
         textAlign = if (isFigure) TextAlign.End else TextAlign.Start,
-        maxLines = 1,
-        overflow = TextOverflow.Ellipsis,
     )
 }
 

@@ -38,7 +38,6 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
@@ -52,6 +51,7 @@ import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
@@ -225,7 +225,7 @@ private fun TopicChoice(topic: String, isSelected: Boolean, onClick: () -> Unit)
         Box(Modifier.size(14.dp)) {
             if (isSelected) Icon(Icons.Check, contentDescription = null, Modifier.size(14.dp), palette.accent)
         }
-        Tip(topic, Modifier.weight(1f)) { Text(topic, maxLines = 1, overflow = TextOverflow.Ellipsis) }
+        Tip(topic, Modifier.weight(1f)) { NameText(topic) }
     }
 }
 

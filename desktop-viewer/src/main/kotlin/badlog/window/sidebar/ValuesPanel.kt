@@ -31,6 +31,7 @@ import badlog.viewer.shown.search.Query
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
@@ -80,12 +81,10 @@ internal fun valueRows(open: OpenRecording, query: String): List<ValueRow> {
 
 @Composable
 private fun FolderHeading(name: String) {
-    Text(
+    NameText(
         name,
         Modifier.padding(start = 12.dp, end = 12.dp, top = 10.dp, bottom = 2.dp),
         fontWeight = FontWeight.SemiBold,
-        maxLines = 1,
-        overflow = TextOverflow.Ellipsis,
     )
 }
 
@@ -98,12 +97,7 @@ private fun ValueLine(value: Value) {
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Tip(value.name, Modifier.weight(0.42f)) {
-            Text(
-                PathName.baseNameOf(value.name),
-                color = LocalPalette.current.muted,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
+            NameText(PathName.baseNameOf(value.name), color = LocalPalette.current.muted)
         }
         Text(value.text.ifEmpty { "–" }, Modifier.weight(0.58f), maxLines = 12, overflow = TextOverflow.Ellipsis)
         ToolButton("Copy ${value.name}", Icons.Copy) { copy(value.text) }

@@ -5,11 +5,9 @@ import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.style.TextDecoration
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 
@@ -24,14 +22,12 @@ internal fun LineColor(number: Int, isHidden: Boolean) {
 @Composable
 internal fun LineName(name: String, isHidden: Boolean) {
     val palette = LocalPalette.current
-    Text(
+    NameText(
         name,
         Modifier.widthIn(max = 260.dp),
         color = if (isHidden) palette.muted else palette.text,
         fontSize = 12.sp,
         textDecoration = if (isHidden) TextDecoration.LineThrough else null,
-        maxLines = 1,
-        overflow = TextOverflow.Ellipsis,
     )
 }
 

@@ -64,6 +64,7 @@ import badlog.window.menu.ContextArea
 import badlog.window.sidebar.WindowPanels
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import kotlinx.coroutines.Dispatchers
@@ -154,7 +155,7 @@ internal fun SignalLine(
 
 @Composable
 private fun Title(text: AnnotatedString, isDrawn: Boolean, modifier: Modifier) {
-    Text(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    NameText(text, modifier, fontWeight = if (isDrawn) FontWeight.Medium else null)
 }
 
 /** Returns the names of the signals that a drag from [name] moves. */

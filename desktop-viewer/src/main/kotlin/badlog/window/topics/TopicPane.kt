@@ -43,7 +43,6 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -64,6 +63,7 @@ import badlog.window.sidebar.WindowPanels
 import badlog.window.theme.Icons
 import badlog.window.theme.KeepInSight
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
@@ -233,12 +233,10 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Icon(if (row.isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
-        Text(
+        NameText(
             withMatches(row.title, query, palette),
             Modifier.weight(1f),
             fontWeight = FontWeight.SemiBold,
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
         )
         Text(row.count.toString(), color = palette.muted, maxLines = 1)
     }
@@ -258,7 +256,7 @@ private fun PathLine(row: PathRow, query: String, isDrawn: Boolean, isMarked: Bo
         verticalAlignment = Alignment.CenterVertically,
     ) {
         val color = if (isDrawn) palette.accent else palette.text
-        Text(withMatches(row.graph.title, query, palette), color = color, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        NameText(withMatches(row.graph.title, query, palette), color = color)
     }
 }
 

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
@@ -81,6 +82,27 @@ internal class LegendSpec : PageSpec({
             settle()
             graph.pixelsOfLine(0) + graph.pixelsOfLine(1) shouldBe 0
             graph.drag(0.2, 0.6)
+        }
+    }
+
+    browserTest("a name without room loses its beginning in legend and statistics, and a slash there stays in front") {
+        val names = listOf("one", "two").map { "/Arm ${"of many letters ".repeat(30)}$it" }
+        val topics = listOf(TIME) + names.map { BagTopic(it, "V", listOf("hide", "join:Both")) }
+        onPage(TestPages.of(bagOf(topics, 11) { row, _ -> row })) {
+            val graph = graph("Both").scrollTo()
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)
+            for (place in listOf(".legend-name", ".statistics tbody .cut-name")) {
+                for (end in listOf("one", "two")) {
+                    val letters = "const name = [...document.querySelectorAll('.graph[data-name=\"Both\"] $place')].find(e => e.textContent.endsWith('$end')); " +
+                        "const box = name.getBoundingClientRect(); const text = name.firstChild.firstChild; const at = i => { const r = document.createRange(); " +
+                        "r.setStart(text, i); r.setEnd(text, i + 1); return r.getBoundingClientRect() }; return "
+                    number(letters + "text.length") shouldBeGreaterThan 400.0
+                    number(letters + "box.right + 1 - at(text.length - 1).right") shouldBeGreaterThan 0.0
+                    number(letters + "at(text.length - 1).left - at(text.length - 2).left") shouldBeGreaterThan 0.0
+                    number(letters + "box.left - at(0).left") shouldBeGreaterThan 0.0
+                    number(letters + "at(1).left - at(0).left") shouldBeGreaterThan 0.0
+                }
+            }
         }
     }
 })

@@ -23,11 +23,11 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 
 /** The panel for saving a figure: which graphs, what size, and which format. */
@@ -72,7 +72,7 @@ private fun GraphChoice(graphs: List<BoardGraph>, selected: Set<Int>, onChange: 
                 Alignment.CenterVertically,
             ) {
                 Checkbox(isSelected, onCheckedChange = null, Modifier.size(16.dp))
-                Text(graph.title, maxLines = 1, overflow = TextOverflow.Ellipsis)
+                NameText(graph.title)
             }
         }
     }

@@ -2,6 +2,7 @@ package badlog.page.board
 
 import badlog.page.dom.EscapeKey
 import badlog.page.dom.PageEvents
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
@@ -50,7 +51,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         val y = event.clientY.toDouble()
         if (ghost == null) {
             if (maxOf(abs(x - startX), abs(y - startY)) < DragKind.MIN_DISTANCE) return
-            ghost = element("div", "drag-ghost card", card.title).also { document.body?.appendChild(it) }
+            ghost = element("div", "drag-ghost card") { addName(card.title) }.also { document.body?.appendChild(it) }
             document.body?.classList?.add("is-dragging")
             escape.take()
         }

@@ -23,6 +23,14 @@ internal fun HTMLElement.add(tag: String, className: String = "", text: String =
     return child
 }
 
+/**
+ * Adds [name] in one line as the last child of this element. If there is no room for all of it, it loses its beginning, because the ends
+ * of long names tell them apart. Returns the element that has it as its text.
+ */
+internal fun HTMLElement.addName(name: String = "", className: String = ""): HTMLElement =
+    // Within its own direction, a slash at the beginning stays there.
+    add("span", "cut-name $className".trim()).add("bdi", "", name)
+
 /** Makes a button as the last child of this one. */
 internal fun HTMLElement.addButton(className: String, text: String, hint: String = "", onClick: () -> Unit): HTMLElement =
     add("button", className, text) {

@@ -8,6 +8,7 @@ import badlog.page.dom.MenuEntry
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
@@ -212,7 +213,7 @@ internal class GraphCard(
         host.textContent = ""
         host.style.height = "${content.height}px"
         val canvas = PlotCanvas(scene, content, host, width)
-        host.add("div", "x-title", scene.xAxis.title).title = scene.xAxis.title
+        host.addName(scene.xAxis.title, "x-title").title = scene.xAxis.title
         PlotGestures(canvas.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
         overlay = CursorOverlay(drawn.graph, drawn.colors, scene, content, canvas)
         plot = canvas

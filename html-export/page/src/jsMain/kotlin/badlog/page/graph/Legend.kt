@@ -4,6 +4,7 @@ import badlog.core.analysis.Graph
 import badlog.core.analysis.GraphSeries
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
@@ -48,7 +49,7 @@ internal class Legend(
         return element.addButton("legend-entry", "", hint) { onToggle(index) }.apply {
             setAttribute("data-series", series.name)
             add("span", "swatch line-${colors[index] % LINE_COLORS}")
-            add("bdi", "legend-name", names[index])
+            addName(names[index], "legend-name")
             values += add("span", "value")
             units += add("bdi", "unit graph-unit")
             addEventListener("pointerenter", {

@@ -6,6 +6,7 @@ import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
@@ -56,7 +57,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                         add("th") {
                             setAttribute("scope", "row")
                             add("span", "swatch line-${colors[index] % LINE_COLORS}")
-                            add("span", "", names[index])
+                            addName(names[index])
                         }
                         for (statistic in Statistic.entries) {
                             val value = statistic.of(statistics)
@@ -89,7 +90,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
         add("tbody") {
             for (channel in scene.channels.ranked(listOf(now), order)) {
                 add("tr") {
-                    add("th", "", channel.name).setAttribute("scope", "row")
+                    add("th") { addName(channel.name) }.setAttribute("scope", "row")
                     for (text in listOf(channel.chargeText, channel.peakText, channel.shareText)) add("td", "", text)
                 }
             }
@@ -109,7 +110,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
             add("tbody") {
                 for (difference in differences) {
                     add("tr") {
-                        add("th", "", "${names[difference.one]} − ${names[difference.other]}").setAttribute("scope", "row")
+                        add("th") { addName("${names[difference.one]} − ${names[difference.other]}") }.setAttribute("scope", "row")
                         val exact = difference.exactTexts()
                         difference.texts(scene.xAxis).forEachIndexed { i, text -> add("td", "", text).title = exact[i] }
                     }
@@ -133,7 +134,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
             graph.series.forEachIndexed { index, series ->
                 timesOf(index, now).forEachIndexed { place, time ->
                     add("tr") {
-                        add("th", "", if (place == 0) series.name else "").setAttribute("scope", "row")
+                        add("th") { if (place == 0) addName(series.name) }.setAttribute("scope", "row")
                         val cells = listOf(time.state, time.timeText(scene.xAxis), time.shareText, countText(time.count))
                         for (cell in cells) add("td", "", cell)
                     }

@@ -5,6 +5,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.LocalStorage
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
@@ -130,8 +131,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
         private var exactValue = { "" }
 
         val element: HTMLElement = parent.add("div", "cursor-value") {
-            // Within its own direction, a slash at the beginning stays there.
-            name = add("span", "cursor-value-name").add("bdi")
+            name = addName(className = "cursor-value-name")
             value = add("bdi", "cursor-value-text") { addEventListener("pointerenter", { title = exactValue() }) }
             pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.board.change { withOwnToggled(called) } }
         }

@@ -2,6 +2,7 @@ package badlog.page.xy
 
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.pen.PageImage
@@ -182,7 +183,7 @@ internal class XyGraph(
                 mark(plot)
             }.apply {
                 add("span", "swatch line-${trace.color % LINE_COLORS}")
-                add("bdi", "legend-name", trace.name)
+                addName(trace.name, "legend-name")
                 values += add("span", "value")
             }
         }

@@ -1,0 +1,122 @@
+package badlog.window.theme
+
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.material3.LocalContentColor
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawWithCache
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.takeOrElse
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.text
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.TextLayoutResult
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextDecoration
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Constraints
+import androidx.compose.ui.unit.TextUnit
+import androidx.compose.ui.unit.constrain
+import kotlin.math.ceil
+
+/** What a name that is too long loses. */
+internal enum class NameCut {
+    /** Its beginning: for topics and graphs, which differ at their end. */
+    BEGINNING,
+
+    /** Its middle: for files and sentences with a name at their end. */
+    MIDDLE,
+}
+
+/**
+ * A name in one line, which keeps its end. Use it instead of a `Text` with `TextOverflow.StartEllipsis`, which Compose cuts at the end here.
+ */
+@Composable
+internal fun NameText(
+    name: AnnotatedString,
+    modifier: Modifier = Modifier,
+    color: Color = Color.Unspecified,
+    fontSize: TextUnit = TextUnit.Unspecified,
+    fontWeight: FontWeight? = null,
+    textAlign: TextAlign = TextAlign.Start,
+    textDecoration: TextDecoration? = null,
+    cut: NameCut = NameCut.BEGINNING,
+) {
+    val letters = rememberTextMeasurer(MEASURED)
+    val given = LocalTextStyle.current
+    val style = given.merge(
+        color = color.takeOrElse { given.color.takeOrElse { LocalContentColor.current } },
+        fontSize = fontSize,
+        fontWeight = fontWeight,
+        textDecoration = textDecoration,
+    )
+    Spacer(
+        modifier
+            .semantics { text = name }
+            .layout { measurable, constraints ->
+                val size = constraints.constrain(letters.measure(name, style, softWrap = false, maxLines = 1).size)
+                val placeable = measurable.measure(Constraints.fixed(size.width, size.height))
+                layout(size.width, size.height) { placeable.place(0, 0) }
+            }
+            .drawWithCache {
+                val shown = letters.measureName(name, style, size.width.toInt(), cut)
+                val left = if (textAlign == TextAlign.End) size.width - shown.size.width else 0f
+                onDrawBehind { drawText(shown, topLeft = Offset(left, (size.height - shown.size.height) / 2)) }
+            },
+    )
+}
+
+/** The same for a name in one style. */
+@Composable
+internal fun NameText(
+    name: String,
+    modifier: Modifier = Modifier,
+    color: Color = Color.Unspecified,
+    fontSize: TextUnit = TextUnit.Unspecified,
+    fontWeight: FontWeight? = null,
+    textAlign: TextAlign = TextAlign.Start,
+    textDecoration: TextDecoration? = null,
+    cut: NameCut = NameCut.BEGINNING,
+) = NameText(AnnotatedString(name), modifier, color, fontSize, fontWeight, textAlign, textDecoration, cut)
+
+/** Returns [name] as it is drawn in [width] pixels: whole, or with an ellipsis where it was [cut]. */
+internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, width: Int, cut: NameCut): TextLayoutResult {
+    val whole = measure(name, style, softWrap = false, maxLines = 1)
+    if (whole.size.width <= width) return whole
+    val room = width - measure(ELLIPSIS, style).size.width
+    val head = if (cut == NameCut.MIDDLE) whole.lastWithin(room / 2) else 0
+    val tail = whole.firstBeyond(whole.size.width - room + whole.placeOf(head))
+    val end = name.subSequence(tail + name.drop(tail).takeWhile { it.isWhitespace() }.length, name.length)
+    val shown = name.subSequence(0, head) + AnnotatedString(ELLIPSIS) + end
+    // Where scripts of both directions mix, places do not follow the order of letters, so it may still be too long.
+    return measure(shown, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = Constraints(maxWidth = width))
+}
+
+/** Returns how many of the first letters end at [x] or before. */
+private fun TextLayoutResult.lastWithin(x: Int): Int = (nearest(x) downTo 0).first { it == 0 || (placeOf(it) <= x && isBetweenLetters(it)) }
+
+/** Returns the index of the first letter that begins at [x] or behind it. */
+private fun TextLayoutResult.firstBeyond(x: Float): Int {
+    val end = layoutInput.text.length
+    return (nearest(ceil(x).toInt())..end).first { it == end || (placeOf(it) >= x && isBetweenLetters(it)) }
+}
+
+private fun TextLayoutResult.nearest(x: Int) = getOffsetForPosition(Offset(x.toFloat(), 0f))
+
+private fun TextLayoutResult.placeOf(index: Int) = getHorizontalPosition(index, usePrimaryDirection = true)
+
+/** Whether the text can be cut at [index]: not inside a letter of two characters. */
+private fun TextLayoutResult.isBetweenLetters(index: Int) = !layoutInput.text[index].isLowSurrogate()
+
+private const val ELLIPSIS = "…"
+
+/** The layouts that are kept: the whole name is measured for its size, and again when it is drawn. */
+private const val MEASURED = 3

@@ -1,0 +1,88 @@
+package badlog.window.theme
+
+import androidx.compose.foundation.layout.width
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
+
+@OptIn(ExperimentalTestApi::class)
+class NameTextSpec : FunSpec({
+    val name = "Drivetrain/Module 3/Azimuth encoder position of the absolute sensor"
+    val style = TextStyle(fontSize = 13.sp)
+
+    /** Runs [check] with what measures letters on a screen. */
+    fun measuring(check: TextMeasurer.() -> Unit) = runDesktopComposeUiTest(100, 100) {
+        lateinit var letters: TextMeasurer
+        setContent { letters = rememberTextMeasurer() }
+        runOnIdle { letters.check() }
+    }
+
+    fun TextMeasurer.shown(text: String, width: Int, cut: NameCut) = measureName(AnnotatedString(text), style, width, cut).layoutInput.text.text
+
+    test("a name that fits is whole") {
+        measuring { NameCut.entries.forEach { shown(name, 5_000, it) shouldBe name } }
+    }
+
+    test("what is too long loses its beginning, fits, and uses the room") {
+        measuring {
+            for (width in 30..400 step 7) {
+                val layout = measureName(AnnotatedString(name), style, width, NameCut.BEGINNING)
+                val text = layout.layoutInput.text.text
+                text shouldStartWith "…"
+                name shouldEndWith text.drop(1)
+                layout.size.width shouldBeLessThanOrEqual width
+                layout.size.width shouldBeGreaterThan width - 20
+            }
+        }
+    }
+
+    test("or its middle, and keeps both ends") {
+        measuring {
+            for (width in 60..400 step 7) {
+                val layout = measureName(AnnotatedString(name), style, width, NameCut.MIDDLE)
+                val (head, tail) = layout.layoutInput.text.text.split("…")
+                name shouldStartWith head
+                name shouldEndWith tail
+                head.length shouldBeGreaterThan 0
+                tail.length shouldBeGreaterThan 0
+                layout.size.width shouldBeLessThanOrEqual width
+            }
+        }
+    }
+
+    test("a letter of two characters is never halved") {
+        measuring {
+            for (width in 30..200) {
+                val text = shown("🤖".repeat(60), width, NameCut.MIDDLE)
+                text shouldContain "…"
+                text.replace("🤖", "") shouldBe "…"
+            }
+        }
+    }
+
+    test("without any room nothing fails") {
+        measuring { for (width in 0..30) for (cut in NameCut.entries) shown(name, width, cut) shouldNotContain "Drivetrain" }
+    }
+
+    test("screen readers have the whole name, which takes the room that is there") {
+        runDesktopComposeUiTest(400, 100) {
+            setContent { ViewerTheme(Theme.LIGHT) { NameText(name, Modifier.width(150.dp)) } }
+            onNodeWithText(name).fetchSemanticsNode().size.width shouldBe 150
+        }
+    }
+})
