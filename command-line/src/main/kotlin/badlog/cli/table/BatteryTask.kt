@@ -8,10 +8,10 @@ import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
-import badlog.report.battery.BatteryJson
-import badlog.report.battery.SeasonOfLogs
-import badlog.report.battery.batteryCsv
-import badlog.report.battery.batteryText
+import badlog.report.BatteryJson
+import badlog.report.SeasonOfLogs
+import badlog.report.batteryCsv
+import badlog.report.batteryText
 import badlog.viewer.catalog.Content
 import badlog.viewer.shown.battery.BatteryAdvice
 import kotlinx.serialization.json.Json

@@ -3,7 +3,6 @@ package badlog.report
 import badlog.catalog.examine.UndefinedTopic
 import badlog.core.recording.Severity
 import badlog.files.LogFile
-import badlog.report.battery.SeasonOfLogs
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule

@@ -1,6 +1,6 @@
 package badlog.report.page
 
-import badlog.report.battery.SeasonOfLogs
+import badlog.report.SeasonOfLogs
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatteryColumn
 

@@ -19,7 +19,7 @@ import badlog.report.HookFailure
 import badlog.report.NamedTopics
 import badlog.report.Reply
 import badlog.report.askedQuestion
-import badlog.report.battery.commonFolderOf
+import badlog.report.commonFolderOf
 import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome

@@ -1,8 +1,5 @@
-package badlog.report.battery
+package badlog.report
 
-import badlog.report.ResistanceJson
-import badlog.report.cell
-import badlog.report.finite
 import badlog.terminal.TextTable
 import badlog.viewer.shown.battery.AdvisedBattery
 import badlog.viewer.shown.battery.BatteryAdvice

@@ -1,4 +1,4 @@
-package badlog.report.battery
+package badlog.report
 
 import badlog.catalog.folder.FolderBatteries
 import badlog.catalog.folder.FolderStore
@@ -7,7 +7,6 @@ import badlog.catalog.folder.LogReading
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderRun
 import badlog.files.LogFile
-import badlog.report.LogReport
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate

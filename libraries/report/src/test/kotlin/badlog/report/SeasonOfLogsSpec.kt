@@ -1,12 +1,6 @@
-package badlog.report.battery
+package badlog.report
 
-import badlog.report.Report
-import badlog.report.bag
-import badlog.report.inFolder
-import badlog.report.logsIn
 import badlog.report.page.reportPage
-import badlog.report.put
-import badlog.report.spoil
 import badlog.viewer.shown.battery.BatterySeason
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
