@@ -100,8 +100,8 @@ internal fun TopicPane(
         // A key may come before the rows of what was typed are shown.
         val rowsOfKeys = { shown?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
         fun draw(name: String) {
-            val path = rowsOfKeys().firstOrNull { it is PathRow && it.name == name } as PathRow?
-            if (path != null) return board.change { withToggled(path.graph) }
+            val offered = rowsOfKeys().firstOrNull { it is GraphRow && it.name == name } as GraphRow?
+            if (offered != null) return board.change { withToggled(offered.graph) }
             open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
         }
         val focus = rememberAskedFocus(list.searchesAsked)
@@ -132,8 +132,9 @@ private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRow
     list.folded,
     empty,
     found,
-    // A path is a graph of its own.
+    // Paths and XY plots are graphs of their own.
     if (list.target == null) poses else emptyList(),
+    offersXy = list.target == null,
 )
 
 /** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
@@ -190,9 +191,9 @@ private fun Rows(
                         }
                     }
 
-                    is PathRow -> {
+                    is GraphRow -> {
                         val isMarked = row.name == topics.state.marked
-                        PathLine(row, query, graphs.has(row.graph), isMarked) { board.change { withToggled(row.graph) } }
+                        GraphLine(row, query, graphs.has(row.graph), isMarked) { board.change { withToggled(row.graph) } }
                     }
 
                     is SignalRow -> {
@@ -242,9 +243,9 @@ internal fun FolderLine(row: FolderRow, query: String, onToggle: () -> Unit) {
     }
 }
 
-/** A path of the list of topics. */
+/** A path or XY plot in the list of topics. */
 @Composable
-private fun PathLine(row: PathRow, query: String, isDrawn: Boolean, isMarked: Boolean, onToggle: () -> Unit) {
+private fun GraphLine(row: GraphRow, query: String, isDrawn: Boolean, isMarked: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
     Row(
         Modifier

@@ -3,6 +3,7 @@ package badlog.window.topics
 import badlog.signals.pose.Pose
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.pathGraphs
+import badlog.viewer.choices.board.xyGraphs
 import badlog.viewer.shown.search.Query
 import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
@@ -13,6 +14,7 @@ import badlog.window.log.isFoundBy
  *
  * @param found the names of the topics that a finding is about.
  * @param poses those whose paths a query also finds.
+ * @param offersXy whether it also finds XY plots.
  */
 internal fun topicRows(
     signals: List<Signal>,
@@ -21,6 +23,7 @@ internal fun topicRows(
     empty: List<Signal> = emptyList(),
     found: Set<String> = emptySet(),
     poses: List<Pose> = emptyList(),
+    offersXy: Boolean = false,
 ): List<TopicRow> {
     val wanted = Query(query)
     val root = TopicFolder("", "")
@@ -28,7 +31,8 @@ internal fun topicRows(
         if (signal.isFoundBy(wanted, found)) root.at(signal.folder).signals += signal
     }
     val rows = ArrayList<TopicRow>()
-    pathGraphs(poses, wanted).mapTo(rows, ::PathRow)
+    pathGraphs(poses, wanted).mapTo(rows, ::GraphRow)
+    if (offersXy) xyGraphs(signals.filter { it.hasFigures }.map { it.name }, query).mapTo(rows, ::GraphRow)
     root.list(rows, depth = 0, folded = if (wanted.isEmpty) folded else emptySet())
     return rows
 }
@@ -105,10 +109,10 @@ internal data class FolderRow(override val depth: Int, val path: String, val tit
     override val name: String? get() = null
 }
 
-/** A path on the field, which [graph] draws. */
-internal class PathRow(val graph: BoardGraph) : TopicRow {
+/** A graph that a search offers beside the topics: a path on the field, or an XY plot. */
+internal class GraphRow(val graph: BoardGraph) : TopicRow {
     override val depth: Int get() = 0
-    override val key: String get() = "path ${graph.title}"
+    override val key: String get() = "graph ${graph.title}"
     override val name: String get() = graph.title
 }
 

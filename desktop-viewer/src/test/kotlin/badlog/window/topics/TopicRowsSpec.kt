@@ -13,7 +13,7 @@ class TopicRowsSpec : FunSpec({
     fun text(rows: List<TopicRow>) = rows.map { row ->
         "  ".repeat(row.depth) + when (row) {
             is FolderRow -> "${row.title}/ ${row.count}"
-            is PathRow -> row.graph.title
+            is GraphRow -> row.graph.title
             is SignalRow -> row.signal.title
         }
     }
@@ -42,6 +42,13 @@ class TopicRowsSpec : FunSpec({
         list.folded.size shouldBe 60
         val opened = list.toggledFolder("Module 0")
         opened.listing(foldersOf(large)).folded shouldBe opened.folded
+    }
+
+    test("a search for one topic over another offers the XY plot, where a graph of its own may be added") {
+        val numbers = recordingOf(bagOf(listOf("Time|xaxis", "Arm/Volts", "Arm/Amps", "Mode"), listOf("0,1,2,auto", "1,2,3,auto"))).signals
+        text(topicRows(numbers, "volts over amps", emptySet(), offersXy = true)) shouldContainExactly listOf("Arm/Volts over Arm/Amps")
+        text(topicRows(numbers, "arm over mode", emptySet(), offersXy = true)) shouldBe emptyList()
+        text(topicRows(numbers, "volts over amps", emptySet())) shouldBe emptyList()
     }
 
     test("each word must be in the name or its folders") {

@@ -200,6 +200,21 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("Add topics offers one topic over another as an XY plot of its own, but not for an existing graph") {
+        onPage(page) {
+            click("#add-topics")
+            element("#topic-search").sendKeys("volt over amp")
+            texts(".topic-list button") shouldBe listOf("Volt over Amp")
+            click(".topic-list button")
+            element(".topic-list button").getDomAttribute("aria-pressed") shouldBe "true"
+            press(Keys.ESCAPE)
+            titles() shouldBe listOf("Volt over Amp")
+            choose(0, "Add topics")
+            element("#topic-search").sendKeys("volt over amp")
+            texts(".topic-list button") shouldBe emptyList()
+        }
+    }
+
     browserTest("a hidden line and fixed limits of y are part of the board") {
         onPage(page) {
             for (name in listOf("Volt", "Other")) pin(name)

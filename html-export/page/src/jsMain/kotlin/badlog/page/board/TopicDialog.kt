@@ -5,7 +5,9 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.showText
 import badlog.page.view.Scene
+import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.pathGraphs
+import badlog.viewer.choices.board.xyGraphs
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import badlog.viewer.text.unitText
@@ -61,20 +63,9 @@ internal class TopicDialog(private val scene: Scene) {
             query.matches("$name ${line?.let { unitText(it.unit) }.orEmpty()}", line?.let { scene.traitsOf(it, query) }.orEmpty())
         }
         list.textContent = ""
-        // A path is a graph of its own.
-        val paths = if (graph == null) pathGraphs(scene.poses, query) else emptyList()
-        for (path in paths) {
-            list.add("li") {
-                addButton("text-button", path.title) {}.apply {
-                    fun update() = setAttribute("aria-pressed", board.now.has(path).toString())
-                    update()
-                    addEventListener("click", {
-                        board.change { withToggled(path) }
-                        update()
-                    })
-                }
-            }
-        }
+        // Paths and XY plots are graphs of their own.
+        val graphs = if (graph == null) pathGraphs(scene.poses, query) + xyGraphs(numbers(), input.value) else emptyList()
+        graphs.forEach(::addGraph)
         for (name in found.take(MOST)) {
             list.add("li") {
                 addButton("text-button", "") {}.apply {
@@ -91,12 +82,26 @@ internal class TopicDialog(private val scene: Scene) {
         val left = found.size - MOST
         rest.showText(
             when {
-                found.isEmpty() && paths.isEmpty() -> "Nothing matches."
+                found.isEmpty() && graphs.isEmpty() -> "Nothing matches."
                 left > 0 -> "${countText(left)} more; type a part of the name."
                 else -> ""
             },
         )
     }
+
+    private fun addGraph(offered: BoardGraph) = list.add("li") {
+        addButton("text-button", offered.title) {}.apply {
+            fun update() = setAttribute("aria-pressed", board.now.has(offered).toString())
+            update()
+            addEventListener("click", {
+                board.change { withToggled(offered) }
+                update()
+            })
+        }
+    }
+
+    /** Returns the topics that an XY plot can draw. */
+    private fun numbers() = board.lines.names.filter { name -> board.lines[name]?.states == null }
 
     private fun isShown(name: String) =
         board.now.graphs.any { if (graph == null) it.lines == listOf(name) else it.id == graph && name in it.lines }
