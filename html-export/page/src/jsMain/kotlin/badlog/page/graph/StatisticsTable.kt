@@ -110,7 +110,12 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
             add("tbody") {
                 for (difference in differences) {
                     add("tr") {
-                        add("th") { addName("${names[difference.one]} − ${names[difference.other]}") }.setAttribute("scope", "row")
+                        add("th") {
+                            setAttribute("scope", "row")
+                            addName(names.getValue(difference.one))
+                            add("span", "", " − ")
+                            addName(names.getValue(difference.other))
+                        }
                         val exact = difference.exactTexts()
                         difference.texts(scene.xAxis).forEachIndexed { i, text -> add("td", "", text).title = exact[i] }
                     }
