@@ -8,12 +8,13 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.search.rulesBeside
-import badlog.files.LogFile
 import badlog.files.UnreadableFileException
 import badlog.files.writeAtomically
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.signals.match.localSecondOf
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
 import badlog.viewer.todo.FoundFault
 import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.TodoList
@@ -48,7 +49,8 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
         val result = console.progress("todo").use { bar ->
             Report(rules, cache = cache).over(logs, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
-        val list = TodoList.of(files.changes, result.logs.filter { it.unreadable == null }.map(::foundIn))
+        val now = localSecondOf(System.currentTimeMillis() / MILLIS)
+        val list = TodoList.of(files.changes, result.logs.filter { it.unreadable == null }.map { foundIn(it, now) })
         val lines = (rules.checklist + files.checklist).distinct()
         if (page != null && !written(page, list, lines, console)) return ExitCode.NOTHING
         when (form) {
@@ -76,9 +78,10 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
     }
 }
 
-private fun foundIn(log: LogReport) = FoundLog(log.file.name, log.match, log.began ?: writtenAt(log.file), log.findings.map(FoundFault::of))
-
-private fun writtenAt(file: LogFile) = localSecondOf(file.modified.floorDiv(MILLIS))
+private fun foundIn(log: LogReport, now: Long): FoundLog {
+    val date = log.began?.let { LogDate(it, DateSource.VALUES) } ?: LogDate.of(emptyList(), log.file.name, log.file.modified)
+    return FoundLog.of(log.file.name, log.match, date, now, log.findings.map(FoundFault::of))
+}
 
 private const val MILLIS = 1000L
 

@@ -113,7 +113,7 @@ internal class Viewer(
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
-    val notes = LogNotes(current, notices)
+    val notes = LogNotes(scope, current, notices)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)

@@ -53,7 +53,7 @@ internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open:
     Column(modifier) {
         val draft = notes.draft
         if (draft == null) {
-            ToolButton("Write a note at the cursor (M)", text = "Write a note", isEnabled = !notes.state.isDamaged) {
+            ToolButton("Write a note at the cursor (M)", text = "Write a note") {
                 notes.write(view.place.ofNote)
             }
         } else {

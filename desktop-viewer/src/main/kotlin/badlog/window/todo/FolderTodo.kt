@@ -9,6 +9,7 @@ import badlog.catalog.todo.newChange
 import badlog.core.recording.Severity
 import badlog.files.writeAtomically
 import badlog.rules.folder.FolderRules
+import badlog.signals.match.localSecondOf
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.FoundFault
 import badlog.viewer.todo.FoundLog
@@ -101,8 +102,7 @@ internal class FolderTodo(
     /** Writes that [by] did [deed] to [subject]. It is on the list at once, and in the file soon. */
     fun write(subject: TodoSubject, deed: TodoDeed, by: String = author) {
         val folder = state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
-        val before = (state.files.changes + state.written).maxByOrNull { it.time }
-        val made = newChange(subject, deed, by, state.logs.maxByOrNull { it.second }, before)
+        val made = newChange(subject, deed, by, lastLog(), state.files.changes + state.written)
         change { copy(written = written + made) }
         scope.launch {
             try {
@@ -114,9 +114,15 @@ internal class FolderTodo(
         }
     }
 
-    /** Remembers that the person at this computer is [name]. */
+    /** Returns the log that began last, also of those that rules have not examined yet; null if none is known. */
+    private fun lastLog(): FoundLog? {
+        val now = wallClock()
+        return library.state.ofRobots.map { foundLog(it, now) }.filter { it.isDated }.maxByOrNull { it.second }
+    }
+
+    /** Remembers that the person at this computer is [name], unless it is known already. */
     fun rememberAuthor(name: String) {
-        if (name.isNotBlank()) settings.change { copy(author = name.trim()) }
+        if (name.isNotBlank() && name != author && settings.state.author.isBlank()) settings.change { copy(author = name.trim()) }
     }
 
     /** Opens [sheet]; null closes the open one. */
@@ -143,6 +149,12 @@ internal class FolderTodo(
 /** The names of the rules whose findings are on the list. */
 private val TodoList.rules: Set<String> get() = (open + done).mapNotNullTo(HashSet()) { (it.task as? FaultTask)?.rule }
 
+private fun wallClock() = localSecondOf(System.currentTimeMillis() / MILLIS)
+
+private const val MILLIS = 1000L
+
+private fun foundLog(entry: LogEntry, now: Long) = FoundLog.of(entry.fileName, entry.summary.match, entry.summary.date, now)
+
 /**
  * Returns what [entries] say for the list. What the rules found is read only where it may matter: [rules] are on the list, or the log is one of
  * the last with an error.
@@ -155,7 +167,8 @@ private fun foundLogs(
     known: MutableMap<LogEntry, List<FoundFault>>,
     examined: (LogEntry) -> ExaminedLog?,
 ): List<FoundLog> {
-    val logs = entries.map { FoundLog(it.fileName, it.summary.match, it.summary.date.second, emptyList()) }
+    val now = wallClock()
+    val logs = entries.map { foundLog(it, now) }
     val recent = recentOf(logs).toSet()
     return entries.zip(logs).map { (entry, log) ->
         val isWanted = entry.found?.rules.orEmpty().any { it.name in rules || (log in recent && it.severity == Severity.ERROR) }

@@ -69,7 +69,7 @@ internal fun todoOffers(todo: FolderTodo, item: TodoItem): List<TodoOffer> {
             TodoOffer("Mark as done…", Icons.Check) { todo.ask(TodoSheet.Done(item)) },
             assign,
             TodoOffer("Put on the list", Icons.Add) { todo.write(item.task, TodoDeed.Open) }.takeIf { !isListed },
-            TodoOffer("Remove", Icons.Remove) { todo.write(item.task, TodoDeed.Remove) }.takeIf { isListed },
+            TodoOffer("Take off the list", Icons.Remove) { todo.write(item.task, TodoDeed.Remove) }.takeIf { isListed },
         )
     } else {
         listOf(TodoOffer("Not done", Icons.Undo) { todo.write(item.task, TodoDeed.Open) }, assign)

@@ -49,8 +49,10 @@ import badlog.window.theme.sheet
 @Composable
 internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) {
     val next = todo.state.list.next
+    val last = todo.state.list.lastMatch
     when (sheet) {
         is TodoSheet.Done -> AskedSheet(
+            sheet,
             "Mark as done: ${sheet.item.title}",
             listOf(Asked("What was done"), Asked("Before which match", next), Asked("By whom", todo.author)),
             "Mark as done",
@@ -58,10 +60,11 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
             modifier,
         ) { (what, before, by) ->
             todo.rememberAuthor(by)
-            todo.write(sheet.item.task, TodoDeed.Done(what, matchText(before).ifEmpty { null }))
+            todo.write(sheet.item.task, TodoDeed.Done(what, matchText(before, last).ifEmpty { null }), by.ifEmpty { todo.author })
         }
 
         is TodoSheet.Assign -> AskedSheet(
+            sheet,
             "Assign: ${sheet.item.title}",
             listOf(Asked("Who takes it on; nobody if empty", sheet.item.person)),
             "Assign",
@@ -70,6 +73,7 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
         ) { (person) -> todo.write(sheet.item.task, TodoDeed.Assign(person)) }
 
         TodoSheet.New -> AskedSheet(
+            sheet,
             "New item",
             listOf(Asked("What is to be done", isNeeded = true), Asked("Who takes it on; nobody if empty")),
             "Add",
@@ -82,6 +86,7 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
         }
 
         TodoSheet.Next -> AskedSheet(
+            sheet,
             "Set the next match",
             listOf(
                 Asked(
@@ -95,7 +100,7 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
             "Set",
             { todo.ask(null) },
             modifier,
-        ) { (match) -> todo.write(NextMatch(matchText(match)), TodoDeed.Open) }
+        ) { (match) -> todo.write(NextMatch(matchText(match, last)), TodoDeed.Open) }
     }
 }
 
@@ -103,11 +108,12 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
 private class Asked(val label: String, val answer: String = "", val isNeeded: Boolean = false)
 
 /**
- * A dialog with [fields], the first of which has the keyboard focus. Enter and the button [label] call [onAnswer] with what stands in them, and
- * close it; Escape only closes it.
+ * The dialog [sheet] with [fields], the first of which has the keyboard focus. Enter in one of them and the button [label] call [onAnswer] with
+ * what stands in them, and close it; Escape only closes it.
  */
 @Composable
 private fun AskedSheet(
+    sheet: TodoSheet,
     title: String,
     fields: List<Asked>,
     label: String,
@@ -115,7 +121,7 @@ private fun AskedSheet(
     modifier: Modifier,
     onAnswer: (List<String>) -> Unit,
 ) {
-    val answers = remember(title) { mutableStateListOf(*fields.map { it.answer }.toTypedArray()) }
+    val answers = remember(sheet) { mutableStateListOf(*fields.map { it.answer }.toTypedArray()) }
     val focus = remember { FocusRequester() }
     fun isReady() = fields.indices.none { fields[it].isNeeded && answers[it].isBlank() }
     fun answer() {
@@ -123,18 +129,14 @@ private fun AskedSheet(
         onClose()
         onAnswer(answers.map { it.trim() })
     }
-    LaunchedEffect(title) { focus.requestFocus() }
+    LaunchedEffect(sheet) { focus.requestFocus() }
     Column(
         modifier
             .sheet("To do sheet", widest = 520.dp)
             .onPreviewKeyEvent {
-                if (it.type != KeyEventType.KeyDown) return@onPreviewKeyEvent false
-                when (it.key) {
-                    Key.Escape -> onClose()
-                    Key.Enter, Key.NumPadEnter -> answer()
-                    else -> return@onPreviewKeyEvent false
-                }
-                true
+                val isEscape = it.type == KeyEventType.KeyDown && it.key == Key.Escape
+                if (isEscape) onClose()
+                isEscape
             }
             .padding(start = 20.dp, end = 12.dp, top = 8.dp, bottom = 12.dp),
         Arrangement.spacedBy(6.dp),
@@ -152,7 +154,12 @@ private fun AskedSheet(
         }
         fields.forEachIndexed { i, field ->
             Text(field.label, color = LocalPalette.current.muted, fontSize = 12.sp)
-            AnswerField(answers[i], field.label, if (i == 0) Modifier.focusRequester(focus) else Modifier) {
+            val entered = Modifier.onPreviewKeyEvent {
+                val isEnter = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
+                if (isEnter) answer()
+                isEnter
+            }
+            AnswerField(answers[i], field.label, if (i == 0) entered.focusRequester(focus) else entered) {
                 answers[i] = it.take(TodoChange.MAX_TEXT)
             }
         }

@@ -16,14 +16,17 @@ import badlog.window.sidebar.InspectorTab
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import java.nio.file.Files
+import kotlin.time.Duration.Companion.seconds
 
 @OptIn(ExperimentalTestApi::class)
 class LogNotesSpec : FunSpec({
@@ -50,7 +53,7 @@ class LogNotesSpec : FunSpec({
             onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
             onNodeWithContentDescription("Save the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
-            NotesFile.read(log) shouldBe listOf(Note(42.0, "hit by 254"))
+            waitFor { NotesFile.read(log).notes == listOf(Note(42.0, "hit by 254")) }
             viewer.panels.change { copy(front = FrontPart.DETAILS) }
             onNodeWithText("hit by 254").performClick()
             runOnIdle { viewer.panels.state.front shouldBe FrontPart.GRAPHS }
@@ -58,10 +61,10 @@ class LogNotesSpec : FunSpec({
             onNodeWithContentDescription("Text of the note").performTextInput("again ")
             onNodeWithContentDescription("Save the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
-            NotesFile.read(log).single().text.length shouldBe "again hit by 254".length
+            waitFor { NotesFile.read(log).notes.single().text.length == "again hit by 254".length }
             onNodeWithText("Remove").performClick()
             waitFor { viewer.notes.all.isEmpty() }
-            NotesFile.read(log) shouldBe emptyList()
+            waitFor { NotesFile.read(log).notes.isEmpty() }
             // Nothing is ever taken out of the file.
             Files.readAllLines(NotesFile.of(log)).size shouldBe 4
             Files.delete(NotesFile.of(log))
@@ -77,25 +80,47 @@ class LogNotesSpec : FunSpec({
         viewer.notes.write(1.0)
         viewer.notes.type("too early")
         viewer.notes.keep()
-        NotesFile.read(log) shouldBe earlier
+        NotesFile.read(log).notes shouldBe earlier
         viewer.notes.draft?.text shouldBe "too early"
         viewer.notices.all.single().text shouldBe "The notes of this log are still being read; try again in a moment."
         Files.delete(NotesFile.of(log))
     }
 
-    test("damaged notes are reported, and nothing replaces them") {
+    test("damaged notes are reported, nothing replaces them, and others are written beside them") {
         Files.writeString(NotesFile.beginningOf(log), "damaged")
         runDesktopComposeUiTest(360, 600) {
             val scope = CoroutineScope(Dispatchers.Unconfined + Job())
             val viewer = viewer(scope)
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             scope.launch { viewer.notes.run() }
-            waitFor { viewer.notes.state.isDamaged }
+            waitFor { viewer.notices.all.any { "q42.csv.notes.json are damaged" in it.text } }
             viewer.notes.write(1.0)
-            viewer.notes.draft shouldBe null
+            viewer.notes.type("new")
+            viewer.notes.keep()
+            viewer.notes.write(2.0)
+            viewer.notes.type("newer")
+            viewer.notes.keep()
+            waitFor { NotesFile.read(log).notes.size == 2 }
+            viewer.notes.all shouldBe listOf(Note(1.0, "new"), Note(2.0, "newer"))
             scope.coroutineContext[Job]?.cancel()
         }
         Files.readString(NotesFile.beginningOf(log)) shouldBe "damaged"
         Files.delete(NotesFile.beginningOf(log))
+        Files.delete(NotesFile.of(log))
+    }
+
+    test("what cannot be written is said, and its text is still there") {
+        val folder = Files.createDirectory(home.resolve("gone"))
+        val scope = CoroutineScope(Dispatchers.Unconfined + Job())
+        val viewer = viewer(scope)
+        viewer.notes.change { StoredNotes(folder.resolve("q1.csv")) }
+        Files.delete(folder)
+        viewer.notes.write(1.0)
+        viewer.notes.type("brownout")
+        viewer.notes.keep()
+        eventually(10.seconds) { viewer.notices.all.single().text shouldContain "cannot be written" }
+        viewer.notes.draft?.text shouldBe "brownout"
+        viewer.notes.all shouldBe emptyList()
+        scope.coroutineContext[Job]?.cancel()
     }
 })

@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.putSamples
 import badlog.catalog.todo.TodoFolder
@@ -100,9 +101,32 @@ class TodoPaneSpec : FunSpec({
             onNodeWithContentDescription("Next match, such as Qualification 61 or q61").performTextInput("q61")
             onNodeWithContentDescription("Set (Enter)").performClick()
             onNodeWithText("Checklist before Qualification 61").assertExists()
+            onNodeWithContentDescription("Check: Bumpers are tight").assertIsOn().performClick().assertIsOff().performClick()
+            onNodeWithContentDescription("Set the next match").performClick()
+            onNodeWithContentDescription("Next match, such as Qualification 61 or q61").performTextReplacement("62")
+            onNodeWithContentDescription("Set (Enter)").performClick()
+            onNodeWithText("Checklist before Qualification 62").assertExists()
             onNodeWithContentDescription("Check: Bumpers are tight").assertIsOff()
             waitFor { viewer.todo.state.written.isEmpty() }
-            viewer.todo.state.files.changes shouldHaveSize 5
+            viewer.todo.state.files.changes shouldHaveSize 8
+        }
+    }
+
+    test("somebody else’s name is for one change, and Enter on a button presses it") {
+        onFolder { viewer, _ ->
+            val (one, other) = viewer.todo.state.list.open.take(1) + viewer.todo.state.list.itemOrNew(OwnTask("Radio"))
+            viewer.todo.ask(TodoSheet.Done(one))
+            onNodeWithContentDescription("By whom").performTextReplacement("Ben")
+            onNodeWithContentDescription("Cancel (Escape)").requestFocus().performKeyInput { pressKey(Key.Enter) }
+            viewer.todo.state.list.item(one.task)?.isOpen shouldBe true
+            viewer.todo.ask(TodoSheet.Done(one))
+            onNodeWithContentDescription("By whom").performTextReplacement("Ben")
+            onNodeWithContentDescription("Mark as done (Enter)").performClick()
+            viewer.todo.state.list.item(one.task)?.done?.by shouldBe "Ben"
+            viewer.todo.ask(TodoSheet.Done(other))
+            onNodeWithContentDescription("By whom").performTextReplacement("")
+            onNodeWithContentDescription("Mark as done (Enter)").performClick()
+            viewer.todo.state.list.item(other.task)?.done?.by shouldBe "Ada"
         }
     }
 

@@ -13,7 +13,6 @@ import badlog.files.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.protocol.PageAdditions
 import badlog.terminal.Progress
-import badlog.viewer.choices.note.NotesException
 import java.io.ByteArrayInputStream
 import java.io.InputStream
 import java.io.SequenceInputStream
@@ -89,11 +88,10 @@ class HtmlExporter(
         SequenceInputStream(before, ReadGuard(part, reading(part) { Files.newInputStream(part) }))
     }
 
-    private fun withNotes(additions: PageAdditions, log: Path): PageAdditions = try {
-        val notes = NotesFile.read(log)
-        if (notes.isEmpty()) additions else additions.withNotes(notes, null)
-    } catch (e: NotesException) {
-        additions.withNotes(emptyList(), e.message)
+    private fun withNotes(additions: PageAdditions, log: Path): PageAdditions {
+        val read = NotesFile.read(log)
+        if (read.notes.isEmpty() && read.problems.isEmpty()) return additions
+        return additions.withNotes(read.notes, read.problems.joinToString(" ").ifEmpty { null })
     }
 
     private fun write(

@@ -1,5 +1,6 @@
 package badlog.exporter
 
+import badlog.files.UnreadableFileException
 import badlog.files.appendLines
 import badlog.files.appendedText
 import badlog.files.computerName
@@ -19,7 +20,7 @@ import java.nio.file.Path
 import java.util.UUID
 
 /**
- * The files with the notes of one log, beside it. Each computer appends lines to its own, `q42.bag.notes-pit.jsonl` for `q42.bag`, and all of
+ * The files with the notes of one log, beside it. Each computer appends lines to its own, `q42.bag.notes-pit-3f2a.jsonl` for `q42.bag`, and all of
  * them are read, so that a synced folder or git has nothing to resolve. What older versions wrote in `q42.bag.notes.json` is the beginning.
  */
 object NotesFile {
@@ -32,35 +33,48 @@ object NotesFile {
     /** Returns the path to which this computer appends the notes of [log]. */
     fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes-$computerName.jsonl")
 
-    /**
-     * Returns the notes of [log], in the order of x; none if it has no such file.
-     *
-     * @throws NotesException with a sentence for the user, if a file is damaged or cannot be read.
-     */
-    fun read(log: Path): List<Note> = notesOf(beginning(log), changes(log))
+    /** Returns the notes of [log]; none if it has no such file. A file that is damaged or cannot be read costs only its own notes. */
+    fun read(log: Path): ReadNotes {
+        val problems = ArrayList<String>()
+        val beginning = try {
+            beginning(log)
+        } catch (e: NotesException) {
+            problems += e.message.orEmpty()
+            emptyList()
+        }
+        return ReadNotes(notesOf(beginning, changes(log, problems)), problems)
+    }
 
     /**
      * Stores [notes] as those of [log], with what others have changed since they were [read]. Returns what is stored.
      *
      * @throws IOException with a sentence for the user, if it cannot be written.
-     * @throws NotesException if somebody has damaged a file meanwhile; it stays as it is.
      */
-    fun update(log: Path, notes: List<Note>, read: List<Note>): List<Note> {
-        beginning(log)
-        var last = changes(log).maxOfOrNull { it.time }
+    fun update(log: Path, notes: List<Note>, read: List<Note>): ReadNotes {
+        val times = changes(log, ArrayList()).groupBy({ it.note }, { it.time }).mapValues { (_, times) -> times.max() }
         val author = System.getProperty("user.name").orEmpty()
-        val lines = ((read - notes.toSet()).map { it to true } + (notes - read.toSet()).map { it to false }).map { (note, isRemoved) ->
-            val time = changeTime(last).also { last = it }
-            NoteChange(UUID.randomUUID().toString(), time, author, note, isRemoved).toLine()
+        // A new text comes before the removal of the one that it replaces: if the lines are cut off, both are there rather than neither.
+        val lines = ((notes - read.toSet()).map { it to false } + (read - notes.toSet()).map { it to true }).map { (note, isRemoved) ->
+            NoteChange(UUID.randomUUID().toString(), changeTime(times[note]), author, note, isRemoved).toLine()
         }
         if (lines.isNotEmpty()) appendLines(of(log), lines)
         return read(log)
     }
 
-    private fun changes(log: Path): List<NoteChange> = try {
-        filesOf(log).flatMap { noteChangesOf(appendedText(it)) }
-    } catch (e: IOException) {
-        throw NotesException(e.message ?: "The notes of ${log.fileName} cannot be read.")
+    private fun changes(log: Path, problems: MutableList<String>): List<NoteChange> = try {
+        filesOf(log)
+    } catch (e: UnreadableFileException) {
+        problems += e.message
+        emptyList()
+    }.flatMap { file ->
+        try {
+            val lines = noteChangesOf(appendedText(file))
+            lines.problemOf("${file.fileName}")?.let(problems::add)
+            lines.changes
+        } catch (e: UnreadableFileException) {
+            problems += e.message
+            emptyList()
+        }
     }
 
     private fun filesOf(log: Path): List<Path> {
@@ -85,3 +99,11 @@ object NotesFile {
         }
     }
 }
+
+/**
+ * The notes of a log, as its files have them.
+ *
+ * @property notes the notes, in the order of x.
+ * @property problems what could not be read, each as a sentence.
+ */
+class ReadNotes(val notes: List<Note>, val problems: List<String>)

@@ -8,11 +8,12 @@ import badlog.viewer.choices.note.NotesException
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
 import badlog.viewer.choices.note.toLine
-import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
+import java.io.RandomAccessFile
 import java.nio.file.Files
 import kotlin.random.Random
 
@@ -24,11 +25,11 @@ class NotesFileSpec : FunSpec({
 
     test("notes stand beside their log, are no log themselves, and what is removed is another line") {
         Files.writeString(log, "Time,A\n0,1\n")
-        NotesFile.read(log) shouldBe emptyList()
-        NotesFile.update(log, notes, read = emptyList()) shouldBe notes
+        NotesFile.read(log).notes shouldBe emptyList()
+        NotesFile.update(log, notes, read = emptyList()).notes shouldBe notes
         FolderScan.of(log.parent).files.map { it.path } shouldBe listOf(log)
         val before = Files.readString(NotesFile.of(log))
-        NotesFile.update(log, emptyList(), read = notes) shouldBe emptyList()
+        NotesFile.update(log, emptyList(), read = notes).notes shouldBe emptyList()
         Files.readString(NotesFile.of(log)).take(before.length) shouldBe before
         Files.readAllLines(NotesFile.of(log)).size shouldBe 4
         Files.delete(NotesFile.of(log))
@@ -36,13 +37,13 @@ class NotesFileSpec : FunSpec({
 
     test("what two windows write and remove is in the file, whichever of them writes last, and so is what another laptop wrote") {
         NotesFile.update(log, notes, read = emptyList())
-        val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes)
+        val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes).notes
         first shouldBe listOf(notes[0], Note(5.0, "first window"))
-        val second = NotesFile.update(log, notes + Note(99.0, "second window"), read = notes)
+        val second = NotesFile.update(log, notes + Note(99.0, "second window"), read = notes).notes
         second shouldBe listOf(notes[0], Note(5.0, "first window"), Note(99.0, "second window"))
         val other = NoteChange("1", "2026-03-07T14:05:12.345Z", "Ada", Note(50.0, "other laptop"), isRemoved = false)
         val copy = Files.writeString(log.resolveSibling("q42.bag.notes-pit (conflicted copy).jsonl"), other.toLine())
-        NotesFile.read(log) shouldBe (second + other.note).sortedBy { it.x }
+        NotesFile.read(log).notes shouldBe (second + other.note).sortedBy { it.x }
         Files.delete(copy)
         Files.delete(NotesFile.of(log))
     }
@@ -50,19 +51,40 @@ class NotesFileSpec : FunSpec({
     test("what an older badlog wrote is the beginning, and its file stays as it is") {
         val text = notes.toJson()
         Files.writeString(NotesFile.beginningOf(log), text)
-        NotesFile.read(log) shouldBe notes
-        NotesFile.update(log, notes.drop(1) + Note(99.0, "new"), read = notes) shouldBe notes.drop(1) + Note(99.0, "new")
+        NotesFile.read(log).notes shouldBe notes
+        NotesFile.update(log, notes.drop(1) + Note(99.0, "new"), read = notes).notes shouldBe notes.drop(1) + Note(99.0, "new")
         Files.readString(NotesFile.beginningOf(log)) shouldBe text
         Files.delete(NotesFile.beginningOf(log))
         Files.delete(NotesFile.of(log))
     }
 
-    test("damaged notes say which file is to be mended") {
+    test("a file that is damaged is reported, and hides no other; lines that cannot be read are counted") {
+        NotesFile.update(log, listOf(Note(5.0, "mine")), read = emptyList())
         Files.writeString(NotesFile.beginningOf(log), "{\"notes\":7}")
-        shouldThrow<NotesException> { NotesFile.read(log) }.message shouldBe
-            "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Repair the file, or delete it."
+        val unreadable = Files.createFile(log.resolveSibling("q42.bag.notes-pit.jsonl"))
+        RandomAccessFile(unreadable.toFile(), "rw").use { it.setLength(17L shl 20) }
+        val damaged = Files.writeString(log.resolveSibling("q42.bag.notes-x.jsonl"), "<<<<<<< HEAD\n")
+        NotesFile.read(log).let { read ->
+            read.notes shouldBe listOf(Note(5.0, "mine"))
+            read.problems shouldContainExactlyInAnyOrder listOf(
+                "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Repair the file, or delete it.",
+                "$unreadable cannot be read (it is larger than 16 MB); copy it to this computer's disk first.",
+                "Line 1 of q42.bag.notes-x.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.",
+            )
+        }
         Files.write(NotesFile.beginningOf(log), byteArrayOf(-1, -2, 7))
-        shouldThrow<NotesException> { NotesFile.read(log) }.message shouldStartWith "The notes in q42.bag.notes.json are damaged"
+        NotesFile.read(log).problems.first() shouldStartWith "The notes in q42.bag.notes.json are damaged"
+        listOf(NotesFile.beginningOf(log), unreadable, damaged, NotesFile.of(log)).forEach(Files::delete)
+    }
+
+    test("a note is changed by a laptop whose clock is years behind, and a new text comes before the removal of the old one") {
+        val ahead = NoteChange("1", "2099-03-07T14:05:12.345Z", "Ada", notes[0], isRemoved = false)
+        Files.writeString(log.resolveSibling("q42.bag.notes-pit.jsonl"), ahead.toLine())
+        NotesFile.update(log, listOf(Note(1.0, "no hit")), read = notes.take(1)).notes shouldBe listOf(Note(1.0, "no hit"))
+        Files.readAllLines(NotesFile.of(log)).map { "\"remove\"" in it } shouldBe listOf(false, true)
+        Files.readAllLines(NotesFile.of(log)).map { "2099" in it } shouldBe listOf(false, true)
+        Files.delete(log.resolveSibling("q42.bag.notes-pit.jsonl"))
+        Files.delete(NotesFile.of(log))
     }
 
     test("whatever happens to the file, there are notes in bounds, or a sentence") {

@@ -10,24 +10,31 @@ import java.nio.file.StandardOpenOption
 
 /**
  * Appends [lines] to [file] in one piece, which is created if it does not exist. If the last line there was cut off, for example because a
- * stick was pulled out, they begin below it.
+ * stick was pulled out, they begin below it. Several programs may append to one file at the same time.
  *
  * @throws UnwritableFileException if it cannot be written.
  */
 public fun appendLines(file: Path, lines: List<String>) {
     try {
-        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE).use { channel ->
-            val size = channel.size()
-            val last = ByteBuffer.allocate(1)
-            val isCut = size > 0 && channel.read(last, size - 1) == 1 && last[0] != '\n'.code.toByte()
-            val text = lines.joinToString("", if (isCut) "\n" else "") { "$it\n" }
+        val text = lines.joinToString("", if (isCut(file)) "\n" else "") { "$it\n" }
+        // Only the system knows where the file ends when the bytes arrive.
+        FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND).use { channel ->
             val bytes = ByteBuffer.wrap(text.encodeToByteArray())
-            var at = size
-            while (bytes.hasRemaining()) at += channel.write(bytes, at)
+            while (bytes.hasRemaining()) channel.write(bytes)
             channel.force(true)
         }
     } catch (e: IOException) {
         throw UnwritableFileException(file, "$file cannot be written (${e.message}); check that the folder is not write-protected.", e)
+    }
+}
+
+/** Returns whether [file] ends within a line. */
+private fun isCut(file: Path): Boolean {
+    if (!Files.exists(file)) return false
+    return FileChannel.open(file).use { channel ->
+        val last = ByteBuffer.allocate(1)
+        val size = channel.size()
+        size > 0 && channel.read(last, size - 1) == 1 && last[0] != '\n'.code.toByte()
     }
 }
 

@@ -4,6 +4,7 @@ import java.io.IOException
 import java.io.InterruptedIOException
 import java.nio.channels.ClosedByInterruptException
 import java.nio.file.AccessDeniedException
+import java.nio.file.DirectoryIteratorException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.FileSystemException
 import java.nio.file.Files
@@ -33,7 +34,7 @@ public class UnwritableFileException(public val file: Path, override val message
 /**
  * Runs [work], which reads [file], a file or a folder.
  *
- * @throws UnreadableFileException for an [IOException] of [work].
+ * @throws UnreadableFileException for an [IOException] of [work], also one while a folder is being listed.
  * @throws InterruptedException if the thread was interrupted while reading.
  */
 public fun <T> reading(file: Path, work: () -> T): T = try {
@@ -41,13 +42,19 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
 } catch (_: ClosedByInterruptException) {
     Thread.interrupted()
     throw InterruptedException()
+} catch (e: DirectoryIteratorException) {
+    throw unreadable(file, e.cause ?: e)
 } catch (e: IOException) {
+    throw unreadable(file, e)
+}
+
+private fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     val message = when (e) {
         is NoSuchFileException -> "There is no file $file; check the spelling."
         is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
         else -> "$file cannot be read (${e.message}); copy it to this computer's disk first."
     }
-    throw UnreadableFileException(file, message, e)
+    return UnreadableFileException(file, message, e)
 }
 
 /**

@@ -1,7 +1,10 @@
 package badlog.catalog.todo
 
+import badlog.signals.match.localSecondOf
 import badlog.viewer.choices.changeTime
+import badlog.viewer.todo.Check
 import badlog.viewer.todo.FoundLog
+import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoSubject
@@ -10,18 +13,36 @@ import java.util.UUID
 /**
  * Returns the change that [author] makes to [subject] now.
  *
- * @param last the log of the folder that began last; null if there is none.
- * @param before the newest change that is known, see [changeTime]; null if there is none.
+ * @param last the log of the folder that began last; null if none is known.
+ * @param known the changes that are known: this one is later than those of the same subject, whatever the clocks of their laptops say.
  */
-fun newChange(subject: TodoSubject, deed: TodoDeed, author: String, last: FoundLog?, before: TodoChange? = null): TodoChange {
-    val id = UUID.randomUUID().toString()
+fun newChange(
+    subject: TodoSubject,
+    deed: TodoDeed,
+    author: String,
+    last: FoundLog?,
+    known: Collection<TodoChange> = emptyList(),
+): TodoChange {
+    val before = known.filter { competes(it.subject, subject) }.maxOfOrNull { it.time }
     return TodoChange(
-        id,
-        changeTime(before?.time),
+        UUID.randomUUID().toString(),
+        changeTime(before),
         author.trim().take(TodoChange.MAX_TEXT),
         subject,
         deed,
-        last?.second,
+        last?.second ?: localSecondOf(System.currentTimeMillis() / MILLIS),
         last?.match?.event,
     )
 }
+
+/** Returns whether of changes of [one] and [other] only the last may count. */
+private fun competes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
+    is NextMatch -> one is NextMatch
+
+    // A tick that was made before the match had a name is taken off under that name.
+    is Check -> one is Check && one.text == other.text
+
+    else -> one == other
+}
+
+private const val MILLIS = 1000L

@@ -9,9 +9,9 @@ import badlog.files.fileNamePart
 import badlog.files.reading
 import badlog.viewer.todo.CHECKLIST_FILE
 import badlog.viewer.todo.TodoChange
-import badlog.viewer.todo.TodoLines
 import badlog.viewer.todo.checklistOf
 import badlog.viewer.todo.toLine
+import badlog.viewer.todo.todoChangesOf
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -22,7 +22,7 @@ import kotlin.io.path.name
  * A team's list beside the logs in [folder]. Each computer appends to a file of its own, so that a synced folder or git has nothing to
  * resolve; all of them are read. Lines are never changed. Do not call it on the window's thread.
  *
- * @param computer the name of this computer.
+ * @param computer the name of this computer, which no other one has.
  */
 class TodoFolder(private val folder: Path, computer: String = computerName) {
     /** The file that this computer writes. */
@@ -38,9 +38,9 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
         val problems = ArrayList<String>()
         for (file in files()) {
             try {
-                val lines = TodoLines.of(appendedText(file))
+                val lines = todoChangesOf(appendedText(file))
                 changes += lines.changes
-                unreadableText(file, lines.unreadable)?.let(problems::add)
+                lines.problemOf(file.name)?.let(problems::add)
             } catch (e: UnreadableFileException) {
                 problems += e.message
             }
@@ -72,15 +72,6 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
 
     private fun files(): List<Path> = reading(folder) {
         folder.listDirectoryEntries("$BEGIN*$ENDING").filter(Files::isRegularFile).sortedBy { it.name }
-    }
-
-    private fun unreadableText(file: Path, lines: List<Int>): String? = when (lines.size) {
-        0 -> null
-
-        1 -> "Line ${lines[0]} of ${file.name} is skipped: it is damaged, or of a newer badlog. It stays in the file."
-
-        else -> "${lines.size} lines of ${file.name} are skipped, the first is line ${lines[0]}: they are damaged, or of a newer badlog. " +
-            "They stay in the file."
     }
 
     private companion object {

@@ -2,9 +2,10 @@ package badlog.catalog.todo
 
 import badlog.files.UnwritableFileException
 import badlog.signals.match.MatchOfLog
+import badlog.signals.match.localSecondOf
 import badlog.viewer.todo.FoundLog
+import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.OwnTask
-import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.toLine
@@ -88,15 +89,22 @@ class TodoFolderSpec : FunSpec({
         shouldThrow<UnwritableFileException> { missing.append(change("Radio")) }.message shouldContain "cannot be written"
     }
 
-    test("a change is after every change that is known, unless that has a date of long from now") {
+    test("a change counts, however wrong the clocks are: it is later than those of the same subject, and takes no other along") {
         val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), 77, emptyList())
-        val ahead = newChange(OwnTask("Radio"), TodoDeed.Open, "Ada", log).copy(time = newTime(3600))
-        val next = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead)
-        (next.time > ahead.time) shouldBe true
-        next.run { listOf(author, seen, event) } shouldBe listOf("Ben", 77L, "Mill Creek")
-        val wrong: TodoChange = ahead.copy(time = "2099-01-01T00:00:00.000Z")
-        (newChange(OwnTask("Radio"), TodoDeed.Done(), "Ben", log, wrong).time < wrong.time) shouldBe true
+        val ahead = listOf("2099-01-01T00:00:00.000Z", "9999-12-31T23:59:59.998Z").map { change("Radio").copy(time = it) }
+        val done = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead)
+        done.time shouldBe "9999-12-31T23:59:59.999Z"
+        done.run { listOf(author, seen, event) } shouldBe listOf("Ben", 77L, "Mill Creek")
+        TodoList.of(ahead + done, emptyList()).open.shouldBeEmpty()
+        val other = newChange(OwnTask("Bumpers"), TodoDeed.Open, "Ada", log, ahead + done)
+        (other.time < ahead[0].time) shouldBe true
+        (newChange(OwnTask("Bumpers"), TodoDeed.Done(), "Ada", log, ahead + other).time > other.time) shouldBe true
+        val next = change("").copy(subject = NextMatch("Qualification 85"), time = "2099-01-01T00:00:00.000Z")
+        newChange(NextMatch("Qualification 58"), TodoDeed.Open, "Ada", log, listOf(next)).time shouldBe "2099-01-01T00:00:00.001Z"
+    }
+
+    test("while no log is known, a change is of now") {
+        val now = localSecondOf(System.currentTimeMillis() / 1000)
+        (change("Radio").seen!! in now - 60..now + 60) shouldBe true
     }
 })
-
-private fun newTime(ahead: Long) = java.time.Instant.now().plusSeconds(ahead).toString().take(19) + ".000Z"

@@ -5,28 +5,10 @@ import badlog.core.json.quotedJson
 import badlog.signals.json.JsonFields
 import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonObject
+import badlog.viewer.choices.AppendedLines
 
-/**
- * The content of a to-do file.
- *
- * @property changes its changes, in the order of its lines.
- * @property unreadable the numbers of the lines that are damaged, or that only a newer badlog understands, from 1 on. They stay in the file.
- */
-class TodoLines(val changes: List<TodoChange>, val unreadable: List<Int>) {
-    companion object {
-        /** Returns the content of [text], see [toLine]. Empty lines are ignored. */
-        fun of(text: String): TodoLines {
-            val changes = ArrayList<TodoChange>()
-            val unreadable = ArrayList<Int>()
-            text.split('\n').forEachIndexed { i, line ->
-                if (line.isBlank()) return@forEachIndexed
-                val change = changeOf(line)
-                if (change == null) unreadable += i + 1 else changes += change
-            }
-            return TodoLines(changes, unreadable)
-        }
-    }
-}
+/** Returns the content of [text], a to-do file, see [toLine]. */
+fun todoChangesOf(text: String): AppendedLines<TodoChange> = AppendedLines.of(text, ::changeOf)
 
 /** Returns the change as a line of JSON without its line break. Keys may be added, never removed; `docs/todo.md` has them all. */
 fun TodoChange.toLine(): String {

@@ -1,6 +1,7 @@
 package badlog.viewer.todo
 
 import badlog.core.recording.Severity
+import badlog.signals.match.MatchOfLog
 import badlog.signals.match.NaturalOrder
 
 /**
@@ -9,20 +10,22 @@ import badlog.signals.match.NaturalOrder
  * @property open what is still to be done: what came back first, then the most serious.
  * @property done what was done, the latest first.
  * @property next the match that the team plays next, such as `Qualification 61`, or `the match after Qualification 58` if nobody has said.
+ * @property lastMatch the match that was played last, as far as logs know; null for none.
  */
 class TodoList private constructor(
     val open: List<TodoItem>,
     val done: List<TodoItem>,
     val next: String,
+    val lastMatch: MatchOfLog?,
     private val items: Map<TodoTask, TodoItem>,
-    private val checks: Map<Check, DoneMark>,
+    private val ticks: Map<String, DoneMark>,
     private val found: Map<FaultTask, LastFound>,
 ) {
     /** Returns the item of [task]; null if it is not on the list. */
     fun item(task: TodoTask): TodoItem? = items[task]
 
     /** Returns [lines] as the checklist before the [next] match. */
-    fun checklist(lines: List<String>): List<CheckedLine> = lines.map { line -> Check(line, next).let { CheckedLine(it, checks[it]) } }
+    fun checklist(lines: List<String>): List<CheckedLine> = lines.map { CheckedLine(Check(it, next), ticks[it]) }
 
     /** Returns what a menu offers for [task] if it is not on the list: an open item. */
     fun itemOrNew(task: TodoTask): TodoItem = items[task] ?: TodoItem(task, isOpen = true, found = (task as? FaultTask)?.let(found::get))
@@ -49,16 +52,16 @@ class TodoList private constructor(
             val tasks = ofSubjects.keys.filterIsInstance<TodoTask>().toSet() +
                 found.filterValues { it.severity == Severity.ERROR && it.log in recent }.keys
             val items = tasks.mapNotNull { task -> itemOf(task, ofSubjects[task].orEmpty(), found, recorded) }
-            val checks = ofSubjects.keys.filterIsInstance<Check>().mapNotNull { check ->
-                ofSubjects.getValue(check).lastOrNull { it.deed !is TodoDeed.Assign }?.mark()?.let { check to it }
-            }
+            val last = lastMatchOf(recorded)?.match
+            val next = nextOf(ordered, recorded, last)
             val (open, done) = items.partition { it.isOpen }
             return TodoList(
                 open.sortedWith(OPEN),
                 done.sortedWith(compareByDescending { it.done?.order.orEmpty() }),
-                nextOf(ordered, recorded),
+                next,
+                last,
                 items.associateBy { it.task },
-                checks.toMap(),
+                ticksOf(ordered, recorded, next),
                 found,
             )
         }
@@ -80,17 +83,6 @@ class TodoList private constructor(
         /** The list of those who have not written anything, and have no logs. */
         val EMPTY: TodoList = of(emptyList(), emptyList())
     }
-}
-
-/**
- * Returns those of [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
- * logs between matches do not count.
- */
-fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
-    val latestFirst = logs.sortedByDescending { it.second }
-    val runs = latestFirst.filter { it.match.match != null }.ifEmpty { latestFirst }.groupBy { it.title }.values
-    val begin = runs.take(TodoList.RECENT_RUNS).lastOrNull()?.first()?.second ?: return emptyList()
-    return logs.filter { it.second >= begin }
 }
 
 /**
@@ -133,12 +125,13 @@ private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTa
     }
 }
 
-private fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
+internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
 
-/** Returns the match that the team plays next, as of its last word in [changes], unless it is among [logs], the latest first. */
-private fun nextOf(changes: List<TodoChange>, logs: List<FoundLog>): String {
+/** Returns the match that the team plays next, as of its last word in [changes], unless it is among [logs]; otherwise the one after [last]. */
+private fun nextOf(changes: List<TodoChange>, logs: List<FoundLog>, last: MatchOfLog?): String {
     val said = changes.lastOrNull { it.subject is NextMatch && it.deed != TodoDeed.Remove }
     val match = (said?.subject as? NextMatch)?.match
-    if (match != null && logs.none { it.match.match != null && said.isBefore(it, match) }) return match
-    return logs.firstNotNullOfOrNull { it.match.match }?.let { AFTER + it } ?: SOME_MATCH
+    fun isPlayed(log: FoundLog) = log.match.match != null && (log.isDated || log.match.event == said?.event)
+    if (match != null && logs.none { isPlayed(it) && said.isBefore(it, match) }) return match
+    return last?.match?.let { AFTER + it } ?: SOME_MATCH
 }

@@ -5,12 +5,15 @@ import badlog.viewer.text.countText
 /** Returns `Again, after it was done before Qualification 58.`; empty unless the item came back. */
 val TodoItem.againText: String
     get() = done?.takeIf { isAgain }?.let { mark ->
-        "Again, after it was done ${mark.before?.let { "before $it" } ?: "by ${mark.by}"}."
+        "Again, after it was done ${mark.before?.let(::momentText) ?: "by ${mark.by}"}."
     }.orEmpty()
 
 /** Returns `Done before Qualification 58 by Ada: replaced main breaker`. */
 val DoneMark.text: String
-    get() = "Done${before?.let { " before $it" }.orEmpty()} by $by${if (what.isEmpty()) "" else ": $what"}"
+    get() = "Done${before?.let { " ${momentText(it)}" }.orEmpty()} by $by${if (what.isEmpty()) "" else ": $what"}"
+
+/** Returns `before Qualification 58`, or `after Qualification 57` if nobody had said which match comes next. */
+private fun momentText(before: String) = if (before.startsWith(AFTER)) "after ${before.removePrefix(AFTER)}" else "before $before"
 
 /**
  * Returns what there is to know of the item besides its title, each as a line: that it came back, or how it was done, what was found and

@@ -34,7 +34,7 @@ class TodoLinesSpec : FunSpec({
         checkAll(300, changes) { change ->
             val line = change.toLine()
             line shouldNotContain "\n"
-            val read = TodoLines.of("$line\n")
+            val read = todoChangesOf("$line\n")
             read.unreadable.shouldBeEmpty()
             read.changes shouldBe listOf(change)
         }
@@ -60,9 +60,16 @@ class TodoLinesSpec : FunSpec({
             "[]",
             good.replace("}", ",\"color\":\"red\"}").replace("\"1\"", "\"2\""),
         )
-        val read = TodoLines.of(lines.joinToString("\r\n"))
+        val read = todoChangesOf(lines.joinToString("\r\n"))
         read.changes.map { it.id } shouldBe listOf("1", "2")
         read.unreadable shouldBe listOf(3, 4, 5, 6, 7, 8)
+    }
+
+    test("a last line that is not ended may still arrive, and is not reported; one that is whole counts") {
+        val good = TodoChange("1", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Radio"), TodoDeed.Open).toLine()
+        todoChangesOf("$good\n${good.dropLast(3)}").let { it.changes.size to it.unreadable } shouldBe (1 to emptyList())
+        todoChangesOf("${good.dropLast(3)}\n$good").let { it.changes.size to it.problemOf("a.jsonl") } shouldBe
+            (1 to "Line 1 of a.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.")
     }
 
     test("whatever is cut off, overwritten or put between, every other line is still read") {
@@ -70,8 +77,8 @@ class TodoLinesSpec : FunSpec({
         checkAll(500, Arb.int(0..5), Arb.int(0..300), Arb.string(0..20)) { damaged, at, junk ->
             val text = lines.mapIndexed { i, line ->
                 if (i == damaged) line.take(at % line.length) + junk.replace("\n", " ") else line
-            }.joinToString("\n")
-            val read = TodoLines.of(text)
+            }.joinToString("") { "$it\n" }
+            val read = todoChangesOf(text)
             read.changes.map { it.id }.filter { it != "$damaged" } shouldBe lines.indices.filter { it != damaged }.map { "$it" }
             read.changes.size + read.unreadable.size shouldBe lines.size - if (text.split('\n')[damaged].isBlank()) 1 else 0
         }

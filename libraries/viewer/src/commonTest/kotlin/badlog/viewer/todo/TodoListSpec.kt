@@ -2,6 +2,8 @@ package badlog.viewer.todo
 
 import badlog.core.recording.Severity
 import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -58,6 +60,7 @@ class TodoListSpec : FunSpec({
     }
 
     test("what was done before the match after another has not failed in that one") {
+        change(brownout, TodoDeed.Done("x", "the match after Qualification 58")).mark()?.text shouldBe "Done after Qualification 58 by Ada: x"
         val done = change(brownout, TodoDeed.Done(before = "the match after Qualification 58"), seen = log(58).second)
         TodoList.of(listOf(done), listOf(log(58, error, second = log(58).second + 5))).open.shouldBeEmpty()
         TodoList.of(listOf(done), listOf(log(61, error))).open.single().isAgain shouldBe true
@@ -97,9 +100,76 @@ class TodoListSpec : FunSpec({
         TodoList.of(emptyList(), emptyList()).next shouldBe "the next match"
     }
 
-    test("what people type as a match is named as logs name it") {
-        listOf("q58", " Q58 ", "Qualification 58", "the final", "").map(::matchText) shouldBe
-            listOf("Qualification 58", "Qualification 58", "Qualification 58", "the final", "")
+    test("numbers of one event are compared without a clock, and those of logs without a type, too") {
+        fun done(before: String, seen: Long?, event: String?) = change(brownout, TodoDeed.Done(before = before), seen).copy(event = event)
+        fun isAgain(done: TodoChange, log: FoundLog) = TodoList.of(listOf(done), listOf(log)).open.isNotEmpty()
+        // The clock of the robot was in 2031 when it was done.
+        val wrong = done("Qualification 58", 1_900_000_000, "Mill Creek")
+        listOf(57, 58).map { isAgain(wrong, log(it, error)) } shouldBe listOf(false, true)
+        val ofOther = log(59, error).copy(match = MatchOfLog("Elm City", "Qualification", "59"))
+        isAgain(wrong, ofOther) shouldBe false
+        isAgain(done("Match 58", log(55).second, null), log(58, error).copy(match = MatchOfLog(number = "58"))) shouldBe true
+    }
+
+    test("what only the file’s time dates, or a clock in the future, is compared by its number alone") {
+        val now = log(58).second + 2_000_000_000
+        fun date(second: Long, source: DateSource) = FoundLog.of("a", MatchOfLog(), LogDate(second, source), now).isDated
+        date(now + 3600, DateSource.VALUES) shouldBe true
+        date(now + 2 * 86_400, DateSource.VALUES) shouldBe false
+        date(now - 3600, DateSource.FILE_TIME) shouldBe false
+        // A laptop in 1970 does not know what the future is.
+        FoundLog.of("a", MatchOfLog(), LogDate(now, DateSource.VALUES), 5).isDated shouldBe true
+        val done = change(brownout, TodoDeed.Done(before = "Qualification 58"), seen = 5)
+        fun undated(number: Int) = log(number, error, second = 1_900_000_000).copy(isDated = false)
+        listOf(57, 58).map { TodoList.of(listOf(done), listOf(undated(it))).open.size } shouldBe listOf(0, 1)
+        val practice = undated(1).copy(match = MatchOfLog())
+        TodoList.of(listOf(done), listOf(practice)).open.shouldBeEmpty()
+        TodoList.of(emptyList(), listOf(log(58), log(12).copy(second = 1_900_000_000, isDated = false))).next shouldBe "the match after Qualification 58"
+        TodoList.of(emptyList(), listOf(undated(9), undated(12))).next shouldBe "the match after Qualification 12"
+        val said = change(NextMatch("Qualification 61"), TodoDeed.Open, seen = log(58).second)
+        TodoList.of(listOf(said), listOf(log(58), undated(70))).next shouldBe "Qualification 61"
+    }
+
+    test("the logs of one run are recent together, from the first of them on") {
+        val early = log(1, error).copy(name = "q1.dslog", second = log(1).second - 300)
+        val robot = log(1)
+        TodoList.of(emptyList(), listOf(early, robot, log(2), log(3), log(4))).open.size shouldBe 1
+        // The same numbers at the next event are other matches.
+        val other = listOf(2, 3, 4).map { log(it, second = log(it).second + 20 * 86_400) }
+        TodoList.of(emptyList(), listOf(robot, log(2), log(3), log(4, error)) + other).open.size shouldBe 1
+        TodoList.of(emptyList(), listOf(robot, log(2), log(3, error), log(4)) + other).open.size shouldBe 0
+    }
+
+    test("a tick is for the match that comes next, also if that gets its name later, and for no other event or day") {
+        val lines = listOf("Battery in")
+        val unnamed = change(Check("Battery in", "the match after Qualification 58"), TodoDeed.Done(), seen = log(58).second)
+        fun isTicked(changes: List<TodoChange>, vararg logs: FoundLog) = TodoList.of(changes, logs.toList()).checklist(lines).single().done != null
+        fun said(number: Int) = change(NextMatch("Qualification $number"), TodoDeed.Open, seen = log(58).second)
+        isTicked(listOf(unnamed), log(58)) shouldBe true
+        val named = said(61)
+        isTicked(listOf(unnamed, named), log(58)) shouldBe true
+        isTicked(listOf(unnamed, named, change(Check("Battery in", "Qualification 61"), TodoDeed.Open)), log(58)) shouldBe false
+        // The next one after that, although no log came between.
+        isTicked(listOf(unnamed, named, said(65)), log(58)) shouldBe false
+        isTicked(listOf(unnamed, said(65)), log(58), log(60)) shouldBe false
+        val ticked = change(Check("Battery in", "Qualification 12"), TodoDeed.Done(), seen = log(10).second).copy(event = "Mill Creek")
+        val again = change(NextMatch("Qualification 12"), TodoDeed.Open, seen = log(10).second + 20 * 86_400)
+        isTicked(listOf(ticked, again), log(10)) shouldBe true
+        isTicked(listOf(ticked, again), log(10).copy(match = MatchOfLog("Elm City", "Qualification", "10"))) shouldBe false
+        isTicked(listOf(ticked, again), log(10, second = log(10).second + 20 * 86_400)) shouldBe false
+        val practice = change(Check("Battery in", SOME_MATCH), TodoDeed.Done(), seen = 5000)
+        fun practiced(second: Long) = FoundLog("a", MatchOfLog(), second, emptyList())
+        isTicked(listOf(practice), practiced(5000)) shouldBe true
+        isTicked(listOf(practice), practiced(5000), practiced(5600)) shouldBe false
+    }
+
+    test("what people type as a match is named as logs name it, and a number has the type of the last match") {
+        listOf("q58", " Q58 ", "qual 58", "Q 58", "qualification 58", "Qualification 58", "58", "qm-058").map { matchText(it) }.toSet() shouldBe
+            setOf("Qualification 58")
+        listOf("sf2m1", "sf 2-1", "the final", "", "after lunch 3").map { matchText(it) } shouldBe
+            listOf("Semifinal 2-1", "Semifinal 2-1", "the final", "", "after lunch 3")
+        matchText("3", MatchOfLog("Mill Creek", "Elimination", "2")) shouldBe "Elimination 3"
+        matchText("3", MatchOfLog(number = "2")) shouldBe "Match 3"
     }
 
     test("200 random histories on three laptops, merged in any order and with lines twice, give the same list") {
@@ -130,7 +200,7 @@ class TodoListSpec : FunSpec({
             val one = shown(laptops.flatten(), logs)
             repeat(3) {
                 val text = laptops.shuffled(random).joinToString("") { laptop -> laptop.joinToString("") { "${it.toLine()}\n" } }
-                val merged = TodoLines.of(text).changes
+                val merged = todoChangesOf(text).changes
                 shown((merged + merged.shuffled(random).take(5)).shuffled(random), (logs + logs.take(1)).shuffled(random)) shouldBe one
             }
         }

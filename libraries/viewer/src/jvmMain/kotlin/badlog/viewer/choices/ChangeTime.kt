@@ -9,12 +9,13 @@ import java.time.temporal.ChronoUnit
 /**
  * Returns the time of a change that is made now, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
  *
- * @param last the time of the newest change that is known: even if the clock of the laptop that made it is ahead, what is changed later counts.
+ * @param last the time of the newest known change of the same thing; null if there is none. Even if the clock of the laptop that made it is
+ * ahead, what is changed later counts.
  */
 fun changeTime(last: String?): String {
     val now = Instant.now().truncatedTo(ChronoUnit.MILLIS)
-    val known = last?.let(::instantOf)?.takeIf { it < now.plus(LARGEST_LEAD, ChronoUnit.HOURS) }
-    return TIME.format(if (known != null && known >= now) known.plusMillis(1) else now)
+    val next = last?.let(::instantOf)?.plusMillis(1)
+    return TIME.format(if (next == null) now else minOf(maxOf(now, next), LAST))
 }
 
 private fun instantOf(text: String): Instant? = try {
@@ -25,5 +26,5 @@ private fun instantOf(text: String): Instant? = try {
 
 private val TIME: DateTimeFormatter = DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'").withZone(ZoneOffset.UTC)
 
-/** In hours: a clock that is more ahead than this is wrong, and must not take the others along. */
-private const val LARGEST_LEAD = 24L
+/** Years have four digits. */
+private val LAST: Instant = Instant.parse("9999-12-31T23:59:59.999Z")

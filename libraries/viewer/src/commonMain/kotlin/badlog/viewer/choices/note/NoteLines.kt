@@ -5,6 +5,7 @@ import badlog.core.json.quotedJson
 import badlog.signals.json.JsonFields
 import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonObject
+import badlog.viewer.choices.AppendedLines
 
 /**
  * One change of the notes of a log: one line of a file that is only ever appended to. To change a note is to remove it and write another.
@@ -27,14 +28,14 @@ fun NoteChange.toLine(): String = jsonObject(
     "text" to quotedJson(note.text),
 )
 
-/** Returns the changes in [text], see [toLine]. Lines that are damaged, or of a newer badlog, are skipped. */
-fun noteChangesOf(text: String): List<NoteChange> = text.split('\n').mapNotNull(::changeOf)
+/** Returns the content of [text], a file of notes, see [toLine]. */
+fun noteChangesOf(text: String): AppendedLines<NoteChange> = AppendedLines.of(text, ::changeOf)
 
 /**
  * Returns the notes that [changes] make of those at the [beginning], in the order of x: the same in whatever order they are, and however often.
  */
 fun notesOf(beginning: List<Note>, changes: Collection<NoteChange>): List<Note> {
-    val notes = LinkedHashSet(beginning)
+    val notes = beginning.mapTo(LinkedHashSet()) { it.atNumber() }
     val ordered = changes.map { it to it.toLine() }.sortedWith(compareBy({ it.first.time }, { it.first.id }, { it.second }))
     for (change in ordered.map { it.first }.distinctBy { it.id }) {
         if (change.isRemoved) notes -= change.note else notes += change.note
@@ -49,11 +50,13 @@ private fun changeOf(line: String): NoteChange? = try {
     val text = fields.string("text").takeIf { it.isNotBlank() && it.length <= Note.MAX_TEXT }
     val deed = fields.string("do")
     if (!TIME.matches(time) || x == null || text == null || deed !in setOf(WRITE, REMOVE)) throw UnreadableJsonException()
-    // Minus zero is another number than zero only for computers.
-    NoteChange(fields.string("id"), time, fields.string("by"), Note(x + 0.0, text), deed == REMOVE)
+    NoteChange(fields.string("id"), time, fields.string("by"), Note(x, text).atNumber(), deed == REMOVE)
 } catch (_: UnreadableJsonException) {
     null
 }
+
+/** Minus zero is another number than zero only for computers. */
+private fun Note.atNumber() = Note(x + 0.0, text)
 
 private const val WRITE = "write"
 private const val REMOVE = "remove"

@@ -1,5 +1,6 @@
 package badlog.viewer.shown.folder
 
+import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.ListedLog
 import kotlin.math.abs
 
@@ -36,11 +37,15 @@ private fun <E : ListedLog> runsOfMatch(logs: List<E>): List<List<E>> {
 
 /** Returns whether [one] and [other] are of the same match, and of the same run of it. */
 fun isOfSameRun(one: ListedLog, other: ListedLog): Boolean {
-    val (first, second) = one.summary.match to other.summary.match
-    if (first.match == null || first.type != second.type || first.number != second.number) return false
-    val isSameEvent = first.event == null || second.event == null || first.event == second.event
-    return isSameEvent && abs(one.summary.date.second - other.summary.date.second) < LONGEST_RUN
+    val isOfSameMatch = isOfSameMatch(one.summary.match, other.summary.match)
+    return isOfSameMatch && abs(one.summary.date.second - other.summary.date.second) < LONGEST_RUN
+}
+
+/** Returns whether [one] and [other] are the same match, as far as is known. */
+fun isOfSameMatch(one: MatchOfLog, other: MatchOfLog): Boolean {
+    if (one.match == null || one.type != other.type || one.number != other.number) return false
+    return one.event == null || other.event == null || one.event == other.event
 }
 
 /** In s: a robot is switched on long before its match, and no match is played twice within it. */
-private const val LONGEST_RUN = 3600L
+internal const val LONGEST_RUN = 3600L

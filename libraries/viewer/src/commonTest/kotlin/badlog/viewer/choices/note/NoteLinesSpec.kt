@@ -15,7 +15,7 @@ class NoteLinesSpec : FunSpec({
         hit.toLine() shouldBe """{"id":"1","time":"$time","by":"Ada","do":"write","x":93.7,"text":"hit by “254”\u000a\"hard\""}"""
         val gone = hit.copy(id = "2", isRemoved = true)
         val lines = listOf(hit.toLine(), hit.toLine().dropLast(4), hit.toLine().replace("write", "draw"), "", "[]", gone.toLine())
-        noteChangesOf(lines.joinToString("\r\n")) shouldBe listOf(hit, gone)
+        noteChangesOf(lines.joinToString("\r\n")).run { changes to unreadable } shouldBe (listOf(hit, gone) to listOf(2, 3, 5))
     }
 
     test("notes of today’s files are a beginning: they stay until a line removes them, and come back when one writes them") {
@@ -25,6 +25,8 @@ class NoteLinesSpec : FunSpec({
         notesOf(old, emptyList()) shouldBe old
         notesOf(old, listOf(removed)) shouldBe old.drop(1)
         notesOf(old, listOf(again, removed)) shouldBe old
+        val atZero = removed.copy(note = Note(0.0, "a"))
+        notesOf(listOf(Note(-0.0, "a")), listOf(atZero)) shouldBe emptyList()
     }
 
     test("whatever three laptops wrote, in any order and with lines twice, the notes are the same") {
@@ -41,7 +43,7 @@ class NoteLinesSpec : FunSpec({
             val one = notesOf(old, laptops.flatten())
             repeat(3) {
                 val text = laptops.shuffled(random).joinToString("") { laptop -> laptop.joinToString("") { "${it.toLine()}\n" } }
-                val merged = noteChangesOf(text)
+                val merged = noteChangesOf(text).changes
                 notesOf(old, (merged + merged.shuffled(random).take(5)).shuffled(random)) shouldBe one
             }
         }

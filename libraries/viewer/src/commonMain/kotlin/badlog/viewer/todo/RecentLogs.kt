@@ -1,0 +1,65 @@
+package badlog.viewer.todo
+
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.NaturalOrder
+import badlog.viewer.shown.folder.LONGEST_RUN
+import badlog.viewer.shown.folder.isOfSameMatch
+import kotlin.math.abs
+
+/**
+ * Returns those of [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
+ * logs between matches do not count.
+ */
+fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
+    val matches = logs.filter { it.match.match != null }
+    val begins = if (matches.isEmpty()) logs.map { it.second } else beginsOfRuns(matches)
+    val begin = begins.sortedDescending().take(TodoList.RECENT_RUNS).lastOrNull() ?: return emptyList()
+    return logs.filter { it.second >= begin }
+}
+
+/** Returns when each run of a match in [logs] began: those of the robot and of the Driver Station are of one run. */
+private fun beginsOfRuns(logs: List<FoundLog>): List<Long> {
+    val runs = ArrayList<ArrayList<FoundLog>>()
+    for (ofMatch in logs.groupBy { it.match.match }.values) {
+        val before = runs.size
+        for (log in ofMatch.sortedBy { it.second }) {
+            val same = runs.drop(before).lastOrNull { isOfSameRun(it.last(), log) }
+            if (same == null) runs += arrayListOf(log) else same += log
+        }
+    }
+    return runs.map { it.first().second }
+}
+
+private fun isOfSameRun(one: FoundLog, other: FoundLog) =
+    isOfSameMatch(one.match, other.match) && (abs(one.second - other.second) < LONGEST_RUN || !one.isDated || !other.isDated)
+
+/**
+ * Returns the log of the match of [logs] that was played last; null if none is of a match. Logs without a date are known by the number of their
+ * match.
+ */
+internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
+    val (dated, others) = logs.filter { it.match.match != null }.partition { it.isDated }
+    val last = dated.maxWithOrNull(compareBy<FoundLog> { it.second }.then(BY_NUMBER))
+    return (others.filter { last == null || isOfSameEvent(it.match, last.match) } + listOfNotNull(last)).maxWithOrNull(BY_NUMBER)
+}
+
+/** Returns whether the numbers of [one] and [other] count the matches of one event, as far as is known. */
+private fun isOfSameEvent(one: MatchOfLog, other: MatchOfLog) =
+    one.type == other.type && (one.event == null || other.event == null || one.event == other.event)
+
+private val BY_NUMBER: Comparator<FoundLog> = compareBy<FoundLog> {
+    FIRST_TYPES.indexOf(it.match.type).let { at ->
+        if (at <
+            0
+        ) {
+            FIRST_TYPES.size
+        } else {
+            at
+        }
+    }
+}
+    .thenBy(NaturalOrder) { it.match.number.orEmpty() }
+    .thenBy { it.name }
+
+/** The types that are played before all others, in this order. */
+private val FIRST_TYPES = listOf("Practice", "Qualification")
