@@ -7,6 +7,7 @@ import badlog.catalog.todo.TodoFiles
 import badlog.catalog.todo.TodoFolder
 import badlog.catalog.todo.newChange
 import badlog.core.recording.Severity
+import badlog.files.LogFile
 import badlog.files.writeAtomically
 import badlog.rules.folder.FolderRules
 import badlog.signals.match.localSecondOf
@@ -89,7 +90,7 @@ internal class FolderTodo(
     } to FolderRules.of(path.resolve("any"), path).rules.checklist
 
     private suspend fun followLogs() {
-        val known = HashMap<LogEntry, List<FoundFault>>()
+        val known = HashMap<Pair<LogFile, Int?>, List<FoundFault>>()
         snapshotFlow { examinedLogs() to state.list.rules }.collectLatest { (entries, rules) ->
             val examined = library.examined
             val logs = withContext(Dispatchers.IO) { foundLogs(entries, rules, known, examined) }
@@ -159,12 +160,12 @@ private fun foundLog(entry: LogEntry, now: Long) = FoundLog.of(entry.fileName, e
  * Returns what [entries] say for the list. What the rules found is read only where it may matter: [rules] are on the list, or the log is one of
  * the last with an error.
  *
- * @param known what was read before.
+ * @param known what was read before, by the file and the key of what was found in it.
  */
 private fun foundLogs(
     entries: List<LogEntry>,
     rules: Set<String>,
-    known: MutableMap<LogEntry, List<FoundFault>>,
+    known: MutableMap<Pair<LogFile, Int?>, List<FoundFault>>,
     examined: (LogEntry) -> ExaminedLog?,
 ): List<FoundLog> {
     val now = wallClock()
@@ -172,6 +173,9 @@ private fun foundLogs(
     val recent = recentOf(logs).toSet()
     return entries.zip(logs).map { (entry, log) ->
         val isWanted = entry.found?.rules.orEmpty().any { it.name in rules || (log in recent && it.severity == Severity.ERROR) }
-        if (isWanted) log.copy(faults = known.getOrPut(entry) { examined(entry)?.findings.orEmpty().map(FoundFault::of) }) else log
+        if (!isWanted) return@map log
+        val key = entry.source to entry.found?.key
+        val faults = known[key] ?: examined(entry)?.findings?.map(FoundFault::of)?.also { known[key] = it }
+        log.copy(faults = faults.orEmpty())
     }
 }

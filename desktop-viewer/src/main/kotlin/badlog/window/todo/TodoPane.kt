@@ -32,6 +32,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -122,7 +123,11 @@ private fun CheckRow(todo: FolderTodo, line: CheckedLine) {
 private fun DoneHead(count: Int, isOpen: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
     Row(
-        Modifier.fillMaxWidth().clickable(role = Role.Button, onClick = onToggle).padding(top = 20.dp, bottom = 4.dp),
+        Modifier
+            .fillMaxWidth()
+            .clickable(role = Role.Button, onClick = onToggle)
+            .semantics { stateDescription = if (isOpen) "expanded" else "collapsed" }
+            .padding(top = 20.dp, bottom = 4.dp),
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {

@@ -29,6 +29,7 @@ import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.lines
 import badlog.window.findings.findingColor
+import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -45,6 +46,7 @@ internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (
         Column(Modifier.weight(1f)) {
             FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), itemVerticalAlignment = Alignment.CenterVertically) {
                 Text(item.title, color = severity?.let(palette::findingColor) ?: palette.text, fontWeight = FontWeight.Medium)
+                if (severity != null) Text(severity.word, color = palette.muted, fontSize = 12.sp)
                 if (item.person.isNotEmpty()) {
                     Text(
                         item.person,

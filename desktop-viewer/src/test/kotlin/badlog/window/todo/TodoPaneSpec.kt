@@ -3,8 +3,10 @@ package badlog.window.todo
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertIsOff
 import androidx.compose.ui.test.assertIsOn
+import androidx.compose.ui.test.hasStateDescription
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -75,7 +77,7 @@ class TodoPaneSpec : FunSpec({
             onNodeWithContentDescription("By whom").performKeyInput { pressKey(Key.Enter) }
             onNodeWithContentDescription("To do sheet").assertDoesNotExist()
             (title in open(viewer)) shouldBe false
-            onNodeWithText("Done: 1").performClick()
+            onNodeWithText("Done: 1").assert(hasStateDescription("collapsed")).performClick().assert(hasStateDescription("expanded"))
             onNodeWithText("Done before Qualification 58 by Ada: replaced main breaker").assertExists()
             val file = TodoFolder(folder).file
             waitFor { file.exists() && file.readText().endsWith("\n") }

@@ -7,6 +7,7 @@ import badlog.files.appendedText
 import badlog.files.computerName
 import badlog.files.fileNamePart
 import badlog.files.reading
+import badlog.rules.RulesFile
 import badlog.viewer.todo.CHECKLIST_FILE
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.checklistOf
@@ -54,9 +55,9 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
         return TodoFiles(changes, checklist, problems)
     }
 
-    /** Returns what changes whenever [read] would return something else, without reading. */
+    /** Returns what changes whenever [read] would return something else, or the rules of the folder another checklist; without reading. */
     fun stamp(): List<Any> = try {
-        files().plusElement(folder.resolve(CHECKLIST_FILE)).filter(Files::isRegularFile).map {
+        (files() + listOf(CHECKLIST_FILE, RulesFile.NAME).map(folder::resolve)).filter(Files::isRegularFile).map {
             Triple(it, Files.size(it), Files.getLastModifiedTime(it))
         }
     } catch (_: IOException) {

@@ -81,7 +81,10 @@ class TodoFolderSpec : FunSpec({
         val two = folder.stamp()
         two shouldNotBe one
         folder.file.appendText(" ")
-        folder.stamp() shouldNotBe two
+        val three = folder.stamp()
+        three shouldNotBe two
+        path.resolve("badlog-rules.toml").writeText("# rules")
+        folder.stamp() shouldNotBe three
     }
 
     test("a folder that cannot be written says so") {

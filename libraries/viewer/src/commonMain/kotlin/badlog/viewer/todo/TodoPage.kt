@@ -40,12 +40,14 @@ private const val GENERATOR = "<meta name=\"generator\" content=\"badlog todo\">
 private fun StringBuilder.appendItems(items: List<TodoItem>) {
     append("<ul>\n")
     for (item in items) {
-        val kind = when (item.found?.severity?.takeIf { item.isOpen }) {
+        val severity = item.found?.severity?.takeIf { item.isOpen }
+        val kind = when (severity) {
             Severity.ERROR -> " class=\"error\""
             Severity.WARNING -> " class=\"warning\""
             else -> ""
         }
         append("<li$kind>${box(!item.isOpen)}<div><b>${html(item.title)}</b>")
+        if (severity != null) append(" <span>${severity.name.lowercase()}</span>")
         if (item.person.isNotEmpty()) append(" <span>${html(item.person)}</span>")
         for (line in item.lines) append("<p>${html(line)}</p>")
         append("</div></li>\n")

@@ -40,7 +40,7 @@ class TodoPageSpec : FunSpec({
             |- [x] Battery in (Ada)
             |- [ ] Bumpers tight
             |- [ ] Radio on
-            |- [ ] -5 V rail
+            |- [ ] \-5 V rail
             |
             |## Done
             |
@@ -50,11 +50,18 @@ class TodoPageSpec : FunSpec({
         """.trimMargin()
     }
 
+    test("no text makes a list, a heading, a struck line or a mention") {
+        fun line(text: String) = TodoList.of(listOf(change(1, OwnTask(text), TodoDeed.Open)), emptyList()).toMarkdown().lines()[2]
+        line("1. ~~ask~~ @team") shouldBe "- [ ] **1\\. \\~\\~ask\\~\\~ \\@team**"
+        line("--- &amp; 2.5 V") shouldBe "- [ ] **\\--- \\&amp; 2.5 V**"
+    }
+
     test("the page has the same, no script, and no text that is markup") {
         val page = list.toPage("logs & more", checklist)
         page shouldContain "<h1>To do: logs &amp; more</h1>"
         page shouldContain "<b>Tighten &lt;b&gt;everything&lt;/b&gt; [*now*]</b> <span>Ben</span>"
         page shouldContain "<p>Done before Qualification 58 by Ada: new cable</p>"
+        page shouldContain "<b>Browned out</b> <span>error</span>"
         page shouldContain "Bumpers tight"
         page shouldNotContain "<script"
         isTodoPage(page.take(1000)) shouldBe true
