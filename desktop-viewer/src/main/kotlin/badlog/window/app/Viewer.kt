@@ -58,6 +58,7 @@ import badlog.window.sidebar.MainView
 import badlog.window.sidebar.SelectedStatistics
 import badlog.window.sidebar.TableSaver
 import badlog.window.sidebar.WindowPanels
+import badlog.window.task.FileWrites
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import badlog.window.todo.FolderTodo
@@ -91,6 +92,7 @@ internal class Viewer(
     robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
 ) {
     val tasks = LongTasks(scope, notices)
+    val writes = FileWrites()
     val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
     val panels = WindowPanels()
     val library = Library(scope, folders.answers, settings)
@@ -113,7 +115,7 @@ internal class Viewer(
     val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
-    val notes = LogNotes(scope, current, notices)
+    val notes = LogNotes(scope, current, notices, writes)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
@@ -123,7 +125,7 @@ internal class Viewer(
     val cuts = CutSaver(current, view, files, tasks, notices)
     val tables = TableSaver(files, tasks, notices)
     val charts = FolderCharts(scope, library, files, tasks, notices)
-    val todo = FolderTodo(scope, library, settings, files, tasks, notices)
+    val todo = FolderTodo(scope, library, settings, files, tasks, notices, writes)
     val graphs = GraphScene(
         current,
         board,

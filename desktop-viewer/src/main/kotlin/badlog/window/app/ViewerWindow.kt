@@ -50,7 +50,10 @@ internal fun ApplicationScope.ViewerWindow(
     val viewer = remember { Viewer(failures.guarded(scope), folders, kept, notices = notices, robots = robots) }
     val place = remember { windowStateOf(kept.window) }
     val icon = remember { windowIcon() }
-    val saveAll = { saveAll(viewer.layouts, viewer.settings, place) }
+    val saveAll = {
+        saveAll(viewer.layouts, viewer.settings, place)
+        viewer.writes.finish()
+    }
     FailureBoundary(failures) {
         OpenWindow(viewer, folders, place, icon, saveAll) {
             FailuresSeen(failures)

@@ -8,12 +8,12 @@ import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
 import badlog.viewer.choices.note.Notebook
 import badlog.window.state.StateHolder
+import badlog.window.task.FileWrites
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.launch
-import kotlinx.coroutines.sync.Mutex
-import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import java.io.IOException
 import java.nio.file.Path
@@ -26,9 +26,12 @@ import java.nio.file.Path
 internal data class StoredNotes(val log: Path? = null, val notebook: Notebook = Notebook())
 
 /** The notes of the [current] log. */
-internal class LogNotes(private val scope: CoroutineScope, private val current: CurrentRecording, private val notices: Notices) :
-    StateHolder<StoredNotes>(StoredNotes()) {
-    private val writing = Mutex()
+internal class LogNotes(
+    private val scope: CoroutineScope,
+    private val current: CurrentRecording,
+    private val notices: Notices,
+    private val writes: FileWrites,
+) : StateHolder<StoredNotes>(StoredNotes()) {
     private var waiting = 0
 
     /** The notes, in the order of x; observers of this alone do not see how a note is written. */
@@ -77,9 +80,9 @@ internal class LogNotes(private val scope: CoroutineScope, private val current: 
         val log = state.log ?: return notices.complain("The notes of this log are still being read; try again in a moment.")
         change { copy(notebook = changed) }
         waiting++
-        scope.launch {
+        scope.launch(start = CoroutineStart.UNDISPATCHED) {
             try {
-                val written = writing.withLock { withContext(Dispatchers.IO) { NotesFile.update(log, changed.notes, before.notes) } }
+                val written = writes.write { NotesFile.update(log, changed.notes, before.notes) }
                 // What is still to be written is not in the file yet.
                 if (waiting == 1 && state.log == log) change { copy(notebook = notebook.with(written.notes)) }
             } catch (e: IOException) {

@@ -114,7 +114,7 @@ private fun TextLayoutResult.nearest(x: Int) = getOffsetForPosition(Offset(x.toF
 private fun TextLayoutResult.placeOf(index: Int) = getHorizontalPosition(index, usePrimaryDirection = true)
 
 /** Whether the text can be cut at [index]: not inside a letter of two characters. */
-private fun TextLayoutResult.isBetweenLetters(index: Int) = !layoutInput.text[index].isLowSurrogate()
+private fun TextLayoutResult.isBetweenLetters(index: Int) = index >= layoutInput.text.length || !layoutInput.text[index].isLowSurrogate()
 
 private const val ELLIPSIS = "…"
 

@@ -25,17 +25,17 @@ import badlog.window.files.askToWrite
 import badlog.window.folder.Library
 import badlog.window.settings.SettingsStore
 import badlog.window.state.StateHolder
+import badlog.window.task.FileWrites
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import badlog.window.task.openAction
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.launch
-import kotlinx.coroutines.sync.Mutex
-import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import java.io.IOException
 import java.nio.file.Path
@@ -49,9 +49,8 @@ internal class FolderTodo(
     private val files: FileChoice,
     private val tasks: LongTasks,
     private val notices: Notices,
+    private val writes: FileWrites,
 ) : StateHolder<TodoState>(TodoState()) {
-    private val writing = Mutex()
-
     /** Who changes the list here. */
     val author: String get() = settings.state.author.ifBlank { System.getProperty("user.name").orEmpty() }.ifBlank { "somebody" }
 
@@ -77,8 +76,8 @@ internal class FolderTodo(
                 change { reading(read, ofRules) }
                 (read.problems - reported.toSet()).forEach(notices::complain)
                 reported = read.problems
+                last = stamp.takeIf { read.isWhole }
             }
-            last = stamp
             delay(PERIOD)
         }
     }
@@ -86,7 +85,7 @@ internal class FolderTodo(
     private fun readIn(folder: TodoFolder, path: Path): Pair<TodoFiles, List<String>> = try {
         folder.read()
     } catch (e: IOException) {
-        TodoFiles(problems = listOf(e.message.orEmpty()))
+        TodoFiles(problems = listOf(e.message.orEmpty()), isWhole = false)
     } to FolderRules.of(path.resolve("any"), path).rules.checklist
 
     private suspend fun followLogs() {
@@ -105,9 +104,9 @@ internal class FolderTodo(
         val folder = state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
         val made = newChange(subject, deed, by, lastLog(), state.files.changes + state.written)
         change { copy(written = written + made) }
-        scope.launch {
+        scope.launch(start = CoroutineStart.UNDISPATCHED) {
             try {
-                writing.withLock { withContext(Dispatchers.IO) { folder.append(made) } }
+                writes.write { folder.append(made) }
             } catch (e: IOException) {
                 change { copy(written = written - made) }
                 notices.complain(e.message.orEmpty())

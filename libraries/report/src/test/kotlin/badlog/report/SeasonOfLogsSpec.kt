@@ -32,7 +32,7 @@ class SeasonOfLogsSpec : FunSpec({
             folder.resolve("b").putMatch(2, null, 20.0)
             folder.resolve("b").putMatch(3, "B2", 20.0)
             folder.resolve("b").putMatch(4, null, 20.0)
-            folder.put("batteries.toml", "[[battery]]\nname = \"C3\"\n[used]\n\"Qualification 2\" = \"A1\"\n\"q3.bag\" = \"A1\"\n")
+            folder.put("batteries.toml", "[[battery]]\nname = \"C3\"\n[used]\n\"Qualification 2\" = \"A1\"\n\"b/q3.bag\" = \"A1\"\n")
             val season = overFolder(folder)
             titles(season.seasons) shouldBe mapOf(
                 "A1" to listOf("Qualification 3", "Qualification 2", "Qualification 1"),

@@ -46,7 +46,7 @@ object BatteriesFile {
         when {
             own >= 0 && battery.isEmpty() -> lines.removeAt(own)
 
-            own >= 0 -> lines[own] = entry + COMMENT.find(lines[own])?.value.orEmpty()
+            own >= 0 -> lines[own] = entry + behindValue(lines[own])
 
             table >= 0 -> lines.add(table + 1, entry)
 
@@ -66,8 +66,11 @@ object BatteriesFile {
     /** The heading of the table, also behind a mark that some Windows editors write. */
     private val TABLE = Regex("\uFEFF?\\[ *\"?$USED\"? *]")
 
-    /** A comment behind a battery's name. */
-    private val COMMENT = Regex("(?<=[\"'])\\s+#[^\"']*$")
+    /** Returns what stands behind the battery's name in [line]: a comment. */
+    private fun behindValue(line: String): String = VALUE.find(line)?.let { line.substring(it.range.last + 1) }.orEmpty()
+
+    /** The key of a line, and the battery's name. */
+    private val VALUE = Regex("^\\s*(?:\"(?:\\\\.|[^\"\\\\])*\"|'[^']*'|[^\"'=\\s]+)\\s*=\\s*(?:\"(?:\\\\.|[^\"\\\\])*\"|'[^']*')")
 
     internal const val USED = "used"
 }

@@ -31,7 +31,8 @@ class BatteriesFileSpec : FunSpec({
         read.batteries shouldBe listOf(TeamBattery("A1", "2025-01"), TeamBattery("B2", "2023-11-30", isRetired = true))
         read.used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2")
         read.usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "A1"
-        read.copy(used = read.used + ("x.bag" to "B2")).usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "B2"
+        read.copy(used = read.used + ("day1/x.bag" to "B2")).usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "B2"
+        read.copy(used = read.used + ("x.bag" to "B2")).usedFor(listOf("day1/x.bag"), "Qualification 12") shouldBe "A1"
         BatteriesFile.parse("").batteries shouldBe emptyList()
     }
 
@@ -60,6 +61,8 @@ class BatteriesFileSpec : FunSpec({
         BatteriesFile.withUse(windows, "m.bag", "A1") shouldBe windows.replace("sheet\r\n", "sheet\r\n\"m.bag\" = \"A1\"\r\n")
         val commented = FILE.replace("elim = \"B2\"", "elim = \"B2\" # swapped at lunch")
         BatteriesFile.withUse(commented, "elim", "A1") shouldBe commented.replace("elim = \"B2\"", "\"elim\" = \"A1\"")
+        val owned = BatteriesFile.withUse(FILE, "m.bag", "A1").replace("\"m.bag\" = \"A1\"", "\"m.bag\" = \"A1\" # Ann's swap")
+        BatteriesFile.withUse(owned, "m.bag", "B2") shouldBe owned.replace("\"m.bag\" = \"A1\"", "\"m.bag\" = \"B2\"")
     }
 
     for (text in listOf("used = { a = \"A1\" }\n", "[[battery]]\nname = \"A\"\n[used.x]\n", "used.\"a b\" = \"A1\"\n")) {

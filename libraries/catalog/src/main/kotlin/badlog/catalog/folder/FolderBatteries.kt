@@ -15,17 +15,18 @@ import java.nio.file.Path
  *
  * @property problems why a file is not used, as sentences.
  */
-class FolderBatteries private constructor(private val byFolder: Map<Path?, Written>, val problems: List<String>) {
+class FolderBatteries private constructor(private val byFolder: Map<Path, Written>, val problems: List<String>) {
     /** The content of a file in [folder]. */
-    private class Written(val folder: Path?, val batteries: TeamBatteries)
+    private class Written(val folder: Path, val batteries: TeamBatteries)
 
     /** All batteries, each once. */
     val batteries: List<TeamBattery> get() = byFolder.values.flatMap { it.batteries.batteries }.distinctBy { it.name.lowercase() }
 
     /** Returns the battery of a match, whose logs are [files], as written down; null if it is not. */
-    fun usedFor(files: List<Path>, match: String?): String? = files.groupBy { byFolder[it.parent] }.firstNotNullOfOrNull { (written, own) ->
-        written?.batteries?.usedFor(own.map { placeFrom(written.folder, it) }, match)
-    }
+    fun usedFor(files: List<Path>, match: String?): String? =
+        files.groupBy { byFolder[folderOf(it)] }.firstNotNullOfOrNull { (written, own) ->
+            written?.batteries?.usedFor(own.map { placeFrom(written.folder, it) }, match)
+        }
 
     companion object {
         /** Nothing is written down. */
@@ -35,13 +36,13 @@ class FolderBatteries private constructor(private val byFolder: Map<Path?, Writt
         fun of(logs: Collection<Path>, top: Path?): FolderBatteries {
             val problems = LinkedHashSet<String>()
             val read = HashMap<Path, Written?>()
-            val byFolder = HashMap<Path?, Written>()
-            for (folder in logs.mapTo(LinkedHashSet()) { it.parent }) {
+            val byFolder = HashMap<Path, Written>()
+            for (folder in logs.mapTo(LinkedHashSet(), ::folderOf)) {
                 val file = nearestTo(folder.resolve(BatteriesFile.NAME), top) { "" }.file ?: continue
                 val written = read.getOrPut(file) {
                     val nearest = nearestTo(file, null, BatteriesFile::parse)
                     nearest.problem?.let { problems += "$file is not used: $it" }
-                    nearest.found?.let { Written(file.parent, it) }
+                    nearest.found?.let { Written(folderOf(file), it) }
                 }
                 if (written != null) byFolder[folder] = written
             }
@@ -57,12 +58,12 @@ class FolderBatteries private constructor(private val byFolder: Map<Path?, Writt
         @Synchronized
         fun assign(battery: String, logs: List<Path>, match: String?, top: Path?): String? {
             val nearest = nearestTo(logs.first(), top) { text -> text.also(BatteriesFile::parse) }
-            val file = nearest.file ?: logs.first().resolveSibling(BatteriesFile.NAME)
+            val file = nearest.file ?: folderOf(logs.first()).resolve(BatteriesFile.NAME)
             if (nearest.problem != null) return "$file is not changed: ${nearest.problem}"
             return try {
                 val before = nearest.found.orEmpty()
-                val places = logs.map { placeFrom(file.parent, it) }
-                val keys = if (battery.isEmpty()) places + places.map { it.substringAfterLast('/') } + listOfNotNull(match) else places
+                val places = logs.map { placeFrom(folderOf(file), it) }
+                val keys = if (battery.isEmpty()) places + listOfNotNull(match) else places
                 val text = keys.fold(before) { made, key -> BatteriesFile.withUse(made, key, battery) }
                 if (text != before) writeAtomically(file) { it.write(text.encodeToByteArray()) }
                 null
@@ -76,11 +77,12 @@ class FolderBatteries private constructor(private val byFolder: Map<Path?, Writt
         private fun <T> nearestTo(log: Path, top: Path?, parse: (String) -> T) =
             NearestFile.of(log, top, { it.resolve(BatteriesFile.NAME).takeIf(Files::isRegularFile) }, parse)
 
+        private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent
+
         /** Returns where [log] is from [folder] on, with slashes; its name if it is not below. */
-        private fun placeFrom(folder: Path?, log: Path): String {
+        private fun placeFrom(folder: Path, log: Path): String {
             val own = log.toAbsolutePath().normalize()
-            val from = folder?.toAbsolutePath()?.normalize()
-            return if (from != null && own.startsWith(from)) from.relativize(own).joinToString("/") else "${log.fileName}"
+            return if (own.startsWith(folder)) folder.relativize(own).joinToString("/") else "${log.fileName}"
         }
     }
 }

@@ -13,7 +13,7 @@ import java.util.UUID
 /**
  * Returns the change that [author] makes to [subject] now.
  *
- * @param last the log of the folder that began last; null if none is known.
+ * @param last the log of the folder that began last; null if none is known. One of days before says nothing of the match that comes.
  * @param known the changes that are known: this one is later than those of the same subject, whatever the clocks of their laptops say.
  */
 fun newChange(
@@ -23,6 +23,9 @@ fun newChange(
     last: FoundLog?,
     known: Collection<TodoChange> = emptyList(),
 ): TodoChange {
+    val now = localSecondOf(System.currentTimeMillis() / MILLIS)
+    // Logs of days before are of another event, whose matches have the same numbers.
+    val recent = last?.takeIf { now - it.second <= LONGEST_REST }
     val before = known.filter { competes(it.subject, subject) }.maxOfOrNull { it.time }
     return TodoChange(
         UUID.randomUUID().toString(),
@@ -30,19 +33,23 @@ fun newChange(
         author.trim().take(TodoChange.MAX_TEXT),
         subject,
         deed,
-        last?.second ?: localSecondOf(System.currentTimeMillis() / MILLIS),
-        last?.match?.event,
+        recent?.second ?: now,
+        recent?.match?.event,
     )
 }
 
 /** Returns whether of changes of [one] and [other] only the last may count. */
 private fun competes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
-    is NextMatch -> one is NextMatch
+    // Ticks that were made before the match had a name belong to it.
+    is NextMatch -> one is NextMatch || one is Check
 
     // A tick that was made before the match had a name is taken off under that name.
-    is Check -> one is Check && one.text == other.text
+    is Check -> one is NextMatch || (one is Check && one.text == other.text)
 
     else -> one == other
 }
 
 private const val MILLIS = 1000L
+
+/** Between two logs of one event, in s. */
+private const val LONGEST_REST = 2 * 86_400L

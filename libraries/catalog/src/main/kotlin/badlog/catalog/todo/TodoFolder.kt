@@ -23,11 +23,11 @@ import kotlin.io.path.name
  * A team's list beside the logs in [folder]. Each computer appends to a file of its own, so that a synced folder or git has nothing to
  * resolve; all of them are read. Lines are never changed. Do not call it on the window's thread.
  *
- * @param computer the name of this computer, which no other one has.
+ * @param computer the name of this computer, which no other one has; null for its own, which takes a while to find out.
  */
-class TodoFolder(private val folder: Path, computer: String = computerName) {
+class TodoFolder(private val folder: Path, computer: String? = null) {
     /** The file that this computer writes. */
-    val file: Path = folder.resolve("$BEGIN-${fileNamePart(computer)}$ENDING")
+    val file: Path by lazy { folder.resolve("$BEGIN-${fileNamePart(computer ?: computerName)}$ENDING") }
 
     /**
      * Returns what all computers wrote.
@@ -37,6 +37,7 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
     fun read(): TodoFiles {
         val changes = ArrayList<TodoChange>()
         val problems = ArrayList<String>()
+        var isWhole = true
         for (file in files()) {
             try {
                 val lines = todoChangesOf(appendedText(file))
@@ -44,6 +45,7 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
                 lines.problemOf(file.name)?.let(problems::add)
             } catch (e: UnreadableFileException) {
                 problems += e.message
+                isWhole = false
             }
         }
         val checklist = try {
@@ -52,7 +54,7 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
             problems += e.message
             emptyList()
         }
-        return TodoFiles(changes, checklist, problems)
+        return TodoFiles(changes, checklist, problems, isWhole)
     }
 
     /** Returns what changes whenever [read] would return something else, or the rules of the folder another checklist; without reading. */
@@ -88,9 +90,11 @@ class TodoFolder(private val folder: Path, computer: String = computerName) {
  * @property changes what all computers wrote, in no particular order, some possibly twice.
  * @property checklist the lines of the team's own checklist.
  * @property problems what could not be read, each as a sentence.
+ * @property isWhole whether each file could be read; one may be locked for a moment.
  */
 class TodoFiles(
     val changes: List<TodoChange> = emptyList(),
     val checklist: List<String> = emptyList(),
     val problems: List<String> = emptyList(),
+    val isWhole: Boolean = true,
 )

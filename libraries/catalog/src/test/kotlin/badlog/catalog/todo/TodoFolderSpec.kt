@@ -15,6 +15,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
@@ -93,17 +94,28 @@ class TodoFolderSpec : FunSpec({
     }
 
     test("a change counts, however wrong the clocks are: it is later than those of the same subject, and takes no other along") {
-        val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), 77, emptyList())
+        val began = localSecondOf(System.currentTimeMillis() / 1000) - 3600
+        val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), began, emptyList())
         val ahead = listOf("2099-01-01T00:00:00.000Z", "9999-12-31T23:59:59.998Z").map { change("Radio").copy(time = it) }
         val done = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead)
         done.time shouldBe "9999-12-31T23:59:59.999Z"
-        done.run { listOf(author, seen, event) } shouldBe listOf("Ben", 77L, "Mill Creek")
+        done.run { listOf(author, seen, event) } shouldBe listOf("Ben", began, "Mill Creek")
         TodoList.of(ahead + done, emptyList()).open.shouldBeEmpty()
         val other = newChange(OwnTask("Bumpers"), TodoDeed.Open, "Ada", log, ahead + done)
         (other.time < ahead[0].time) shouldBe true
         (newChange(OwnTask("Bumpers"), TodoDeed.Done(), "Ada", log, ahead + other).time > other.time) shouldBe true
         val next = change("").copy(subject = NextMatch("Qualification 85"), time = "2099-01-01T00:00:00.000Z")
         newChange(NextMatch("Qualification 58"), TodoDeed.Open, "Ada", log, listOf(next)).time shouldBe "2099-01-01T00:00:00.001Z"
+    }
+
+    test("a log of days before says nothing of the matches that come: they have the same numbers at each event") {
+        val now = localSecondOf(System.currentTimeMillis() / 1000)
+        val before = FoundLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), now - 6 * 86_400, emptyList())
+        val said = newChange(NextMatch("Qualification 1"), TodoDeed.Open, "Ada", before)
+        said.event.shouldBeNull()
+        TodoList.of(listOf(said), listOf(before)).next shouldBe "Qualification 1"
+        val played = FoundLog("q1.bag", MatchOfLog("Tidewater", "Qualification", "1"), now + 3600, emptyList())
+        TodoList.of(listOf(said), listOf(before, played)).next shouldBe "the match after Qualification 1"
     }
 
     test("while no log is known, a change is of now") {

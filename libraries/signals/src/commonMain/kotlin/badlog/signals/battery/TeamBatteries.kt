@@ -4,13 +4,12 @@ package badlog.signals.battery
  * What a team wrote down about its batteries.
  *
  * @property batteries the batteries that it has.
- * @property used which battery was in the robot: by the place of a log's file from that file on, with slashes, by its name alone, or by its
- * match, `Qualification 12`.
+ * @property used which battery was in the robot: by the place of a log's file from that file on, with slashes, or by its match,
+ * `Qualification 12`.
  */
 data class TeamBatteries(val batteries: List<TeamBattery> = emptyList(), val used: Map<String, String> = emptyMap()) {
     /** Returns the battery of a match, whose logs are at [places], as written down; null if it is not. */
-    fun usedFor(places: List<String>, match: String?): String? = places.firstNotNullOfOrNull(used::get)
-        ?: places.firstNotNullOfOrNull { used[it.substringAfterLast('/')] } ?: match?.let(used::get)
+    fun usedFor(places: List<String>, match: String?): String? = places.firstNotNullOfOrNull(used::get) ?: match?.let(used::get)
 }
 
 /**

@@ -39,7 +39,9 @@ private val TYPED_MATCH = Regex("([A-Za-z]*)[-_. #]*0*([0-9]{1,3})(?:(?:-|-?[mM]
  */
 internal fun TodoChange.isBefore(log: FoundLog, before: String?): Boolean {
     val clock = seen ?: dateInName(time)?.second ?: return false
-    val isNear = (event != null && event == log.match.event) || !log.isDated || abs(log.second - clock) <= LONGEST_EVENT
+    val isSameEvent = event != null && event == log.match.event
+    // Without the name of an event, a log of days before may be of another one.
+    val isNear = isSameEvent || !log.isDated || (abs(log.second - clock) <= LONGEST_EVENT && !(event == null && clock - log.second > DAY))
     val order = if (before == null || !isNear) null else orderOf(log, before)
     return order ?: (log.isDated && log.second > clock)
 }
@@ -56,3 +58,4 @@ private fun TodoChange.orderOf(log: FoundLog, match: String): Boolean? {
 
 /** In s. */
 internal const val LONGEST_EVENT = 5 * 86_400L
+private const val DAY = 86_400L

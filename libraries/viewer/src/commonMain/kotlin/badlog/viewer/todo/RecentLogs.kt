@@ -7,14 +7,18 @@ import badlog.viewer.shown.folder.isOfSameMatch
 import kotlin.math.abs
 
 /**
- * Returns those of [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
+ * Returns those of [logs] that began since the fourth last match, as far as they have a date, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
  * logs between matches do not count.
  */
 fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
-    val matches = logs.filter { it.match.match != null }
-    val begins = if (matches.isEmpty()) logs.map { it.second } else beginsOfRuns(matches)
+    val known = logs.filter { it.isDated }.ifEmpty { logs }
+    val matches = known.filter { it.match.match != null }
+    val begins = if (matches.isEmpty()) known.map { it.second } else beginsOfRuns(matches)
     val begin = begins.sortedDescending().take(TodoList.RECENT_RUNS).lastOrNull() ?: return emptyList()
-    return logs.filter { it.second >= begin }
+    val recent = known.filter { it.second >= begin }
+    // When logs without a date began, their matches tell.
+    val others = (logs - known.toSet()).filter { log -> recent.any { isOfSameMatch(it.match, log.match) } }
+    return recent + others
 }
 
 /** Returns when each run of a match in [logs] began: those of the robot and of the Driver Station are of one run. */

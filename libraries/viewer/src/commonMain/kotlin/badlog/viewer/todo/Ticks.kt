@@ -1,7 +1,5 @@
 package badlog.viewer.todo
 
-import kotlin.math.abs
-
 /**
  * Returns who ticked off which line of the checklist before the match [next].
  *
@@ -39,5 +37,5 @@ internal fun ticksOf(changes: List<TodoChange>, logs: Collection<FoundLog>, next
 private fun TodoChange.isOfDaysOf(newest: FoundLog, isPractice: Boolean): Boolean {
     if (event != null && newest.match.event != null && event != newest.match.event) return false
     if (seen == null) return true
-    return abs(seen - newest.second) <= LONGEST_EVENT && !(isPractice && seen < newest.second)
+    return newest.second - seen <= LONGEST_EVENT && !(isPractice && seen < newest.second)
 }

@@ -2,6 +2,7 @@ package badlog.viewer.shown.battery
 
 import badlog.signals.battery.Resistance
 import badlog.viewer.text.fixedText
+import kotlin.math.floor
 import kotlin.math.roundToInt
 
 /**
@@ -45,8 +46,10 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         private fun notFull(season: BatterySeason): AdvisedBattery? {
             val last = season.matches.filter { it.isMatch && it.use.restBefore != null }.take(MATCHES_TO_TELL)
             if (last.size < MATCHES_TO_TELL || last.any { it.use.restBefore!! >= FULL }) return null
-            val volts = last.map { it.use.restBefore!! }
-            val before = "Before its last $MATCHES_TO_TELL matches it rested at ${voltsText(volts.min())} to ${voltsText(volts.max())}"
+            // Rounded down, so that it does not seem to be full.
+            val texts = last.map { floor(it.use.restBefore!! * HUNDREDTHS) / HUNDREDTHS }.sorted().map(::voltsText)
+            val between = if (texts.first() == texts.last()) texts.first() else "${texts.first()} to ${texts.last()}"
+            val before = "Before its last $MATCHES_TO_TELL matches it rested at $between"
             return AdvisedBattery(
                 season.title,
                 "Check",
@@ -89,6 +92,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         /** The voltage at rest of a lead battery that is nearly full, in volts, with the robot's computers on. */
         private const val FULL = 12.4
         private const val MATCHES_TO_TELL = 3
+        private const val HUNDREDTHS = 100
         private const val LEAST_TO_RETIRE = 2
     }
 }

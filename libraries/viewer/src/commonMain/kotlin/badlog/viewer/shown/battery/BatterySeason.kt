@@ -17,7 +17,7 @@ import kotlin.math.sqrt
  * @property title its name for people.
  * @property paths its logs, the one that says most first.
  * @property second when it began, in s since 1970 on a clock on the wall.
- * @property isMatch whether it is known to be a match.
+ * @property isMatch whether it is known to be a match that counts, not practice.
  */
 class BatteryMatch(val title: String, val paths: List<String>, val second: Long, val use: BatteryUse, val isMatch: Boolean)
 
@@ -100,7 +100,11 @@ private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
         uses.firstNotNullOfOrNull { it.energy },
         uses.mapNotNull { it.resistance }.minByOrNull { it.uncertainty },
     )
-    return BatteryMatch(logs.first().title, logs.map { it.path }, run.second, use, logs.any { it.summary.match.match != null })
+    return BatteryMatch(logs.first().title, logs.map { it.path }, run.second, use, logs.any(::counts))
+}
+
+private fun counts(log: ListedLog): Boolean = with(log.summary.match) {
+    match != null && type?.contains("practice", ignoreCase = true) != true
 }
 
 private fun resistancesOf(matches: List<BatteryMatch>) = matches.mapNotNull { it.use.resistance }

@@ -136,14 +136,30 @@ private fun turnOf(unit: String, one: Series, other: Series): Double {
     return if (wraps(one, turn) || wraps(other, turn)) turn else Double.NaN
 }
 
-/** Returns whether [series] jumps by about a [turn], as an angle does that goes on from one end of the turn to the other. */
-private fun wraps(series: Series, turn: Double): Boolean =
-    (1 until series.size).any { abs(abs(series.y[it] - series.y[it - 1]) - turn) < turn * JUMP }
+/**
+ * Returns whether [series] stays within one [turn] and jumps by about that, as an angle does that goes on from one end of the turn to the
+ * other.
+ */
+private fun wraps(series: Series, turn: Double): Boolean {
+    var least = Double.POSITIVE_INFINITY
+    var most = Double.NEGATIVE_INFINITY
+    var jumps = false
+    for (i in 0 until series.size) {
+        val y = series.y[i]
+        if (y < least) least = y
+        if (y > most) most = y
+        if (i > 0 && abs(abs(y - series.y[i - 1]) - turn) < turn * JUMP) jumps = true
+    }
+    return jumps && most - least <= turn * ROUNDED
+}
 
 private const val DEGREES = 360.0
 
 /** How far a line has moved on meanwhile, as a share of the turn. */
 private const val JUMP = 0.2
+
+/** A turn, and what rounding adds to it. */
+private const val ROUNDED = 1.05
 private const val SAMPLES = 1000
 private const val MOST_SHIFT = 100
 private const val MUCH_BETTER = 0.5

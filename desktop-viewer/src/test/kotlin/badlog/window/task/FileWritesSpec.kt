@@ -1,0 +1,37 @@
+package badlog.window.task
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.launch
+import java.io.IOException
+import java.util.Collections
+
+class FileWritesSpec : FunSpec({
+    test("when the window is closed, what is on its way is written first, in its order") {
+        val writes = FileWrites()
+        val written = Collections.synchronizedList(ArrayList<Int>())
+        val window = CoroutineScope(Dispatchers.Default)
+        for (number in 1..5) {
+            window.launch(start = CoroutineStart.UNDISPATCHED) {
+                writes.write {
+                    Thread.sleep(20)
+                    written += number
+                }
+            }
+        }
+        window.cancel()
+        writes.finish()
+        written shouldContainExactly listOf(1, 2, 3, 4, 5)
+    }
+
+    test("a write that fails says so, and leaves the others alone") {
+        val writes = FileWrites()
+        shouldThrow<IOException> { writes.write { throw IOException("gone") } }
+        listOf(writes.write { 1 }) shouldContainExactly listOf(1)
+    }
+})
