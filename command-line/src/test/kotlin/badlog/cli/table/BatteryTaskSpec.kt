@@ -51,7 +51,7 @@ class BatteryTaskSpec : FunSpec({
         }
     }
 
-    test("a folder whose logs name no battery is told how to name one") {
+    test("where no log names its battery, the table says how to name one") {
         inFolder { folder ->
             folder.match(1, null)
             table(folder, "--by", "battery").err shouldContain "let it log a value “Battery Name”"

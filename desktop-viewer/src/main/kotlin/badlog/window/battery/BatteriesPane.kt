@@ -45,6 +45,7 @@ import badlog.viewer.shown.battery.AdvisedBattery
 import badlog.viewer.shown.battery.BatteryColumn
 import badlog.viewer.shown.battery.BatteryMatch
 import badlog.viewer.shown.battery.BatterySeason
+import badlog.viewer.shown.battery.BatteryStep
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
 import badlog.window.folder.ReadingLine
@@ -110,10 +111,9 @@ private fun SeasonTable(batteries: Batteries, library: Library, season: FolderSe
 private fun Advice(batteries: Batteries) = Column(Modifier.padding(vertical = 12.dp), Arrangement.spacedBy(6.dp)) {
     val palette = LocalPalette.current
     with(batteries.advice) {
-        next?.let { Text("Use ${it.name} next", fontSize = 24.sp, fontWeight = FontWeight.Bold) }
+        next?.let { Text(it.headline, fontSize = 24.sp, fontWeight = FontWeight.Bold) }
         next?.let { Text(it.reason, color = palette.muted) }
-        for (each in retire) Text("${each.words} ${each.name}. ${each.reason}", color = palette.error)
-        for (each in charge) Text("${each.words} ${each.name}. ${each.reason}", color = palette.warning)
+        for (each in retire + charge) Text(each.text, color = palette.colorOf(each.step))
     }
     if (batteries.names.isEmpty()) {
         Text(
@@ -153,17 +153,16 @@ private fun SeasonRow(season: BatterySeason, columns: List<BatteryColumn>, advic
             if (season.matches.isNotEmpty()) Icon(if (isOpen) Icons.Down else Icons.Right, null, Modifier.size(14.dp), palette.muted)
         }
         for (column in columns) Cell(column, column.text(season).orEmpty(), isBold = column == BatteryColumn.BATTERY)
-        val words = if (season.battery?.isRetired == true) "Retired" else advice?.words
-        if (words != null) Tip(advice?.reason.orEmpty()) { AdviceLabel(words) }
+        val label = if (season.battery?.isRetired == true) "Retired" else advice?.step?.label
+        if (label != null) Tip(advice?.reason.orEmpty()) { AdviceLabel(label, isNext = advice?.step == BatteryStep.USE) }
     }
 }
 
 @Composable
-private fun AdviceLabel(words: String) {
+private fun AdviceLabel(label: String, isNext: Boolean) {
     val palette = LocalPalette.current
-    val isNext = words == "Use next"
     Text(
-        words,
+        label,
         Modifier
             .padding(start = 12.dp)
             .background(if (isNext) palette.accentSoft else palette.raised, RoundedCornerShape(4.dp))

@@ -12,16 +12,16 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.shown.battery.BatteryStep
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.Palette
 
 /** Which battery to use next, and which not to use, in letters that are read from two meters; nothing if no log names one. */
 @Composable
 internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
     val palette = LocalPalette.current
     val advice = batteries.advice
-    val lines = listOfNotNull(advice.next?.let { "Next battery: ${it.name}" to palette.text }) +
-        advice.retire.map { "Retire battery ${it.name}" to palette.error } +
-        advice.charge.map { "Check battery ${it.name} and its charger" to palette.warning }
+    val lines = advice.all.map { "Battery: ${it.headline.replaceFirstChar { letter -> letter.lowercase() }}" to palette.colorOf(it.step) }
     if (lines.isEmpty()) return
     Column(
         Modifier.fillMaxWidth().clickable(role = Role.Button, onClickLabel = "Show the batteries", onClick = onOpen),
@@ -34,5 +34,12 @@ internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
 @Composable
 private fun Line(text: String, color: Color) =
     Text(text, color = color, fontSize = 28.sp, lineHeight = 35.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+
+/** Returns the color of what is said of a battery. */
+internal fun Palette.colorOf(step: BatteryStep): Color = when (step) {
+    BatteryStep.USE -> text
+    BatteryStep.RETIRE -> error
+    BatteryStep.CHECK -> warning
+}
 
 private const val MOST_LINES = 3

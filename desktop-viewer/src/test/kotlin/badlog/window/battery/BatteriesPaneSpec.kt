@@ -91,8 +91,8 @@ class BatteriesPaneSpec : FunSpec({
     test("the pit view says which battery comes next, and leads to the list") {
         onFolder { viewer, _ ->
             viewer.panels.change { copy(main = MainView.PIT) }
-            onNodeWithText("Retire battery B2").assertExists()
-            onNodeWithText("Next battery: A1").performClick()
+            onNodeWithText("Battery: retire B2").assertExists()
+            onNodeWithText("Battery: use A1 next").performClick()
             viewer.panels.state.main shouldBe MainView.BATTERIES
         }
     }

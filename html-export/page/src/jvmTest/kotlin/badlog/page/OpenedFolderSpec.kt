@@ -66,7 +66,7 @@ internal class OpenedFolderSpec : PageSpec({
             column("BATTERY")[row] shouldBe "6.73 V"
             column("FINDINGS")[row] shouldStartWith "Browned out"
             texts(".battery-table tbody th") shouldContainExactly listOf("B3, 2019", "B9, 2023")
-            texts(".battery-table p").first() shouldStartWith "Use next: "
+            texts(".battery-table p").first() shouldStartWith "Use B3, 2019 next. "
             seriousForReaders() shouldBe emptyList()
             keepScreenshot("folder")
             show(Screen.WIDE.copy(isDark = true))

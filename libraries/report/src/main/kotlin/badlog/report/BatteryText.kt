@@ -11,7 +11,7 @@ import kotlinx.serialization.Serializable
 fun batteryText(seasons: List<BatterySeason>, width: Int = Int.MAX_VALUE): String {
     val columns = BatteryColumn.of(seasons)
     val table = TextTable(columns.map { TextTable.Column(it.title, isNumber = it.isNumber) }, width, repeated = 1)
-    val advised = BatteryAdvice.of(seasons).all.map { "${it.words}: ${it.name}. ${it.reason}" }
+    val advised = BatteryAdvice.of(seasons).all.map { it.text }
     return (
         table.text(
             seasons.map { season ->
@@ -85,7 +85,7 @@ class BatteryJson private constructor(
         finite(season.energy),
         season.age,
         season.battery?.isRetired ?: false,
-        advice?.words,
+        advice?.step?.label,
         advice?.reason,
     )
 }

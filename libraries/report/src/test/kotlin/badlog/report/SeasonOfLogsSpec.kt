@@ -75,11 +75,11 @@ class SeasonOfLogsSpec : FunSpec({
                 listOf("Battery", "Matches", "Lowest", "Resistance", "Rest before", "Energy")
             text[1] shouldContain "30.0 ± 0.1 mΩ"
             text.filter { it.startsWith("Retire") }.single() shouldBe
-                "Retire: =B2<i>. Its resistance is 30.0 ± 0.1 mΩ, 50 % more than that of A1 (20.0 ± 0.1 mΩ)."
+                "Retire =B2<i>. Its resistance is 30.0 ± 0.1 mΩ, 50 % more than that of A1 (20.0 ± 0.1 mΩ)."
             batteryCsv(seasons).lines()[1].split(',').take(2) shouldBe listOf("'=B2<i>", "2")
             val page = reportPage(Report().over(logsIn(folder)))
             page shouldContain "<h2>Batteries</h2>"
-            page shouldContain "<b>Use next: A1.</b> Its resistance is 20.0 ± 0.1 mΩ and it is the only one that is fit."
+            page shouldContain "<b>Use A1 next.</b> Its resistance is 20.0 ± 0.1 mΩ and it is the only one that is fit."
             page shouldNotContain "<i>"
         }
     }

@@ -72,7 +72,7 @@ class BatteriesFileSpec : FunSpec({
         }
     }
 
-    test("whatever text is read, a mistake is told as one") {
+    test("no text makes the reader fail, other than with a sentence about its mistake") {
         checkAll(500, Arb.string(0, 80)) { text ->
             try {
                 BatteriesFile.parse("[[battery]]\nname = \"A\"\n$text")

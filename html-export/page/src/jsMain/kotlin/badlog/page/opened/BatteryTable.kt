@@ -21,7 +21,7 @@ internal class BatteryTable {
     fun show(logs: List<OpenedLog>) {
         val seasons = BatterySeason.of(logs)
         val columns = BatteryColumn.of(seasons)
-        val advised = BatteryAdvice.of(seasons).all.map { "${it.words}: ${it.name}. ${it.reason}" }
+        val advised = BatteryAdvice.of(seasons).all.map { it.text }
         val texts = seasons.map { season -> columns.map { it.text(season).orEmpty() } }
         // The list is renewed several times a second while logs are read.
         val now = texts + listOf(advised)

@@ -58,7 +58,8 @@ class RuleExamination(
             findings += rule.findings
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
-        val figures = if (measures) figuresOf(log.view, rules.signals).toText() else NO_FIGURES
+        val battery = batteryUseOf(log.view, rules.signals)
+        val figures = if (measures) figuresOf(log.view, rules.signals, battery).toText() else NO_FIGURES
         val match = rules.signals.matchOf(log.recording)
         val date = LogDate.of(log.recording.values, name, modified = 0)
         return ExaminedLog(
@@ -75,7 +76,7 @@ class RuleExamination(
             event = match.event,
             matchNumber = match.number,
             began = date.second.takeIf { date.source != DateSource.FILE_TIME },
-            battery = batteryUseOf(log.view, rules.signals),
+            battery = battery,
         )
     }
 

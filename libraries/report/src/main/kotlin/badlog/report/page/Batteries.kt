@@ -11,7 +11,7 @@ internal fun batteriesPart(batteries: SeasonOfLogs): String {
     fun count(column: BatteryColumn) = if (column.isNumber) " class=\"count\"" else ""
     val out = StringBuilder()
     for (advised in BatteryAdvice.of(batteries.seasons).all) {
-        out.append("<p><b>${escaped(advised.words)}: ${escaped(advised.name)}.</b> ${escaped(advised.reason)}</p>\n")
+        out.append("<p><b>${escaped(advised.headline)}.</b> ${escaped(advised.reason)}</p>\n")
     }
     out.append("<div class=\"wide\" role=\"region\" aria-label=\"Batteries\" tabindex=\"0\"><table class=\"batteries\">\n<thead><tr>")
     for (column in columns) out.append("<th scope=\"col\"${count(column)} title=\"${escaped(column.meaning)}\">${column.title}</th>")

@@ -25,8 +25,9 @@ import badlog.rules.number.usefulDigits
 import badlog.signals.LogShape
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
-import badlog.signals.battery.BatterySeries
+import badlog.signals.battery.BatteryUse
 import badlog.signals.battery.Resistance
+import badlog.signals.battery.batteryUseOf
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalTopics
@@ -37,14 +38,27 @@ import kotlin.math.abs
 /**
  * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
  * time was too short.
+ *
+ * @param battery what it says of the robot's battery.
  */
-fun figuresOf(view: LogView, vocabulary: SignalVocabulary): LogFigures {
+fun figuresOf(view: LogView, vocabulary: SignalVocabulary, battery: BatteryUse? = batteryUseOf(view, vocabulary)): LogFigures {
     val shape = LogShape.of(view)
     if (!shape.vocabulary.hasTime) return LogFigures.NONE
-    return FigureSearch(view.withSignals(vocabulary), shape.topicsOf(vocabulary), vocabulary.matchOf(view.recording).type).figures()
+    return FigureSearch(
+        view.withSignals(vocabulary),
+        shape.topicsOf(vocabulary),
+        vocabulary.matchOf(view.recording).type,
+        battery?.resistance,
+    )
+        .figures()
 }
 
-private class FigureSearch(private val view: LogView, private val topics: SignalTopics, private val matchType: String?) {
+private class FigureSearch(
+    private val view: LogView,
+    private val topics: SignalTopics,
+    private val matchType: String?,
+    private val resistance: Resistance?,
+) {
     private val samples = NamedSamples(LogViewSignals(view), view)
     private val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
     private val start = view.xAxis.range?.start ?: 0.0
@@ -87,7 +101,6 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
                 }
             }
         }
-        val resistance = resistance()
         if (resistance != null) {
             keys += FigureKey(FigureKey.RESISTANCE, namedOf("battery").first().first, Measure.RESISTANCE, "mΩ")
             values += usefulDigits(resistance.milliohms)
@@ -159,8 +172,6 @@ private class FigureSearch(private val view: LogView, private val topics: Signal
     }
 
     private fun isOfDrivetrain(topic: String) = DRIVETRAIN.any { topic.contains(it, ignoreCase = true) }
-
-    private fun resistance(): Resistance? = BatterySeries.of(view, topics, samples)?.resistance()
 
     private fun kind(): MatchKind = when {
         matchType == null -> MatchKind.UNKNOWN

@@ -51,16 +51,9 @@ internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
 private fun isOfSameEvent(one: MatchOfLog, other: MatchOfLog) =
     one.type == other.type && (one.event == null || other.event == null || one.event == other.event)
 
-private val BY_NUMBER: Comparator<FoundLog> = compareBy<FoundLog> {
-    FIRST_TYPES.indexOf(it.match.type).let { at ->
-        if (at <
-            0
-        ) {
-            FIRST_TYPES.size
-        } else {
-            at
-        }
-    }
+private val BY_NUMBER: Comparator<FoundLog> = compareBy<FoundLog> { log ->
+    FIRST_TYPES.indexOf(log.match.type).takeIf { it >= 0 }
+        ?: FIRST_TYPES.size
 }
     .thenBy(NaturalOrder) { it.match.number.orEmpty() }
     .thenBy { it.name }

@@ -9,7 +9,7 @@ package badlog.viewer.todo
  * @property subject what it is about.
  * @property deed what changed.
  * @property seen when the last log began that was known then, in s since 1970 on the clock of the logs; null if there was none. What was
- * recorded later is told by the logs' own clock, because that of a robot is often wrong, or in another time zone.
+ * recorded later is decided by the logs' own clock, because that of a robot is often wrong, or in another time zone.
  * @property event the event of that log; null if unknown.
  */
 data class TodoChange(

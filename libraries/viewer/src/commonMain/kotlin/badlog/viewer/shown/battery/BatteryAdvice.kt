@@ -40,7 +40,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             if (own.milliohms - own.uncertainty <= highOf(least) * WORN) return null
             val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
             val reason = "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)})."
-            return AdvisedBattery(season.title, "Retire", reason)
+            return AdvisedBattery(season.title, BatteryStep.RETIRE, reason)
         }
 
         private fun notFull(season: BatterySeason): AdvisedBattery? {
@@ -52,8 +52,8 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val before = "Before its last $MATCHES_TO_TELL matches it rested at $between"
             return AdvisedBattery(
                 season.title,
-                "Check",
-                "$before; a full battery has ${voltsText(FULL)} or more. Check it and its charger.",
+                BatteryStep.CHECK,
+                "$before; a full battery has ${voltsText(FULL)} or more.",
             )
         }
 
@@ -79,7 +79,13 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
                     else -> "it has rested since ${match.title}"
                 },
             )
-            return AdvisedBattery(next.title, "Use next", reasons.joinToString(" and ", postfix = ".").replaceFirstChar { it.uppercase() })
+            return AdvisedBattery(
+                next.title,
+                BatteryStep.USE,
+                reasons.joinToString(" and ", postfix = ".").replaceFirstChar {
+                    it.uppercase()
+                },
+            )
         }
 
         private val BatterySeason.lastUse: Long get() = matches.firstOrNull()?.second ?: Long.MIN_VALUE
@@ -101,10 +107,31 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
  * What to do with a battery.
  *
  * @property name its name.
- * @property words what, in a word or two.
  * @property reason why, as a sentence.
  */
-class AdvisedBattery(val name: String, val words: String, val reason: String)
+class AdvisedBattery(val name: String, val step: BatteryStep, val reason: String) {
+    /** What to do, in a few words: `Use A1 next`. */
+    val headline: String get() = step.before + name + step.after
+
+    /** What to do, and why, as sentences. */
+    val text: String get() = "$headline. $reason"
+}
+
+/**
+ * What can be done with a battery.
+ *
+ * @property label its name beside a battery.
+ */
+enum class BatteryStep(val label: String, internal val before: String, internal val after: String = "") {
+    /** Into the robot for the next match. */
+    USE("Use next", "Use ", " next"),
+
+    /** No longer into matches. */
+    RETIRE("Retire", "Retire "),
+
+    /** It was not full, or does not hold its charge. */
+    CHECK("Check", "Check ", " and its charger"),
+}
 
 /** Returns `20.7 ± 0.4 mΩ`. */
 fun resistanceText(resistance: Resistance): String =

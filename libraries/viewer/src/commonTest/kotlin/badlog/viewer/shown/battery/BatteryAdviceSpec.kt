@@ -18,6 +18,7 @@ class BatteryAdviceSpec : FunSpec({
         val advice = adviceOn(use("A1", 20.0), use("B2", 20.2), use("C3", 23.0), use("A1", 20.0), use("B2", 20.2), use("C3", 23.0))
         advice.next?.name shouldBe "A1"
         advice.next?.reason shouldBe "Its resistance is 20.0 ± 0.2 mΩ and it has rested since Qualification 4."
+        advice.next?.headline shouldBe "Use A1 next"
         advice.retire.shouldBeEmpty()
     }
 
@@ -42,7 +43,7 @@ class BatteryAdviceSpec : FunSpec({
     test("a battery that was not full before three matches is checked") {
         val advice = adviceOn(use("A1", rest = 12.8), use("B2", rest = 12.1), use("B2", rest = 12.25), use("B2", rest = 12.2))
         advice.charge.single().reason shouldBe
-            "Before its last 3 matches it rested at 12.10 V to 12.25 V; a full battery has 12.40 V or more. Check it and its charger."
+            "Before its last 3 matches it rested at 12.10 V to 12.25 V; a full battery has 12.40 V or more."
         adviceOn(use("B2", rest = 12.1), use("B2", rest = 12.6), use("B2", rest = 12.2)).charge.shouldBeEmpty()
     }
 
