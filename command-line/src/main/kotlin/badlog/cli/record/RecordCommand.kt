@@ -5,7 +5,10 @@ import badlog.cli.command.Task
 import badlog.cli.fetch.Robots
 import badlog.cli.topic.OnlyOption
 import badlog.cli.topic.TopicChoice
+import badlog.fetch.NetworkTablesSearch
 import badlog.record.RecordOptions
+import badlog.record.ServerAddress
+import badlog.record.robotServers
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
@@ -42,14 +45,15 @@ internal class RecordCommand(private val robots: Robots) :
 
     override fun makeTask(): Task {
         val search = try {
-            RobotServers(robot, robots)
+            NetworkTablesSearch(robot, robots.addressesOf(robot, null), robots.patience.connect)
         } catch (e: IllegalArgumentException) {
             throw UsageError(e.message.orEmpty())
         }
         val choice = only.choice
         val isWanted: (String) -> Boolean = { name -> isIn(choice, name) }
         val options = RecordOptions(out, isPerEnable, isWanted.takeUnless { choice.isAll })
-        return RecordTask(search.servers(isOfAll), search.places, options, isJson)
+        val servers = robotServers(isOfAll) { search.find()?.let { ServerAddress(it.host, it.port) } }
+        return RecordTask(servers, search.places, options, isJson)
     }
 
     /** Patterns are for the name in the log, or the robot's name for it. */

@@ -15,6 +15,7 @@ import badlog.window.layout.KeptLayouts
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
+import badlog.window.log.LiveView
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
 import badlog.window.sidebar.InspectorTab
@@ -33,6 +34,7 @@ internal class Actions(
     private val panels: WindowPanels,
     private val video: LogVideo,
     private val spoken: SpokenCursor,
+    private val live: LiveView,
 ) {
     /** Performs [action]; most need an open log. */
     fun perform(action: Action) {
@@ -71,6 +73,8 @@ internal class Actions(
             Unit
         }
 
+        is Request.Mark -> notes.mark(request.x, spoken.placeOf(request.x))
+
         is Request.Frames -> video.step(request.count)
     }
 
@@ -81,5 +85,6 @@ internal class Actions(
         override val samples: CursorSteps get() = open.cursorSteps
         override val enabled: List<EnabledSpan> get() = open.enabled
         override val findings: FindingOrder? get() = this@Actions.findings.state.list?.order
+        override val newest: Double? get() = live.newest
     }
 }

@@ -40,6 +40,7 @@ import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
+import badlog.window.log.LiveView
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
@@ -48,7 +49,9 @@ import badlog.window.log.RecordingReader
 import badlog.window.log.RecordingWatcher
 import badlog.window.menu.Command
 import badlog.window.menu.Keyboard
+import badlog.window.robot.RecordedLog
 import badlog.window.robot.RobotLink
+import badlog.window.robot.RobotRecording
 import badlog.window.settings.Settings
 import badlog.window.settings.SettingsFile
 import badlog.window.settings.SettingsStore
@@ -126,6 +129,7 @@ internal class Viewer(
     val tables = TableSaver(files, tasks, notices)
     val charts = FolderCharts(scope, library, files, tasks, notices)
     val todo = FolderTodo(scope, library, settings, files, tasks, notices, writes)
+    val live = LiveView(current, view)
     val graphs = GraphScene(
         current,
         board,
@@ -141,11 +145,12 @@ internal class Viewer(
         axis,
         stations,
         fields,
+        live,
     )
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
-        update = shown::show,
+        update = { read, isGrowing -> live.update(isGrowing) { shown.show(read) } },
     )
     val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
     val opener = LogOpener(library, loader, files, notices)
@@ -157,6 +162,8 @@ internal class Viewer(
         show = loader::open,
         robots,
     )
+    private val recorded = RecordedLog(current, live, loader, notices)
+    val recording = RobotRecording(scope, notices, writes, folder = { library.state.folder }, robots, recorded)
     val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
     val newLogs: NewLogs =
         NewLogs(library, current, settings, isShownByItself = {
@@ -183,7 +190,7 @@ internal class Viewer(
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val spoken = SpokenCursor(current, board, view)
-    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video, spoken)
+    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video, spoken, live)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */
@@ -197,6 +204,7 @@ internal class Viewer(
             graphCommands(
                 view,
                 graphs::scroll,
+                live::begin,
             ) + playbackCommands(player) + exportCommands(pages, figures, board) + layoutCommands(layoutFiles) +
             windowCommands(panels, formulas, view)
 
@@ -231,6 +239,7 @@ internal class Viewer(
         compared.share(recording)
         layouts.showGraphs(recording)
         view.show(recording.span)
+        live.opened()
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)
         recording.layout.problem?.let(notices::complain)

@@ -29,6 +29,7 @@ import badlog.window.graph.GraphPane
 import badlog.window.graph.SpokenText
 import badlog.window.layout.LayoutMenu
 import badlog.window.pit.PitPane
+import badlog.window.robot.RecordingLine
 import badlog.window.settings.PaneWidths
 import badlog.window.settings.SettingsStore
 import badlog.window.sidebar.FrontPart
@@ -76,6 +77,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                             }
                         }
                     }
+                    RecordingLine(recording)
                     StatusLines(notices, tasks, shown.isWaiting)
                     if (isNarrow) FrontTabs(panels)
                 }
@@ -94,7 +96,7 @@ private class Panes(
 
 private fun panesOf(viewer: Viewer) = with(viewer) {
     Panes(
-        logs = { LibraryPane(library, robot, settings, shownLogs(), logActions, it) },
+        logs = { LibraryPane(library, robot, recording, settings, shownLogs(), logActions, it) },
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
         details = {

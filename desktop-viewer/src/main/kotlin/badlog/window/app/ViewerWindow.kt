@@ -52,6 +52,7 @@ internal fun ApplicationScope.ViewerWindow(
     val icon = remember { windowIcon() }
     val saveAll = {
         saveAll(viewer.layouts, viewer.settings, place)
+        viewer.recording.finish()
         viewer.writes.finish()
     }
     FailureBoundary(failures) {

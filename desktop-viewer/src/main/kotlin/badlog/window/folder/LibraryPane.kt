@@ -40,6 +40,7 @@ import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.sameMatches
 import badlog.window.robot.RobotBar
 import badlog.window.robot.RobotLink
+import badlog.window.robot.RobotRecording
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.KeepInSight
@@ -54,6 +55,7 @@ import badlog.window.theme.rememberAskedFocus
 internal fun LibraryPane(
     library: Library,
     robot: RobotLink,
+    recording: RobotRecording,
     settings: SettingsStore,
     shown: ShownLogs,
     actions: LibraryActions,
@@ -61,7 +63,7 @@ internal fun LibraryPane(
 ) {
     Column(modifier.background(LocalPalette.current.surface)) {
         LibraryHead(library, robot, settings, actions)
-        RobotBar(robot, settings)
+        RobotBar(robot, recording, settings)
         HorizontalDivider()
         ReadingLine(library)
         val visible = library.state.visible

@@ -20,6 +20,7 @@ import badlog.window.graph.scene.GraphScene
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
+import badlog.window.log.LiveView
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -35,6 +36,7 @@ internal fun GraphToolbar(scene: GraphScene) {
         itemVerticalAlignment = Alignment.CenterVertically,
     ) {
         ViewButtons(scene.current, scene.view)
+        LiveButton(scene.live)
         PlaybackButtons(scene.player, isEnabled = scene.current.recording != null)
         HeightButtons(scene.settings)
         BoardButtons(scene.board)
@@ -59,6 +61,15 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView) {
             }
         }
     }
+}
+
+/** Only for a log that is being written. */
+@Composable
+private fun LiveButton(live: LiveView) {
+    val isOn = live.state.isOn
+    if (!isOn && !live.isGrowing) return
+    val meaning = if (isOn) "Stay here while the log grows" else "Follow the log while it is written (End)"
+    ToolButton(meaning, text = "Live", isOn = isOn) { if (isOn) live.pause() else live.begin() }
 }
 
 @Composable

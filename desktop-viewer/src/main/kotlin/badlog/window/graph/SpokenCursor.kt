@@ -15,7 +15,6 @@ import badlog.viewer.text.withUnit
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.log.OpenRecording
 import badlog.window.state.StateHolder
 
 /**
@@ -29,18 +28,18 @@ internal class SpokenCursor(private val current: CurrentRecording, private val b
         val open = current.recording ?: return
         val x = view.cursors.moving ?: return
         val names = board.state.graphs.flatMap { it.lines - it.hidden }.distinct()
-        change { spokenAt(names.mapNotNull { open.signal(it)?.line }, x, placeOf(x, open)) }
+        change { spokenAt(names.mapNotNull { open.signal(it)?.line }, x, placeOf(x)) }
     }
 
     /** Says where the cursor was pinned, and what was [found] there. */
     fun sayFinding(found: String) {
-        val open = current.recording ?: return
         val x = view.cursors.pinned ?: return
-        if (found.isNotEmpty()) change { "${placeOf(x, open)}: $found" }
+        if (found.isNotEmpty()) change { "${placeOf(x)}: $found" }
     }
 
-    private fun placeOf(x: Double, open: OpenRecording) =
-        open.view.xAxis.let { withUnit(placeText(x, it, view.viewport.visible.width), it.unit) }
+    /** Returns [x] of the open log for people; empty without one. */
+    fun placeOf(x: Double): String =
+        current.recording?.view?.xAxis?.let { withUnit(placeText(x, it, view.viewport.visible.width), it.unit) }.orEmpty()
 }
 
 /** The text of [spoken] for screen readers alone: it is there, but nothing of it is drawn. */

@@ -7,6 +7,8 @@ import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
 import badlog.viewer.choices.note.Notebook
+import badlog.viewer.choices.note.marked
+import badlog.viewer.choices.note.markedText
 import badlog.window.state.StateHolder
 import badlog.window.task.FileWrites
 import badlog.window.task.Notices
@@ -66,6 +68,13 @@ internal class LogNotes(
     fun keep() {
         if (draft?.replaced == null) state.notebook.fullness?.let { return notices.complain(it) }
         save { kept() }
+    }
+
+    /** Adds a mark at [x], which is [place] for people. */
+    fun mark(x: Double, place: String) {
+        state.notebook.fullness?.let { return notices.complain(it) }
+        save { marked(x) }
+        if (state.log != null) notices.say(markedText(place))
     }
 
     /** Removes [note]. */

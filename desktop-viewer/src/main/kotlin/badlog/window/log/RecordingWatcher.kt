@@ -8,7 +8,6 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.BasicFileAttributes
-import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.TimeSource
 
@@ -17,26 +16,29 @@ import kotlin.time.TimeSource
  * for later.
  *
  * @param read reads the file again: up to its last line end, or all of it.
- * @param update shows what was read.
+ * @param update shows what was read, and whether the file grows.
  */
 internal class RecordingWatcher(
     private val notices: Notices,
     private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
-    private val update: (OpenRecording) -> Unit,
+    private val update: (OpenRecording, isGrowing: Boolean) -> Unit,
 ) {
     /** Watches the file of [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun watch(opened: OpenRecording, stamp: FileStamp) {
         var shown = opened
         var known = stamp
         var isSettled = true
+        var misses = 0
         var quietSince = TimeSource.Monotonic.markNow()
         while (true) {
             delay(POLL)
             val now = runInterruptible(Dispatchers.IO) { FileStamp.of(shown.file) }
+            if (now == null && ++misses < MISSES) continue
             if (now == null) {
                 notices.say("${shown.file.fileName} was removed from its folder; the data read so far stays open.")
                 return
             }
+            misses = 0
             val hasChanged = now != known
             if (hasChanged) quietSince = TimeSource.Monotonic.markNow()
             if (!hasChanged && (isSettled || quietSince.elapsedNow() < SETTLED)) continue
@@ -50,8 +52,9 @@ internal class RecordingWatcher(
                 notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
                 return
             }
-            update(shown)
-            delay(restAfter(began.elapsedNow()))
+            update(shown, hasChanged)
+            // Reading a large file repeatedly must not slow down the program that writes it.
+            delay(began.elapsedNow())
         }
     }
 
@@ -63,13 +66,14 @@ internal class RecordingWatcher(
     }
 
     private companion object {
-        val POLL = 300.milliseconds
+        /** With a log that is read in as much time, what is written is on the screen after 0.3 s. */
+        val POLL = 80.milliseconds
+
+        /** How many times a file is missing before it is gone: a program that replaces it takes a moment. */
+        const val MISSES = 5
 
         /** A file that has not changed for this long is read to its end. */
         val SETTLED = 2000.milliseconds
-
-        /** Reading a large file repeatedly must not slow down the robot's simulation. */
-        fun restAfter(reading: Duration): Duration = reading * 4
     }
 }
 

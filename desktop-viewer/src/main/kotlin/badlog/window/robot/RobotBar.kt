@@ -29,15 +29,17 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.window.menu.MenuBox
+import badlog.window.menu.MenuLine
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 
-/** The connection to a robot: which one, its status, and its questions. */
+/** The connection to a robot: which one, its status, its questions, and whether it is recorded. */
 @Composable
-internal fun RobotBar(link: RobotLink, settings: SettingsStore) {
+internal fun RobotBar(link: RobotLink, recording: RobotRecording, settings: SettingsStore) {
     val state = link.state
     if (!state.isShown) return
     val robot = settings.state.robot
@@ -56,9 +58,33 @@ internal fun RobotBar(link: RobotLink, settings: SettingsStore) {
             } else {
                 ToolButton("Fetch logs from the robot", text = "Fetch", isEnabled = robot.isNotBlank()) { link.connect(robot) }
             }
+            RecordMenu(recording, robot)
         }
         if (state.status.isNotEmpty() && state.question == null) RobotStatus(state) { link.connect(robot, anyway = true) }
         state.question?.let { question -> if (question.isPassword) PasswordLine(question) else TrustLine(question) }
+    }
+}
+
+/** The button for recording what [robot] publishes, which needs no logs and no code there. */
+@Composable
+private fun RecordMenu(recording: RobotRecording, robot: String) {
+    if (recording.state.isOn) return ToolButton("Stop recording the robot", text = "Stop") { recording.stop() }
+    var isOpen by remember { mutableStateOf(false) }
+    val lines = @Composable {
+        MenuLine("Record until stopped") {
+            isOpen = false
+            recording.start(robot, isPerEnable = false)
+        }
+        MenuLine("Record each time it is enabled, as a log of its own") {
+            isOpen = false
+            recording.start(robot, isPerEnable = true)
+        }
+        MenuLine("2027: Systemcore’s and the Driver Station’s servers, too", Icons.Check.takeIf { recording.state.isOfAll }) {
+            recording.toggleAll()
+        }
+    }
+    MenuBox(isOpen, { isOpen = false }, menu = lines) {
+        ToolButton("Record what the robot publishes", text = "Record", isOn = isOpen, isEnabled = robot.isNotBlank()) { isOpen = !isOpen }
     }
 }
 

@@ -30,7 +30,7 @@ class RecordingWatcherSpec : FunSpec({
 
     test("a log that outgrows the memory stays as it was, and that is said once") {
         val viewer = viewerOf(shown)
-        val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, viewer.current::replace)
+        val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, { read, _ -> viewer.current.replace(read) })
         withContext(Dispatchers.Main) { watcher.watch(shown, before) }
         viewer.notices.all.single().text shouldContain "larger than the available memory"
         viewer.current.recording shouldBe shown
@@ -42,7 +42,7 @@ class RecordingWatcherSpec : FunSpec({
             file.delete()
             throw IOException("It is gone.")
         }
-        val watcher = RecordingWatcher(viewer.notices, gone, viewer.current::replace)
+        val watcher = RecordingWatcher(viewer.notices, gone, { read, _ -> viewer.current.replace(read) })
         withContext(Dispatchers.Main) { watcher.watch(shown, before) }
         viewer.notices.all.single().text shouldContain "was removed from its folder"
         viewer.current.recording shouldBe shown

@@ -34,6 +34,18 @@ internal class NotesSpec : PageSpec({
         }
     }
 
+    browserTest("a key marks the moment of the cursor, without a dialog, and says where") {
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254")), read = emptyList()) }
+        onPage(page) {
+            elements("#notes .event-go")[0].click()
+            press("M")
+            press("M")
+            texts("#notes .note-text") shouldBe listOf("hit by 254", "Mark 1", "Mark 2")
+            texts(".notice p").single() shouldStartWith "Marked at 3.00"
+            element("#note-dialog").isDisplayed shouldBe false
+        }
+    }
+
     browserTest("a search finds notes, and hides the others") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254"), Note(7.0, "jammed")), read = emptyList()) }
         onPage(page) {

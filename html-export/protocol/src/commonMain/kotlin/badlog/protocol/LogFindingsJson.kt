@@ -57,6 +57,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "evidence" to array(finding.evidence, ::quotedJson),
     "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
     "caveats" to finding.caveats.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
+    "isForEach" to "true".takeIf { finding.isForEach },
     "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
 
@@ -79,6 +80,7 @@ internal fun findingOf(value: JsonValue): Finding {
         evidence = json.list("evidence") { it.string },
         next = json.find("next")?.string.orEmpty(),
         caveats = if (json.find("caveats") == null) emptyList() else json.list("caveats") { it.string },
+        isForEach = json.find("isForEach")?.boolean == true,
         texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
     )
 }

@@ -235,7 +235,7 @@ internal class Session(
         val isEnabled = match.isEnabled
         if (was != isEnabled && isEnabled == false) disabledMicros = clock()
         if (options.isPerEnable && isEnabled == true && !output.isOpen) open(topic.latestMicros)
-        match.nameEnd?.let(output::match)
+        if (options.isRenamed) match.nameEnd?.let(output::match)
     }
 
     private fun open(micros: Long) {

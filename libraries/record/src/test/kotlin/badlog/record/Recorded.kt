@@ -51,6 +51,7 @@ internal fun recording(
     vararg servers: FakeServer,
     isPerEnable: Boolean = false,
     isWanted: ((String) -> Boolean)? = null,
+    isRenamed: Boolean = true,
     action: (Running) -> Unit,
 ) = recording(
     servers.mapIndexed { index, server ->
@@ -58,6 +59,7 @@ internal fun recording(
     },
     isPerEnable,
     isWanted,
+    isRenamed,
     action,
 )
 
@@ -65,11 +67,12 @@ internal fun recording(
     servers: List<RecordedServer>,
     isPerEnable: Boolean = false,
     isWanted: ((String) -> Boolean)? = null,
+    isRenamed: Boolean = true,
     action: (Running) -> Unit,
 ) {
     val folder = Files.createTempDirectory("badlog")
     try {
-        Running(folder, servers, RecordOptions(folder, isPerEnable, isWanted)).use { running ->
+        Running(folder, servers, RecordOptions(folder, isPerEnable, isWanted, isRenamed)).use { running ->
             running.recorder.start()
             action(running)
         }

@@ -43,6 +43,31 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
+    test("a log that somebody else has open keeps its name when the match becomes known, and one that begins in a match has it from the start") {
+        FakeServer().use { server ->
+            server.greeting = {
+                announceControl()
+                announce("/FMSInfo/MatchType", 3, "int")
+                announce("/FMSInfo/MatchNumber", 4, "int")
+                value(3, 2) { packLong(2) }
+                value(4, 2) { packLong(42) }
+                enable(false)
+            }
+            recording(server, isRenamed = false) { running ->
+                waitUntil { running.recorder.progress.values == 3L }
+                running.logs().single().entry("NT:/FMSInfo/MatchNumber").longs() shouldBe listOf(42L)
+                running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}\.wpilog""")
+            }
+            recording(server, isPerEnable = true, isRenamed = false) { running ->
+                waitUntil { server.greeted.get() == 2 }
+                server.enable(true)
+                waitUntil { running.recorder.progress.values == 3L }
+                running.logs()
+                running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}_Q42\.wpilog""")
+            }
+        }
+    }
+
     for (folder in listOf("/FMSInfo", "/DriverStation")) {
         test("from 2027 on, whether the robot is enabled and which match it plays come from $folder/ControlWord, a struct") {
             FakeServer().use { server ->

@@ -20,6 +20,8 @@ import badlog.expression.Quantity
  * @property evidence the full names of the topics that show it, those of the rule's condition first.
  * @property next what to look at next, as a sentence; empty if not given.
  * @property caveats what would make it wrong, each as a sentence: how rarely a topic is sampled, what was left out.
+ * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
+ *   another fault.
  * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
  */
 class Finding(
@@ -36,6 +38,7 @@ class Finding(
     val next: String = "",
     val texts: List<String> = emptyList(),
     val caveats: List<String> = emptyList(),
+    val isForEach: Boolean = false,
 ) {
     /** Returns what was found at [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text

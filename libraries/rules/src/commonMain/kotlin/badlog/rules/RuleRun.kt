@@ -98,6 +98,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
             evidence = evidenceOf(question, channels),
             next = rule.next,
             caveats = caveatsOf(question),
+            isForEach = question.isForEach,
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
     }

@@ -6,10 +6,11 @@ import badlog.window.menu.Command
 import badlog.window.menu.KeyPress
 
 /** Returns the keys for graphs that exported pages do not have. */
-internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit): List<Command> = listOf(
+internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit, goToEnd: () -> Unit): List<Command> = listOf(
     Command("Graphs", "Scroll the graphs up", listOf(KeyPress(Key.DirectionUp, "↑"))) { scroll(-SCROLLED) },
     Command("Graphs", "Scroll the graphs down", listOf(KeyPress(Key.DirectionDown, "↓"))) { scroll(SCROLLED) },
     Command("Graphs", "Zoom to the selection", listOf(KeyPress(Key.Z, "Z"))) { zoomToSelection(view) },
+    Command("Graphs", "Cursor to the end of the log; of one that grows, live", listOf(KeyPress(Key.MoveEnd, "End")), goToEnd),
 )
 
 private const val SCROLLED = 0.25

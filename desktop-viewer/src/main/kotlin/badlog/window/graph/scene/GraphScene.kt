@@ -27,6 +27,7 @@ import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
+import badlog.window.log.LiveView
 import badlog.window.log.LogNotes
 import badlog.window.settings.SettingsStore
 import badlog.window.video.Player
@@ -53,6 +54,7 @@ internal class GraphScene(
     val axis: AxisChoice,
     val stations: StationChoice,
     val fields: FieldChoice,
+    val live: LiveView,
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()

@@ -88,6 +88,8 @@ internal class Keyboard(
 
         is Request.Note -> notes.write(request.x)
 
+        is Request.Mark -> notes.mark(request.x)
+
         is Request.Frames -> video.step(request.count)
     }
 

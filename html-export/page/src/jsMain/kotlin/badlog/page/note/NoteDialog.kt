@@ -8,6 +8,8 @@ import badlog.page.dom.element
 import badlog.page.view.Scene
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.Notebook
+import badlog.viewer.choices.note.marked
+import badlog.viewer.choices.note.markedText
 import badlog.viewer.input.Action
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLTextAreaElement
@@ -54,6 +56,13 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
 
     /** Begins a note at [x]. */
     fun write(x: Double) = open { begun(x) }
+
+    /** Adds a mark at [x]. */
+    fun mark(x: Double) {
+        notes.now.fullness?.let { return scene.notice.say(it) }
+        notes.change { marked(x) }
+        scene.notice.say(markedText(scene.xText(x)))
+    }
 
     /** Begins to change [note]. */
     fun edit(note: Note) = open { changing(note) }

@@ -54,15 +54,31 @@ object FindingSerializer : KSerializer<Finding> {
         val evidence: List<String>,
         val next: String,
         val caveats: List<String>,
+        val isForEach: Boolean,
     )
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
         Stored.serializer(),
-        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats) },
+        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach) },
     )
 
-    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer())
-        .run { Finding(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats = caveats) }
+    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer()).run {
+        Finding(
+            rule,
+            severity,
+            topic,
+            text,
+            time,
+            spans,
+            spanCount,
+            timeUnit,
+            isOfHook,
+            evidence,
+            next,
+            caveats = caveats,
+            isForEach = isForEach,
+        )
+    }
 }

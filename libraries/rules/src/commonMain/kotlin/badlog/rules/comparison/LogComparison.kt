@@ -140,7 +140,17 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         val evidence = log.evidenceOf(key)
         val rule = difference.rule
         return Finding(
-            rule.name, rule.severity, evidence.firstOrNull(), text, Double.NaN, emptyList(), 1, "", evidence = evidence, next = rule.next,
+            rule.name,
+            rule.severity,
+            evidence.firstOrNull(),
+            text,
+            Double.NaN,
+            emptyList(),
+            1,
+            "",
+            evidence = evidence,
+            next = rule.next,
+            isForEach = true,
         )
     }
 

@@ -83,6 +83,9 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     /** Begins a note at the cursor, or in the middle of the visible range. */
     NEW_NOTE("Notes", "Write a note at the cursor", KeyStroke("M")),
 
+    /** Adds a note without asking for its text, at the newest moment of a log that grows, or else where [NEW_NOTE] begins one. */
+    MARK("Notes", "Mark this moment: a note without typing; in a log that grows, the newest moment", KeyStroke("M", shift = true)),
+
     /** Moves the cursor to the next finding. */
     NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
 

@@ -33,6 +33,7 @@ fun after(session: Session, shown: Shown, action: Action): Outcome = when (actio
     Action.CURSOR_VALUES -> Outcome(session, Request.Values)
     Action.NEW_FORMULA -> Outcome(session, Request.Formula)
     Action.NEW_NOTE -> Outcome(session, Request.Note(session.place.ofNote))
+    Action.MARK -> Outcome(session, Request.Mark(shown.newest ?: session.place.ofNote))
     Action.PREVIOUS_FRAME -> Outcome(session, Request.Frames(-1))
     Action.NEXT_FRAME -> Outcome(session, Request.Frames(1))
 }

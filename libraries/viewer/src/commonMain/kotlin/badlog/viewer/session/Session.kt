@@ -33,6 +33,9 @@ interface Shown {
 
     /** The order in which keys go through the findings; null until the rules have run. */
     val findings: FindingOrder?
+
+    /** The newest moment of a log that is being written; null for any other. */
+    val newest: Double? get() = null
 }
 
 /**
@@ -66,6 +69,9 @@ sealed interface Request {
 
     /** Asks for the text of a note at [x]. */
     data class Note(val x: Double) : Request
+
+    /** Adds a mark at [x], a note that needs no text. */
+    data class Mark(val x: Double) : Request
 
     /** Shows the picture of the video that is [count] further on, or back if negative, and moves the cursor there. */
     data class Frames(val count: Int) : Request

@@ -52,5 +52,8 @@ data class FoundFault(val task: FaultTask, val severity: Severity, val text: Str
     }
 }
 
-/** Returns the item that [finding] is of: the same for the same fault in another match. */
-fun taskOf(finding: Finding): FaultTask = FaultTask(finding.rule, finding.topic)
+/**
+ * Returns the item that [finding] is of: the same for the same fault in another match, and in the Driver Station's log, whose topics have other
+ * names.
+ */
+fun taskOf(finding: Finding): FaultTask = FaultTask(finding.rule, finding.topic.takeIf { finding.isForEach })

@@ -47,7 +47,8 @@ class TodoList private constructor(
                 .distinctBy { it.id }
             val recorded = logs.distinct().sortedWith(compareByDescending<FoundLog> { it.second }.thenBy { it.name }.thenBy { "$it" })
             val found = lastFound(recorded)
-            val ofSubjects = ordered.groupBy { it.subject }
+            val whole = (found.keys + ordered.map { it.subject }).filterTo(HashSet()) { it is FaultTask && it.topic == null }
+            val ofSubjects = ordered.groupBy { nowNamed(it.subject, whole) }
             val recent = recentOf(recorded).toSet()
             val tasks = ofSubjects.keys.filterIsInstance<TodoTask>().toSet() +
                 found.filterValues { it.severity == Severity.ERROR && it.log in recent }.keys
@@ -124,6 +125,10 @@ private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTa
         else -> TodoItem(task, true, person, done, found = fault)
     }
 }
+
+/** Returns [subject] as rules name it now: older lines have a topic for rules that are about the [whole] robot, too. */
+private fun nowNamed(subject: TodoSubject, whole: Set<TodoSubject>): TodoSubject =
+    (subject as? FaultTask)?.copy(topic = null)?.takeIf { it in whole } ?: subject
 
 internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
 

@@ -10,7 +10,7 @@ sealed interface TodoTask : TodoSubject
  * What a rule finds, in whatever log.
  *
  * @property rule the name of the rule.
- * @property topic the topic that the finding is about; null if there is none.
+ * @property topic the one of many topics that the rule is about; null for a rule that is about none, or about the whole robot.
  */
 data class FaultTask(val rule: String, val topic: String?) : TodoTask
 

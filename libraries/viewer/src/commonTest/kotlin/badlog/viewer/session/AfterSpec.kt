@@ -34,6 +34,7 @@ class AfterSpec : FunSpec({
         override val samples: CursorSteps = CursorSteps(listOf(DoubleArray(101) { it.toDouble() })),
         override val enabled: List<EnabledSpan> = emptyList(),
         override val findings: FindingOrder? = FindingOrder(FindingTimeline(listOf(early, late), { it.severity }, { it.places }), emptyList()),
+        override val newest: Double? = null,
     ) : Shown
 
     val board = Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))
@@ -50,6 +51,12 @@ class AfterSpec : FunSpec({
             .then(Action.TEN_SAMPLES_ON)
         (70.0 in far.place.range.visible) shouldBe true
         after(beginning, log, Action.NEXT_SAMPLE).request shouldBe Request.Cursor
+    }
+
+    test("a mark goes to the cursor, or else to the middle of what is visible; in a log that grows, to the newest moment") {
+        after(beginning, log, Action.MARK).request shouldBe Request.Mark(50.0)
+        after(beginning.then(Action.NEXT_SAMPLE, Action.NEXT_SAMPLE), log, Action.MARK).request shouldBe Request.Mark(51.0)
+        after(beginning.then(Action.NEXT_SAMPLE), Log(newest = 100.0), Action.MARK).request shouldBe Request.Mark(100.0)
     }
 
     test("a log without samples has nothing to step to") {

@@ -66,6 +66,20 @@ class TodoListSpec : FunSpec({
         TodoList.of(listOf(done), listOf(log(61, error))).open.single().isAgain shouldBe true
     }
 
+    test("a fault is one item in the logs of robot and Driver Station, and what was written of it when it still had a topic counts") {
+        val whole = FaultTask("Browned out", null)
+        val done = change(brownout, TodoDeed.Done("replaced main breaker"), seen = log(55).second)
+        val logs = listOf(log(58, error.copy(task = whole)), log(58, error.copy(task = whole), second = log(58).second + 2).copy(name = "q58.dslog"))
+        val item = TodoList.of(listOf(done), logs).run { (open + this.done).single() }
+        item.isAgain shouldBe true
+        item.done?.what shouldBe "replaced main breaker"
+        TodoList.of(listOf(done, change(whole, TodoDeed.Assign("Ben"))), emptyList()).run { open + this.done }.size shouldBe 1
+        // A rule that looks at each motor has an item for each.
+        val left = FoundFault(FaultTask("A motor is hot", "Left"), Severity.ERROR, "Left was 90 °C.")
+        val right = FoundFault(FaultTask("A motor is hot", "Right"), Severity.ERROR, "Right was 90 °C.")
+        TodoList.of(listOf(change(left.task, TodoDeed.Done(), seen = log(59).second)), listOf(log(58, left, right))).open.single().task shouldBe right.task
+    }
+
     test("own items and notes are opened, assigned, done, removed and opened again") {
         val own = OwnTask("Check the radio")
         val note = NoteTask("q58.bag", 93.7, "It smells.")

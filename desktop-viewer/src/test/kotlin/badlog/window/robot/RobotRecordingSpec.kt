@@ -1,0 +1,159 @@
+package badlog.window.robot
+
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.hasText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.samples
+import badlog.core.analysis.LogView
+import badlog.exporter.NotesFile
+import badlog.fetch.RobotAddress
+import badlog.files.UserFolders
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
+import badlog.replay.ReplayOptions
+import badlog.replay.ReplayServer
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.signals.withSignals
+import badlog.viewer.input.Action
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.waiting.waitFor
+import badlog.window.waiting.waitForNotice
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/** A robot that plays a match, over and over. */
+private fun robot(): ReplayServer {
+    val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals)
+    return ReplayServer(match, ReplayOptions(0, speed = 5.0, isLooping = true))
+}
+
+@OptIn(ExperimentalTestApi::class)
+class RobotRecordingSpec : FunSpec({
+    fun beside(server: ReplayServer?, folder: Path?, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
+        val home = tempdir().toPath()
+        val address = { _: String -> listOf(RobotAddress("127.0.0.1", emptyList(), networkTablesPort = server?.port ?: 1)) }
+        val viewer = Viewer(MainScope(), UserFolders(home, home), robots = address)
+        runDesktopComposeUiTest(1600, 800) {
+            setContent { ViewerScreen(viewer) }
+            viewer.scope.launch { viewer.notes.run() }
+            if (folder != null) viewer.library.open(folder)
+            viewer.robot.change { copy(isShown = true) }
+            viewer.panels.change { copy(library = true) }
+            waitForIdle()
+            onNodeWithContentDescription("Team number or address").performTextInput("1014")
+            try {
+                steps(viewer)
+            } finally {
+                viewer.recording.finish()
+                viewer.loader.stop()
+                viewer.library.close()
+            }
+        }
+    }
+
+    fun DesktopComposeUiTest.record(choice: String) {
+        onNodeWithContentDescription("Record what the robot publishes").performClick()
+        onNodeWithText(choice).performClick()
+    }
+
+    test("what a robot publishes is recorded, shown at its newest moment while it grows, and marked; then it is an ordinary log") {
+        val folder = tempdir().toPath()
+        robot().use { server ->
+            server.start()
+            beside(server, folder) { viewer ->
+                record("Record until stopped")
+                waitFor { viewer.current.recording != null }
+                val log = viewer.current.recording!!.file
+                log.name shouldStartWith "FRC_"
+                viewer.live.state.isOn shouldBe true
+                onNodeWithText("Stop recording").assertExists()
+                val end = viewer.current.recording!!.span.to
+                waitFor { viewer.current.recording!!.span.to > end + 0.5 && viewer.view.cursors.pinned == viewer.current.recording!!.span.to }
+                waitFor { viewer.notes.state.log == log }
+                runOnUiThread { viewer.actions.perform(Action.MARK) }
+                waitFor { NotesFile.read(log).notes.map { it.text } == listOf("Mark 1") }
+
+                val here = viewer.current.recording!!.span.to
+                runOnUiThread { viewer.view.go { at(here / 2) } }
+                waitFor { !viewer.live.state.isOn }
+                waitFor { viewer.current.recording!!.span.to > here + 0.5 }
+                viewer.view.cursors.pinned shouldBe here / 2
+                // A moment that somebody marks is now, wherever they look.
+                runOnUiThread { viewer.actions.perform(Action.MARK) }
+                waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
+                onNodeWithContentDescription("Follow the log while it is written (End)").performClick()
+                viewer.live.state.isOn shouldBe true
+
+                onNodeWithText("Stop recording").performClick()
+                waitForNotice(viewer, "${log.name} is recorded: ")
+                onNodeWithText("Stop recording").assertDoesNotExist()
+                waitFor { !viewer.live.isGrowing }
+                folder.listDirectoryEntries("*.wpilog") shouldBe listOf(log)
+            }
+        }
+    }
+
+    test("a log for each time enabled does not take away what somebody looks at") {
+        val folder = tempdir().toPath()
+        robot().use { server ->
+            server.open()
+            server.seek(0.0)
+            beside(server, folder) { viewer ->
+                viewer.loader.open(samples.resolve("practice.bag"))
+                waitFor { viewer.current.recording != null }
+                record("Record each time it is enabled, as a log of its own")
+                waitFor { "Connected to the robot" in viewer.recording.state.connection }
+                onNodeWithText("A log begins when the robot is enabled.").assertExists()
+                folder.listDirectoryEntries("*.wpilog").shouldBeEmpty()
+                server.start()
+                waitForNotice(viewer, "is being recorded.")
+                viewer.current.recording!!.file.name shouldBe "practice.bag"
+                viewer.notices.all.single { it.action != null }.action!!.run()
+                waitFor { viewer.current.recording!!.file.name.startsWith("FRC_") }
+                viewer.live.state.isOn shouldBe true
+            }
+        }
+    }
+
+    test("without a robot it says where it looks, and makes no file") {
+        val folder = tempdir().toPath()
+        beside(null, folder) { viewer ->
+            record("Record until stopped")
+            waitFor { onAllNodes(hasText("Looking for the robot at 127.0.0.1.")).fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithText("A log begins when the robot answers.").assertExists()
+            onNodeWithContentDescription("Stop recording the robot").performClick()
+            waitFor { !viewer.recording.state.isOn }
+            folder.listDirectoryEntries().shouldBeEmpty()
+        }
+    }
+
+    test("a folder that cannot be written is said, and ends the recording") {
+        val file = tempdir().toPath().resolve("a-file").also { java.nio.file.Files.writeString(it, "x") }
+        robot().use { server ->
+            server.start()
+            beside(server, folder = file.parent) { viewer ->
+                val elsewhere = RobotRecording(viewer.scope, viewer.notices, viewer.writes, { file }, { listOf(RobotAddress("127.0.0.1", emptyList(), networkTablesPort = server.port)) }, RecordedLog(viewer.current, viewer.live, viewer.loader, viewer.notices))
+                runOnUiThread { elsewhere.start("1014", isPerEnable = false) }
+                waitForNotice(viewer, "The log cannot be written")
+                elsewhere.state.isOn shouldBe false
+                viewer.notices.all.last().text shouldContain "check the disk and the folder"
+            }
+        }
+    }
+})
