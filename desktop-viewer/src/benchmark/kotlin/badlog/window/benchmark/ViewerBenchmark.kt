@@ -16,7 +16,8 @@ fun main(args: Array<String>) {
     val frames = measureFrames(pictures)
     val openings = if (bags.isEmpty()) emptyList() else openingsOf(Path.of(bags), pictures)
     val blocks = measureChoiceBlocks()
-    val text = reportOf(frames, paths, blocks, openings)
+    val live = measureLiveFrames()
+    val text = reportOf(frames, paths, blocks, live, openings)
     Files.writeString(report, text)
     println(text)
     println("Written to $report")
@@ -32,6 +33,7 @@ private fun reportOf(
     frames: List<FrameTimes>,
     paths: List<FrameTimes>,
     blocks: List<FrameTimes>,
+    live: List<FrameTimes>,
     openings: List<Pair<Path, List<Opening>>>,
 ): String = buildString {
     val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
@@ -57,6 +59,12 @@ private fun reportOf(
     appendLine("For how long the window's thread is busy at most without a break, from a choice to the picture of its result.")
     appendLine()
     appendTimes(blocks)
+    appendLine()
+    appendLine("## Live: from the disk to the picture")
+    appendLine()
+    appendLine("A WPILOG of 50 topics grows by 50 rows a second; how long after a row was written its picture is there, by the size of the log.")
+    appendLine()
+    appendTimes(live, "size")
     if (openings.isEmpty()) return@buildString
     appendLine()
     appendLine("## Opening")
@@ -73,8 +81,8 @@ private fun reportOf(
     }
 }
 
-private fun StringBuilder.appendTimes(frames: List<FrameTimes>) {
-    appendLine("| change | median | 95th percentile | slowest | of |")
+private fun StringBuilder.appendTimes(frames: List<FrameTimes>, what: String = "change") {
+    appendLine("| $what | median | 95th percentile | slowest | of |")
     appendLine("|---|---|---|---|---|")
     for (times in frames) {
         val figures = listOf(50, 95, 100).joinToString(" | ") { "%.1f ms".format(times.percentile(it)) }

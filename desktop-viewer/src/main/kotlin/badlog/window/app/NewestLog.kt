@@ -19,6 +19,7 @@ import kotlin.time.TimeSource
  * Shows the newest log automatically: if nothing is open, and in place of a log that it opened itself, unless somebody has used
  * that. Use it only on the window's thread.
  *
+ * @param recorded returns the log that this window records, which is shown or offered by itself; null for none.
  * @param isInUse whether somebody is using the open log.
  */
 internal class NewestLog(
@@ -27,6 +28,7 @@ internal class NewestLog(
     private val loader: RecordingLoader,
     private val opener: LogOpener,
     private val notices: Notices,
+    private val recorded: () -> Path?,
     private val isInUse: () -> Boolean,
 ) {
     private var since = TimeSource.Monotonic.markNow()
@@ -64,7 +66,7 @@ internal class NewestLog(
             since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGray }
             else -> null
         } ?: return
-        if (newest.file == shown || !mayChange()) return
+        if (newest.file == shown || newest.file == recorded() || !mayChange()) return
         if (current.recording != null && newest.source.modified <= keptUntil) return
         if (current.recording != null) {
             if (newest.isGray) return

@@ -108,7 +108,8 @@ internal class Viewer(
     val stations: StationChoice = StationChoice(current, settings, folder = { library.state.folder })
     val fields: FieldChoice = FieldChoice(current, settings, files, tasks, notices, folder = { library.state.folder })
     val formulas: FormulaStore = FormulaStore(current, board, notices)
-    val shown = ShownRecordings(current, compared, board, view, notices, { library.state.folder }) { recording ->
+    val live = LiveView(current, view) { recordedNow() }
+    val shown = ShownRecordings(current, compared, board, view, live, notices, { library.state.folder }) { recording ->
         choicesFor(recording.file).run { copy(overTime = overTime && recording.timeColumn != null) }
     }
     val events = FilteredEvents(current)
@@ -129,7 +130,6 @@ internal class Viewer(
     val tables = TableSaver(files, tasks, notices)
     val charts = FolderCharts(scope, library, files, tasks, notices)
     val todo = FolderTodo(scope, library, settings, files, tasks, notices, writes)
-    val live = LiveView(current, view)
     val graphs = GraphScene(
         current,
         board,
@@ -150,7 +150,10 @@ internal class Viewer(
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
-        update = { read, isGrowing -> live.update(isGrowing) { shown.show(read) } },
+        update = { read, isGrowing ->
+            live.grows(read.file.takeIf { isGrowing })
+            layouts.following { shown.show(read) }
+        },
     )
     val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
     val opener = LogOpener(library, loader, files, notices)
@@ -162,11 +165,11 @@ internal class Viewer(
         show = loader::open,
         robots,
     )
-    private val recorded = RecordedLog(current, live, loader, notices)
-    val recording = RobotRecording(scope, notices, writes, folder = { library.state.folder }, robots, recorded)
-    val newest = NewestLog(library, current, loader, opener, notices, isInUse = ::isInUse)
+    private val recorded = RecordedLog(current, live, loader, notices, isWriting = { notes.draft != null || formulas.sheet != null })
+    val recording = RobotRecording(scope, notices, folder = { library.state.folder }, robots, recorded)
+    val newest = NewestLog(library, current, loader, opener, notices, ::recordedNow, isInUse = ::isInUse)
     val newLogs: NewLogs =
-        NewLogs(library, current, settings, isShownByItself = {
+        NewLogs(library, current, settings, ::recordedNow, isShownByItself = {
             newest.hasShown(it) && !isInUse()
         }, ring = { Toolkit.getDefaultToolkit().beep() })
     val logActions = LibraryActions(
@@ -227,6 +230,7 @@ internal class Viewer(
         scope.launch { newest.run() }
         scope.launch { newLogs.run() }
         scope.launch { robot.run() }
+        scope.launch { recording.run() }
         scope.launch { todo.run() }
     }
 
@@ -237,7 +241,7 @@ internal class Viewer(
         formulas.replaceAll(layouts.formulasFor(recording.file, recording.layout))
         topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
-        layouts.showGraphs(recording)
+        layouts.showGraphs(recording, isGrowing = recording.file == recordedNow())
         view.show(recording.span)
         live.opened()
         panels.change { copy(front = FrontPart.GRAPHS) }
@@ -321,6 +325,9 @@ internal class Viewer(
         panels.change { copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS) }
         robot.change { copy(isShown = true, isAsked = true) }
     }
+
+    /** The log that this window is recording now; null for none. */
+    private fun recordedNow(): Path? = recording.state.file
 
     private fun isInUse() = !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS
 }

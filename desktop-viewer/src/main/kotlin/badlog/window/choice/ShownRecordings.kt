@@ -9,6 +9,7 @@ import badlog.window.compare.ComparedRecordings
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
+import badlog.window.log.LiveView
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.task.Notices
@@ -35,6 +36,7 @@ internal class ShownRecordings(
     private val compared: ComparedRecordings,
     private val board: GraphBoard,
     private val view: AxisView,
+    private val live: LiveView,
     private val notices: Notices,
     private val library: () -> Path?,
     private val choices: (OpenRecording) -> RecordingChoices,
@@ -79,7 +81,7 @@ internal class ShownRecordings(
         val isOtherAxis = made.isOverTime != before.isOverTime
         val isDefault = (if (isOtherAxis) board.kept else board.state).showsSame(before.standardGraphs)
         current.replace(made)
-        if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) }
+        live.staying { if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) } }
         made.field.problem?.takeIf { it != before.field.problem }?.let(notices::complain)
         if (isDefault && !made.standardGraphs.showsSame(before.standardGraphs)) board.replace(made.standardGraphs)
     }

@@ -13,6 +13,7 @@ import java.nio.file.Path
 /**
  * The logs that have arrived in the folder, until somebody deals with them. Use it only on the window's thread.
  *
+ * @param recorded returns the log that this window records, which has not arrived before it is finished; null for none.
  * @param isShownByItself returns whether the window opened a log although nobody asked for it: then nobody has seen it yet.
  * @param ring makes a sound.
  */
@@ -20,16 +21,18 @@ internal class NewLogs(
     private val library: Library,
     private val current: CurrentRecording,
     private val settings: SettingsStore,
+    private val recorded: () -> Path?,
     private val isShownByItself: (Path) -> Boolean,
     private val ring: () -> Unit,
 ) : StateHolder<Arrivals<LogEntry>>(Arrivals()) {
     /** Follows the folder, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         change { Arrivals() }
-        combine(snapshotFlow { library.state }, snapshotFlow { current.recording?.file }, ::Pair).collect { (seen, open) ->
+        combine(snapshotFlow { library.state }, snapshotFlow { current.recording?.file to recorded() }, ::Pair).collect { (seen, files) ->
+            val (open, growing) = files
             if (!state.hasBegun && seen.hasLooked) change { begun(seen.files.associate { "${it.path}" to it.size }) }
             val before = state.waiting.mapTo(HashSet()) { it.file }
-            change { knowing(seen.entries) }
+            change { knowing(seen.entries.filter { it.file != growing }) }
             if (open != null && !isShownByItself(open)) seen(open)
             if (settings.state.ringsForLogs && state.waiting.any { it.file !in before }) ring()
         }

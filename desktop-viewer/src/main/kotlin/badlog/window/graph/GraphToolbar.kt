@@ -66,8 +66,8 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView) {
 /** Only for a log that is being written. */
 @Composable
 private fun LiveButton(live: LiveView) {
-    val isOn = live.state.isOn
-    if (!isOn && !live.isGrowing) return
+    if (!live.isGrowing) return
+    val isOn = live.isStaying
     val meaning = if (isOn) "Stay here while the log grows" else "Follow the log while it is written (End)"
     ToolButton(meaning, text = "Live", isOn = isOn) { if (isOn) live.pause() else live.begin() }
 }

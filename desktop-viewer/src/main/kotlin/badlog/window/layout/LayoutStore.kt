@@ -29,6 +29,8 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.coroutines.resume
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
 
 /**
  * The window's layout for each folder of logs: saves it, and restores it when the folder is opened. Use it only on the window's
@@ -104,15 +106,27 @@ internal class LayoutStore(
 
     /**
      * Shows the graphs for [recording], which was just opened; those of formulas that are still to be calculated appear with them. That is so
-     * if the log was read before the formulas of its folder were known.
+     * if the log was read before the formulas of its folder were known. If it is a log that has just begun, [isGrowing], nothing is said of
+     * those that it lacks.
      */
-    fun showGraphs(recording: OpenRecording) {
-        val first = fittedTo(recording)?.board ?: recording.standardGraphs
+    fun showGraphs(recording: OpenRecording, isGrowing: Boolean = false) {
+        val first = placedFor(recording)
         board.replace(first)
         whenStillOpen { open ->
-            val all = graphsOf(open)
+            val all = if (isGrowing) placedFor(open) else graphsOf(open)
             if (board.kept.showsSame(first) && !all.showsSame(first)) board.replaceKept(all)
         }
+    }
+
+    /**
+     * Calls [show], which shows the open log with what was written since. Its graphs are still those arranged for its folder, of which it now may
+     * have more, unless a person has changed them.
+     */
+    fun following(show: () -> Unit) {
+        val isPlaced = current.recording?.let { board.kept.showsSame(placedFor(it)) } == true
+        show()
+        val now = current.recording?.let(::placedFor) ?: return
+        if (isPlaced && !board.kept.showsSame(now)) board.replaceKept(now)
     }
 
     /**
@@ -180,11 +194,15 @@ internal class LayoutStore(
         current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
         var wanted = saved
         wanted?.let(::restore)
+        var since: TimeSource.Monotonic.ValueTimeMark? = null
         snapshotFlow { arrangement() }.collectLatest {
             suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
             wanted = wanted?.takeUnless { restoreRange(it) }
-            delay(PAUSE_MILLIS)
+            val first = since ?: TimeSource.Monotonic.markNow().also { since = it }
+            // In a log that is followed, the visible range always changes.
+            if (first.elapsedNow() < LONGEST) delay(PAUSE_MILLIS)
             save()
+            since = null
         }
     }
 
@@ -231,7 +249,7 @@ internal class LayoutStore(
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = board.kept.showsSame(fittedTo(open)?.board ?: open.standardGraphs)
+        val isAsSaved = board.kept.showsSame(placedFor(open))
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
         return if (layout == saved) null else place to layout
     }
@@ -298,6 +316,8 @@ internal class LayoutStore(
         return true
     }
 
+    private fun placedFor(recording: OpenRecording) = fittedTo(recording)?.board ?: recording.standardGraphs
+
     private fun fittedTo(recording: OpenRecording): FittedBoard? {
         val graphs = saved?.graphs?.takeIf { isInFolder(recording.file) } ?: return null
         return fitted(graphs, recording).takeIf { it.board.graphs.isNotEmpty() }
@@ -307,6 +327,7 @@ internal class LayoutStore(
 
     private companion object {
         const val PAUSE_MILLIS = 600L
+        val LONGEST = 10.seconds
     }
 }
 

@@ -1,28 +1,34 @@
 package badlog.window.log
 
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
 import badlog.viewer.session.Place
 import badlog.window.state.StateHolder
 import java.nio.file.Path
 
 /**
- * Whether the newest moment of a log is shown.
+ * Whether a person follows a log that is being written.
  *
- * @property growing the log that is being written; null for none.
- * @property isOn whether its newest moment is shown, with the cursor there, until a person goes elsewhere.
+ * @property growing the file that another program was writing when it was looked at last; null for none.
+ * @property place where a person who wanted to stay at the end was put last; null for one who does not.
  */
-internal data class Live(val growing: Path? = null, val isOn: Boolean = false)
+internal data class Live(val growing: Path? = null, val place: Place? = null)
 
 /**
- * Shows the newest moment of the open log while its file grows: the cursor is there, and the visible range moves along, as wide as it is. Use
- * it only on the window's thread.
+ * Stays at the newest moment of the open log while its file grows: the cursor is there, and the visible range moves along, until a person
+ * goes elsewhere. Use it only on the window's thread.
+ *
+ * @param recorded returns the file that this window itself records; null for none.
  */
-internal class LiveView(private val current: CurrentRecording, private val view: AxisView) : StateHolder<Live>(Live()) {
-    /** Where this has put the person last. */
-    private var place: Place? = null
+internal class LiveView(private val current: CurrentRecording, private val view: AxisView, private val recorded: () -> Path?) :
+    StateHolder<Live>(Live()) {
     private var awaited: Path? = null
 
     /** Whether the open log is being written. */
-    val isGrowing: Boolean get() = current.recording != null && state.growing == current.recording?.file
+    val isGrowing: Boolean get() = current.recording?.file?.let { it == recorded() || it == state.growing } == true
+
+    /** Whether the person is at the end of the log, and has not gone elsewhere. */
+    val isStaying: Boolean by derivedStateOf { state.place?.let(::isAt) == true }
 
     /** The newest moment of the open log if that is being written; null otherwise. */
     val newest: Double? get() = current.recording?.span?.to?.takeIf { isGrowing }
@@ -30,12 +36,12 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     /** Goes to the end of the open log; if that grows, stays there. */
     fun begin() {
         if (current.recording == null) return
-        if (isGrowing) change { copy(isOn = true) }
-        goToEnd()
+        view.go { atEnd() }
+        if (isGrowing) stayHere()
     }
 
-    /** Stays where it is from now on. */
-    fun pause() = change { copy(isOn = false) }
+    /** Stays where it is from now on, though the log grows. */
+    fun pause() = change { copy(place = null) }
 
     /** Begins with [log] as soon as it is open. */
     fun await(log: Path) {
@@ -46,21 +52,28 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     fun opened() {
         val isAwaited = awaited != null && awaited == current.recording?.file
         awaited = null
-        change { Live(growing = current.recording?.file.takeIf { isAwaited }) }
+        change { Live() }
         if (isAwaited) begin()
     }
 
-    /** Calls [show], which shows the open log as it was read anew, because it has grown or, without [isGrowing], has ended. */
-    fun update(isGrowing: Boolean, show: () -> Unit) {
-        val hasStayed = place?.let { it.range.visible == view.viewport.visible && it.cursors.pinned == view.cursors.pinned } == true
-        if (state.isOn && !hasStayed) pause()
+    /** Says that another program writes [file] now; null if none writes the open log. */
+    fun grows(file: Path?) = change { copy(growing = file) }
+
+    /** Calls [show], which shows the open log as it was read or calculated anew, and stays at its end if the person was there. */
+    fun staying(show: () -> Unit) {
+        val isThere = isStaying
         show()
-        change { copy(growing = current.recording?.file.takeIf { isGrowing }) }
-        if (state.isOn) goToEnd()
+        if (!isThere) return
+        view.go { movedToEnd() }
+        stayHere()
     }
 
-    private fun goToEnd() {
-        view.go { atEnd() }
-        place = view.place
+    private fun stayHere() = change { copy(place = view.place) }
+
+    /** Zooming and looking at what is beside the end do not go elsewhere. */
+    private fun isAt(place: Place): Boolean {
+        val range = view.viewport
+        val isEndVisible = !range.isZoomed || range.visible.to >= place.range.full.to
+        return isEndVisible && view.cursors.pinned == place.cursors.pinned && view.secondCursor == place.cursors.second
     }
 }

@@ -72,8 +72,8 @@ internal class RecordingWatcher(
         /** How many times a file is missing before it is gone: a program that replaces it takes a moment. */
         const val MISSES = 5
 
-        /** A file that has not changed for this long is read to its end. */
-        val SETTLED = 2000.milliseconds
+        /** A file that has not changed for this long is read to its end; a recorder with nothing to record writes the time each 5 s. */
+        val SETTLED = 6000.milliseconds
     }
 }
 

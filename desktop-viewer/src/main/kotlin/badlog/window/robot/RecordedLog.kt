@@ -6,30 +6,46 @@ import badlog.window.log.RecordingLoader
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
 
-/** Shows the log that the window records, unless somebody looks at another one. Use it only on the window's thread. */
+/**
+ * Shows the log that the window records, unless somebody looks at another one. Use it only on the window's thread.
+ *
+ * @param isWriting returns whether somebody is writing something that belongs to the open log.
+ */
 internal class RecordedLog(
     private val current: CurrentRecording,
     private val live: LiveView,
     private val loader: RecordingLoader,
     private val notices: Notices,
+    private val isWriting: () -> Boolean,
 ) {
+    private var askedSince: TimeSource.Monotonic.ValueTimeMark? = null
     private var openBefore: Path? = null
 
-    /** Remembers what is open when a person begins to record. */
+    /** Remembers what is open when a person begins to record, and expects to see that soon. */
     fun started() {
         openBefore = current.recording?.file
+        askedSince = TimeSource.Monotonic.markNow()
     }
 
-    /** Shows [log], whose recording has begun, at its newest moment, or offers that; [isPerEnable] if it may have been awaited for long. */
-    fun begun(log: Path, isPerEnable: Boolean) {
+    /** Shows [log], whose recording has begun, at its newest moment, or offers that. */
+    fun begun(log: Path) {
         val open = current.recording?.file
-        val isAwaited = open == null || live.state.isOn || (!isPerEnable && open == openBefore)
-        if (isAwaited) show(log) else notices.say("${log.fileName} is being recorded.", NoticeAction("Show") { show(log) })
+        val isJustAsked = open == openBefore && askedSince?.let { it.elapsedNow() < PATIENCE } == true
+        askedSince = null
+        val isFree = !loader.isReading && !isWriting() && (open == null || isJustAsked || live.isStaying)
+        if (isFree) show(log) else notices.say("${log.fileName} is being recorded.", NoticeAction("Show") { show(log) })
     }
 
     private fun show(log: Path) {
         live.await(log)
         loader.open(log)
+    }
+
+    private companion object {
+        /** Who waits longer has gone on to something else. */
+        val PATIENCE = 10.seconds
     }
 }

@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.dp
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** The line at the bottom of the window while it records: to where, how much, and whether the robot answers. */
+/** The line at the bottom of the window while it records: which log, how much, and whether the robot answers. */
 @Composable
 internal fun RecordingLine(recording: RobotRecording) {
     val state = recording.state
@@ -31,15 +31,11 @@ internal fun RecordingLine(recording: RobotRecording) {
         horizontalArrangement = Arrangement.spacedBy(10.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Box(Modifier.size(9.dp).background(if (state.amount.isEmpty()) palette.muted else palette.error, CircleShape))
+        Box(Modifier.size(9.dp).background(if (state.file == null) palette.muted else palette.error, CircleShape))
+        // It changes too often to be spoken.
+        if (state.file != null) Text(state.amount, maxLines = 1, softWrap = false)
         Text(
-            state.waiting ?: state.amount,
-            maxLines = 1,
-            softWrap = false,
-        )
-        Text(
-            state.connection,
-            // The amount changes too often to be spoken.
+            listOfNotNull(state.waiting, state.connection).joinToString(" "),
             Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
             color = palette.muted,
             maxLines = 1,

@@ -75,11 +75,11 @@ private fun RecordMenu(recording: RobotRecording, robot: String) {
             isOpen = false
             recording.start(robot, isPerEnable = false)
         }
-        MenuLine("Record each time it is enabled, as a log of its own") {
+        MenuLine("Record a log each time the robot is enabled") {
             isOpen = false
             recording.start(robot, isPerEnable = true)
         }
-        MenuLine("2027: Systemcore’s and the Driver Station’s servers, too", Icons.Check.takeIf { recording.state.isOfAll }) {
+        MenuLine("Also record Systemcore and the Driver Station (2027)", Icons.Check.takeIf { recording.state.isOfAll }) {
             recording.toggleAll()
         }
     }

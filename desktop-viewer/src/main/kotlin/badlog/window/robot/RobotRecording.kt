@@ -1,5 +1,6 @@
 package badlog.window.robot
 
+import androidx.compose.runtime.snapshotFlow
 import badlog.fetch.NetworkTablesSearch
 import badlog.fetch.RobotAddress
 import badlog.record.RecordListener
@@ -15,6 +16,7 @@ import badlog.window.state.StateHolder
 import badlog.window.task.FileWrites
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
@@ -33,13 +35,20 @@ import kotlin.time.Duration.Companion.milliseconds
 internal class RobotRecording(
     private val scope: CoroutineScope,
     private val notices: Notices,
-    private val writes: FileWrites,
     private val folder: () -> Path?,
     private val addressesOf: (String) -> List<RobotAddress>,
     private val logs: RecordedLog,
 ) : StateHolder<RecordingState>(RecordingState()) {
-    private var recorder: Recorder? = null
+    // What a person writes does not wait for a recorder that waits for its disk.
+    private val endings = FileWrites()
+    private var running: Running? = null
     private var watching: Job? = null
+
+    /** Says where the recording goes when another folder is shown, until cancelled. */
+    suspend fun run() = snapshotFlow(folder).collect { shown ->
+        val target = running?.target ?: return@collect
+        if (shown != target) notices.say("The recording still goes into $target.")
+    }
 
     /** Records [robot], a team's number or an address, until [stop]; [isPerEnable] for a log each time that it is enabled. */
     fun start(robot: String, isPerEnable: Boolean) {
@@ -50,45 +59,48 @@ internal class RobotRecording(
         } catch (e: IllegalArgumentException) {
             return notices.complain(e.message.orEmpty())
         }
-        val options = RecordOptions(target, isPerEnable, isRenamed = false)
         val servers = robotServers(state.isOfAll) { search.find()?.let { ServerAddress(it.host, it.port) } }
-        val begun = Recorder(servers, options, Listener())
-        recorder = begun
-        change { copy(isOn = true, isPerEnable = isPerEnable, connection = "Looking for the robot at ${search.places}.", amount = "") }
+        val listener = Listener(servers[0].name)
+        val recorder = Recorder(servers, RecordOptions(target, isPerEnable, isRenamed = false), listener)
+        running = Running(recorder, listener, target)
+        change { RecordingState(true, isPerEnable, isOfAll, "Looking for the robot at ${search.places}.") }
         logs.started()
-        begun.start()
-        watching = scope.launch { watch(begun) }
+        recorder.start()
+        watching = scope.launch { watch(recorder) }
     }
 
     /** Ends the recording; its log is finished in the background. */
     fun stop() {
-        val ended = recorder ?: return
-        recorder = null
         watching?.cancel()
-        change { copy(isOn = false, connection = "", amount = "") }
-        scope.launch { writes.write(ended::close) }
+        end()
     }
 
-    /** Ends the recording and waits until its log is finished, as before the window closes. */
+    /** Ends the recording and waits until its log is finished, as before the window closes; for a disk that hangs, only a moment. */
     fun finish() {
-        recorder?.close()
-        recorder = null
+        end()
+        endings.finish()
     }
 
     /** Records the servers of 2027 besides from the next [start] on, or no longer. */
     fun toggleAll() = change { copy(isOfAll = !isOfAll) }
 
+    private fun end() {
+        val ended = running?.recorder ?: return
+        running = null
+        change { RecordingState(isOfAll = isOfAll) }
+        scope.launch(start = CoroutineStart.UNDISPATCHED) { endings.write(ended::close) }
+    }
+
     private suspend fun watch(recorder: Recorder) {
-        var file: Path? = null
         while (true) {
             val progress = recorder.progress
-            if (progress.file != file) {
-                file = progress.file
-                file?.let { logs.begun(it, state.isPerEnable) }
+            if (progress.file != state.file) {
+                change { copy(file = progress.file) }
+                progress.file?.let(logs::begun)
             }
             change { copy(amount = amountOf(progress)) }
             recorder.failure?.let { failure ->
-                stop()
+                end()
                 return notices.complain(failure)
             }
             delay(PERIOD)
@@ -100,25 +112,28 @@ internal class RobotRecording(
         return "${file.fileName}: ${countText(progress.topics, "topic")}, ${bytesText(progress.bytes.toDouble())}"
     }
 
-    /** Reports on the window's thread what happens on the recorder's. */
-    private inner class Listener : RecordListener {
-        override fun connected(name: String, address: ServerAddress) = say("Connected to the $name at $address.")
+    private class Running(val recorder: Recorder, val listener: RecordListener, val target: Path)
 
-        override fun disconnected(name: String, reason: String) = say("The connection to the $name was lost ($reason); looking for it.")
+    /** Reports on the window's thread what happens on the recorder's; of connections, that to the [robot]. */
+    private inner class Listener(private val robot: String) : RecordListener {
+        override fun connected(name: String, address: ServerAddress) = say(name, "Connected to the robot at $address.")
+
+        override fun disconnected(name: String, reason: String) =
+            say(name, "The connection to the robot was lost ($reason); looking for it.")
 
         override fun noted(message: String) {
-            scope.launch { notices.say(message) }
+            scope.launch { notices.complain(message) }
         }
 
         override fun finished(file: RecordedFile) {
-            val lost = "; ${countText(file.dropped.toInt(), "value")} missing, because the disk was too slow".takeIf { file.dropped > 0 }.orEmpty()
-            val gaps = "; the connection was lost ${countText(file.gaps, "time")}".takeIf { file.gaps > 0 }.orEmpty()
-            val text = "${file.path.fileName} is recorded: ${countText(file.values.toInt(), "value")} of ${countText(file.topics, "topic")}$gaps$lost."
+            val gaps = if (file.gaps > 0) "; lost connections: ${countText(file.gaps)}" else ""
+            val lost = if (file.dropped > 0) "; values missing, because the disk was too slow: ${file.dropped}" else ""
+            val text = "${file.path.fileName} is recorded: ${countText(file.topics, "topic")}, ${bytesText(file.bytes.toDouble())}$gaps$lost."
             scope.launch { if (file.dropped > 0) notices.complain(text) else notices.say(text) }
         }
 
-        private fun say(text: String) {
-            scope.launch { change { if (isOn) copy(connection = text) else this } }
+        private fun say(name: String, text: String) {
+            if (name == robot) scope.launch { if (running?.listener === this@Listener) change { copy(connection = text) } }
         }
     }
 

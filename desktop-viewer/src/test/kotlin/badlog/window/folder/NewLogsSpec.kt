@@ -92,7 +92,7 @@ class NewLogsSpec : FunSpec({
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         var rings = 0
         val shown = HashSet<Path>()
-        val logs = NewLogs(viewer.library, viewer.current, viewer.settings, { it in shown }) { rings++ }
+        val logs = NewLogs(viewer.library, viewer.current, viewer.settings, { null }, { it in shown }) { rings++ }
         fun entry(name: String, size: Long, found: LogFound? = LogFound(0, emptyList())) = LogEntry(
             LogFile(Path.of("/logs/$name"), size, size),
             LogSummary(date = LogDate(0, DateSource.VALUES), content = Content.SOMETHING),

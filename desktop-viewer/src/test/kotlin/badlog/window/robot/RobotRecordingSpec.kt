@@ -20,6 +20,7 @@ import badlog.replay.ReplayServer
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
+import badlog.viewer.choices.board.Board
 import badlog.viewer.input.Action
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
@@ -33,7 +34,9 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.launch
+import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.copyTo
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
@@ -81,7 +84,7 @@ class RobotRecordingSpec : FunSpec({
                 waitFor { viewer.current.recording != null }
                 val log = viewer.current.recording!!.file
                 log.name shouldStartWith "FRC_"
-                viewer.live.state.isOn shouldBe true
+                viewer.live.isStaying shouldBe true
                 onNodeWithText("Stop recording").assertExists()
                 val end = viewer.current.recording!!.span.to
                 waitFor { viewer.current.recording!!.span.to > end + 0.5 && viewer.view.cursors.pinned == viewer.current.recording!!.span.to }
@@ -91,14 +94,14 @@ class RobotRecordingSpec : FunSpec({
 
                 val here = viewer.current.recording!!.span.to
                 runOnUiThread { viewer.view.go { at(here / 2) } }
-                waitFor { !viewer.live.state.isOn }
+                waitFor { !viewer.live.isStaying }
                 waitFor { viewer.current.recording!!.span.to > here + 0.5 }
                 viewer.view.cursors.pinned shouldBe here / 2
                 // A moment that somebody marks is now, wherever they look.
                 runOnUiThread { viewer.actions.perform(Action.MARK) }
                 waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
                 onNodeWithContentDescription("Follow the log while it is written (End)").performClick()
-                viewer.live.state.isOn shouldBe true
+                viewer.live.isStaying shouldBe true
 
                 onNodeWithText("Stop recording").performClick()
                 waitForNotice(viewer, "${log.name} is recorded: ")
@@ -115,18 +118,41 @@ class RobotRecordingSpec : FunSpec({
             server.open()
             server.seek(0.0)
             beside(server, folder) { viewer ->
+                record("Record a log each time the robot is enabled")
+                waitFor { "Connected to the robot" in viewer.recording.state.connection }
                 viewer.loader.open(samples.resolve("practice.bag"))
                 waitFor { viewer.current.recording != null }
-                record("Record each time it is enabled, as a log of its own")
-                waitFor { "Connected to the robot" in viewer.recording.state.connection }
-                onNodeWithText("A log begins when the robot is enabled.").assertExists()
+                onNodeWithText("A log begins when the robot is enabled.", substring = true).assertExists()
                 folder.listDirectoryEntries("*.wpilog").shouldBeEmpty()
                 server.start()
                 waitForNotice(viewer, "is being recorded.")
                 viewer.current.recording!!.file.name shouldBe "practice.bag"
                 viewer.notices.all.single { it.action != null }.action!!.run()
                 waitFor { viewer.current.recording!!.file.name.startsWith("FRC_") }
-                viewer.live.state.isOn shouldBe true
+                viewer.live.isStaying shouldBe true
+            }
+        }
+    }
+
+    test("the graphs arranged for a folder are those of the log that is recorded as soon as it has their topics, and stay arranged") {
+        val folder = tempdir().toPath()
+        robot().use { server ->
+            server.start()
+            beside(server, folder) { viewer ->
+                viewer.scope.launch { viewer.layouts.autosave() }
+                viewer.loader.open(samples.resolve("qualification-42.bag").copyTo(folder.resolve("before.bag")))
+                waitFor { viewer.current.recording != null }
+                record("Record until stopped")
+                waitFor { viewer.current.recording!!.signals.any { "Battery" in it.name && it.name.startsWith("NT:") } }
+                val topics = listOf(viewer.current.recording!!.signals.first { "Battery" in it.name && it.name.startsWith("NT:") }.name)
+                runOnUiThread { viewer.board.change { Board().withGraph(topics) } }
+                runOnUiThread { viewer.layouts.saveNow() }
+                onNodeWithText("Stop recording").performClick()
+                waitFor { !viewer.recording.state.isOn }
+                record("Record until stopped")
+                val first = viewer.current.recording!!.file
+                waitFor { viewer.current.recording!!.file != first }
+                waitFor { viewer.board.state.graphs.singleOrNull()?.lines == topics }
             }
         }
     }
@@ -135,8 +161,8 @@ class RobotRecordingSpec : FunSpec({
         val folder = tempdir().toPath()
         beside(null, folder) { viewer ->
             record("Record until stopped")
-            waitFor { onAllNodes(hasText("Looking for the robot at 127.0.0.1.")).fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithText("A log begins when the robot answers.").assertExists()
+            waitFor { onAllNodes(hasText("Looking for the robot at 127.0.0.1.", substring = true)).fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithText("A log begins when the robot answers.", substring = true).assertExists()
             onNodeWithContentDescription("Stop recording the robot").performClick()
             waitFor { !viewer.recording.state.isOn }
             folder.listDirectoryEntries().shouldBeEmpty()
@@ -144,11 +170,11 @@ class RobotRecordingSpec : FunSpec({
     }
 
     test("a folder that cannot be written is said, and ends the recording") {
-        val file = tempdir().toPath().resolve("a-file").also { java.nio.file.Files.writeString(it, "x") }
+        val file = tempdir().toPath().resolve("a-file").also { Files.writeString(it, "x") }
         robot().use { server ->
             server.start()
             beside(server, folder = file.parent) { viewer ->
-                val elsewhere = RobotRecording(viewer.scope, viewer.notices, viewer.writes, { file }, { listOf(RobotAddress("127.0.0.1", emptyList(), networkTablesPort = server.port)) }, RecordedLog(viewer.current, viewer.live, viewer.loader, viewer.notices))
+                val elsewhere = RobotRecording(viewer.scope, viewer.notices, { file }, { listOf(RobotAddress("127.0.0.1", emptyList(), networkTablesPort = server.port)) }, RecordedLog(viewer.current, viewer.live, viewer.loader, viewer.notices) { false })
                 runOnUiThread { elsewhere.start("1014", isPerEnable = false) }
                 waitForNotice(viewer, "The log cannot be written")
                 elsewhere.state.isOn shouldBe false

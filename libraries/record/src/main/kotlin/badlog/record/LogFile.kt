@@ -53,11 +53,12 @@ internal class LogFile private constructor(path: Path, private val channel: File
     /** Passes everything on to the system. */
     fun flush(): Unit = stream.flush()
 
-    /** Adds [end] to its name, once. If the system refuses that now, it is tried again when it is closed. */
-    fun rename(end: String) {
+    /** Adds [end] to its name, once. If the system refuses that now, it [may be tried again][isTriedAgain] when it is closed. */
+    fun rename(end: String, isTriedAgain: Boolean) {
         if (nameEnd != null) return
         nameEnd = end
         move()
+        if (!isTriedAgain) nameEnd = ""
     }
 
     /** Writes the rest, and closes it. */
@@ -73,7 +74,9 @@ internal class LogFile private constructor(path: Path, private val channel: File
     }
 
     private fun move() {
-        val target = path.resolveSibling(stem + (nameEnd ?: return) + ENDING)
+        val end = nameEnd.orEmpty()
+        if (end.isEmpty()) return
+        val target = path.resolveSibling(stem + end + ENDING)
         if (target == path) return
         try {
             Files.move(path, target)

@@ -2,18 +2,17 @@ package badlog.record
 
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Path
 import java.time.Instant
 import java.time.temporal.ChronoUnit
 
 /**
- * Writes topics, and what the recorder itself has to say, into one log after another in [folder]. Times are the robot's, in µs. Without an
+ * Writes topics, and what the recorder itself has to say, into one log after another in the folder of [options]. Times are the robot's, in µs. Without an
  * open file, nothing is written.
  *
  * Its own entries: `messages`, as WPILib's `DataLogManager` has, `systemTime`, and in `Recorder/` when servers were connected and how many
  * values were dropped.
  */
-internal class LogOutput(private val folder: Path) {
+internal class LogOutput(private val options: RecordOptions) {
     private class Open(val file: LogFile, val messages: Int, val systemTime: Int, val dropped: Int, val droppedBefore: Long) {
         var values = 0L
         var topics = 0
@@ -43,7 +42,7 @@ internal class LogOutput(private val folder: Path) {
      * @throws java.io.IOException if the file cannot be written, as all other functions.
      */
     fun open(sources: List<Source>, micros: Long, dropped: Long, logMicros: (Source, Long) -> Long) {
-        val file = LogFile.create(folder, Instant.now(), micros)
+        val file = LogFile.create(options.folder, Instant.now(), micros)
         val open = Open(
             file,
             file.start("messages", "string", OWN, micros),
@@ -144,7 +143,7 @@ internal class LogOutput(private val folder: Path) {
         val open = open ?: return
         if (open.isMatchKnown) return
         open.isMatchKnown = true
-        open.file.rename(nameEnd)
+        open.file.rename(nameEnd, isTriedAgain = options.isRenamed)
     }
 
     /** Writes what is due at [micros], and passes everything on to the disk. */

@@ -84,6 +84,10 @@ class Recorder(servers: List<RecordedServer>, options: RecordOptions, private va
             session.finish()
         } catch (e: IOException) {
             fail("The log cannot be written (${e.message ?: e}); check the disk and the folder.")
+        } catch (_: OutOfMemoryError) {
+            fail("The recording ended, because there is not enough memory; close other programs and record again.")
+        } catch (e: RuntimeException) {
+            fail("The recording ended because of an error in badlog ($e); record again, and report it.")
         }
         progress = session.progress
     }

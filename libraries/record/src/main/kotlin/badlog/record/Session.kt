@@ -24,7 +24,7 @@ internal class Session(
     private val clock: () -> Long,
 ) {
     private val robot = sources.first()
-    private val output = LogOutput(options.folder)
+    private val output = LogOutput(options)
     private var match = MatchFacts()
     private var subscriptions = 0
     private var ignored = 0L

@@ -10,7 +10,7 @@ internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit, goTo
     Command("Graphs", "Scroll the graphs up", listOf(KeyPress(Key.DirectionUp, "↑"))) { scroll(-SCROLLED) },
     Command("Graphs", "Scroll the graphs down", listOf(KeyPress(Key.DirectionDown, "↓"))) { scroll(SCROLLED) },
     Command("Graphs", "Zoom to the selection", listOf(KeyPress(Key.Z, "Z"))) { zoomToSelection(view) },
-    Command("Graphs", "Cursor to the end of the log; of one that grows, live", listOf(KeyPress(Key.MoveEnd, "End")), goToEnd),
+    Command("Graphs", "Go to the end of the log; follow it if it grows", listOf(KeyPress(Key.MoveEnd, "End")), goToEnd),
 )
 
 private const val SCROLLED = 0.25

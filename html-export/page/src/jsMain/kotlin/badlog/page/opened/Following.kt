@@ -5,10 +5,12 @@ import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
 import badlog.page.served.NotNow
+import badlog.viewer.input.Action
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.events.Event
+import org.w3c.dom.events.KeyboardEvent
 import org.w3c.files.File
 import kotlin.js.Promise
 
@@ -27,7 +29,7 @@ internal class Following(
     private val file = GrowingFile(log.files[0], address)
     private var isOver = false
     private var misses = 0
-    private val pauseAt = { event: Event -> if ((event.target as? Element)?.closest("#live") == null) stop() }
+    private val pauseAt = { event: Event -> if ((event.target as? Element)?.closest("#live") == null && !isMark(event)) stop() }
 
     /** Starts. */
     fun start() {
@@ -74,6 +76,12 @@ internal class Following(
 
     private fun askIn(millis: Int) {
         window.setTimeout({ ask() }, millis)
+    }
+
+    // Whoever marks a moment goes on to look at the newest.
+    private fun isMark(event: Event): Boolean {
+        val key = event.unsafeCast<KeyboardEvent>()
+        return event.type == "keydown" && (key.key == "Shift" || Action.of(key.key.uppercase(), key.shiftKey) == Action.MARK)
     }
 
     private companion object {

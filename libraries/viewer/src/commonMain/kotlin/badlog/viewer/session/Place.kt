@@ -37,10 +37,13 @@ data class Place(
     /** Goes to [place], where a finding is. One about the whole log changes neither range nor cursor. */
     fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place).at(place.span.from, place.span)
 
-    /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is. */
-    fun atEnd(): Place {
+    /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is; going back returns from it. */
+    fun atEnd(): Place = copy(range = range.remembered()).movedToEnd()
+
+    /** The same as one of many steps of following a log that grows, which going back skips. */
+    fun movedToEnd(): Place {
         val end = range.full.to
-        val shown = if (range.isZoomed) range.showing(end - range.visible.width, end) else range
+        val shown = if (range.isZoomed) range.moved(end - range.visible.width, end) else range
         return copy(range = shown, cursors = cursors.pinnedAt(end))
     }
 

@@ -47,7 +47,9 @@ class TodoList private constructor(
                 .distinctBy { it.id }
             val recorded = logs.distinct().sortedWith(compareByDescending<FoundLog> { it.second }.thenBy { it.name }.thenBy { "$it" })
             val found = lastFound(recorded)
-            val whole = (found.keys + ordered.map { it.subject }).filterTo(HashSet()) { it is FaultTask && it.topic == null }
+            val ofEach = found.keys.filter { it.topic != null }.mapTo(HashSet()) { it.rule }
+            val whole = (found.keys + ordered.map { it.subject })
+                .filterTo(HashSet()) { it is FaultTask && it.topic == null && it.rule !in ofEach }
             val ofSubjects = ordered.groupBy { nowNamed(it.subject, whole) }
             val recent = recentOf(recorded).toSet()
             val tasks = ofSubjects.keys.filterIsInstance<TodoTask>().toSet() +
