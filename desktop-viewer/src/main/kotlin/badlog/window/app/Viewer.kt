@@ -236,6 +236,7 @@ internal class Viewer(
 
     /** Shows [recording], which was just read, in one step for all observers. */
     fun show(recording: OpenRecording) = Snapshot.withMutableSnapshot {
+        layouts.keepArranged()
         // What changed while the file was read follows, see ShownRecordings.
         current.replace(recording)
         formulas.replaceAll(layouts.formulasFor(recording.file, recording.layout))

@@ -59,6 +59,8 @@ internal class LayoutStore(
     @Volatile
     private var saved: Layout? = null
 
+    /** Whether [saved] is still to be written. */
+    private var isUnwritten = false
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
@@ -102,6 +104,12 @@ internal class LayoutStore(
         val fitted = fittedTo(recording) ?: return recording.standardGraphs
         fitted.sentence?.let(notices::say)
         return fitted.board
+    }
+
+    /** Remembers what was arranged a moment ago, before another log is shown. */
+    fun keepArranged() {
+        saved = change()?.second ?: return
+        isUnwritten = true
     }
 
     /**
@@ -185,6 +193,7 @@ internal class LayoutStore(
         folder = opened
         // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
+        isUnwritten = false
         if (opened == null) return@collectLatest
         val isSeen = current.recording?.let { isInFolder(it.file) } == true
         // Who looks at a log of the folder already, and has chosen its axis, goes on so.
@@ -232,6 +241,7 @@ internal class LayoutStore(
         val (place, layout) = change() ?: return
         val written = written(place, layout)
         saved = layout.copy(formulas = written.formulas)
+        isUnwritten = false
         try {
             withContext(Dispatchers.IO) { layouts.write(place, written) }
         } catch (e: IOException) {
@@ -251,7 +261,7 @@ internal class LayoutStore(
         // A recording that lacks a signal must not make all others forget it.
         val isAsSaved = board.kept.showsSame(placedFor(open))
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
-        return if (layout == saved) null else place to layout
+        return if (layout == saved && !isUnwritten) null else place to layout
     }
 
     /**
@@ -327,7 +337,7 @@ internal class LayoutStore(
 
     private companion object {
         const val PAUSE_MILLIS = 600L
-        val LONGEST = 10.seconds
+        val LONGEST = 3.seconds
     }
 }
 

@@ -92,11 +92,11 @@ class RobotRecordingSpec : FunSpec({
                 runOnUiThread { viewer.actions.perform(Action.MARK) }
                 waitFor { NotesFile.read(log).notes.map { it.text } == listOf("Mark 1") }
 
-                val here = viewer.current.recording!!.span.to
-                runOnUiThread { viewer.view.go { at(here / 2) } }
+                val (begin, here) = viewer.current.recording!!.span.run { from to to }
+                runOnUiThread { viewer.view.go { at((begin + here) / 2) } }
                 waitFor { !viewer.live.isStaying }
                 waitFor { viewer.current.recording!!.span.to > here + 0.5 }
-                viewer.view.cursors.pinned shouldBe here / 2
+                viewer.view.cursors.pinned shouldBe (begin + here) / 2
                 // A moment that somebody marks is now, wherever they look.
                 runOnUiThread { viewer.actions.perform(Action.MARK) }
                 waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
@@ -146,7 +146,6 @@ class RobotRecordingSpec : FunSpec({
                 waitFor { viewer.current.recording!!.signals.any { "Battery" in it.name && it.name.startsWith("NT:") } }
                 val topics = listOf(viewer.current.recording!!.signals.first { "Battery" in it.name && it.name.startsWith("NT:") }.name)
                 runOnUiThread { viewer.board.change { Board().withGraph(topics) } }
-                runOnUiThread { viewer.layouts.saveNow() }
                 onNodeWithText("Stop recording").performClick()
                 waitFor { !viewer.recording.state.isOn }
                 record("Record until stopped")
