@@ -52,8 +52,8 @@ import badlog.window.menu.Keyboard
 import badlog.window.robot.RecordedLog
 import badlog.window.robot.RobotLink
 import badlog.window.robot.RobotRecording
+import badlog.window.settings.OwnFiles
 import badlog.window.settings.Settings
-import badlog.window.settings.SettingsFile
 import badlog.window.settings.SettingsStore
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
@@ -96,7 +96,8 @@ internal class Viewer(
 ) {
     val tasks = LongTasks(scope, notices)
     val writes = FileWrites()
-    val settings = SettingsStore(SettingsFile(folders.settings.resolve(SettingsFile.NAME)), notices, kept)
+    private val own = OwnFiles(folders, notices)
+    val settings = SettingsStore(own, kept)
     val panels = WindowPanels()
     val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
@@ -121,7 +122,7 @@ internal class Viewer(
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
-    val layouts = LayoutStore(folders, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
+    val layouts = LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
     val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
@@ -159,7 +160,7 @@ internal class Viewer(
     val opener = LogOpener(library, loader, files, notices)
     val robot = RobotLink(
         scope,
-        KnownHosts(folders.settings.resolve("known_hosts")),
+        KnownHosts(folders.settings.resolve("known_hosts")) { scope.launch { own.cannotSave(it) } },
         notices,
         folder = { library.state.folder },
         show = loader::open,
@@ -217,6 +218,7 @@ internal class Viewer(
 
     /** Starts the background work of the window. */
     fun start() {
+        scope.launch { own.check() }
         scope.launch { layouts.autosave() }
         scope.launch { shown.run() }
         scope.launch { stations.run() }
@@ -307,7 +309,7 @@ internal class Viewer(
 
     /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
     private fun openSample() {
-        tasks.run("Opening the sample match", { SampleLog.unpackInto(folders.cache) }, loader::open)
+        tasks.run("Opening the sample match", { SampleLog.unpack(folders.cache) }, loader::open)
     }
 
     /** Closes the open log, which is in no folder of logs; so the window shows its welcome again. */

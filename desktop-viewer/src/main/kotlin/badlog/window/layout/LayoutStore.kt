@@ -2,7 +2,6 @@ package badlog.window.layout
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.core.analysis.Span
-import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FittedBoard
@@ -17,6 +16,7 @@ import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
+import badlog.window.settings.OwnFiles
 import badlog.window.sidebar.WindowPanels
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
@@ -37,7 +37,7 @@ import kotlin.time.TimeSource
  * thread.
  */
 internal class LayoutStore(
-    folders: UserFolders,
+    private val own: OwnFiles,
     private val library: Library,
     private val current: CurrentRecording,
     private val board: GraphBoard,
@@ -49,7 +49,7 @@ internal class LayoutStore(
     private val notices: Notices,
     private val whenShown: (() -> Unit) -> Unit,
 ) {
-    private val layouts = FolderLayouts(folders.settings.resolve("layouts"))
+    private val layouts = FolderLayouts(own.folders.settings.resolve("layouts"))
 
     // These two are also read by the thread on which a log is opened.
 
@@ -245,7 +245,7 @@ internal class LayoutStore(
         try {
             withContext(Dispatchers.IO) { layouts.write(place, written) }
         } catch (e: IOException) {
-            notices.complain("The layout cannot be saved: ${e.message}")
+            own.cannotSave(e)
         }
     }
 

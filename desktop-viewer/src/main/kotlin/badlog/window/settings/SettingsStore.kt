@@ -3,7 +3,6 @@ package badlog.window.settings
 import androidx.compose.runtime.snapshotFlow
 import badlog.files.writeAtomically
 import badlog.window.state.StateHolder
-import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.FlowPreview
 import kotlinx.coroutines.flow.collectLatest
@@ -56,11 +55,11 @@ internal class SettingsFile(private val file: Path) {
 /**
  * The user's settings.
  *
- * @param file stores them between starts.
- * @param kept the content of [file].
+ * @param own the files of badlog, of which one stores the settings between starts.
+ * @param kept the content of that file.
  */
-internal class SettingsStore(private val file: SettingsFile, private val notices: Notices, private val kept: Settings = Settings()) :
-    StateHolder<Settings>(kept) {
+internal class SettingsStore(private val own: OwnFiles, private val kept: Settings = Settings()) : StateHolder<Settings>(kept) {
+    private val file = SettingsFile(own.folders.settings.resolve(SettingsFile.NAME))
     private var written = kept
 
     /** Writes each change a moment after it was made, until cancelled. */
@@ -70,7 +69,7 @@ internal class SettingsStore(private val file: SettingsFile, private val notices
             withContext(Dispatchers.IO) { file.write(settings, written) }
             written = settings
         } catch (e: IOException) {
-            notices.complain("Your settings cannot be saved (${e.message}); make room on the disk of your home folder.")
+            own.cannotSave(e)
         }
     }
 

@@ -1,11 +1,23 @@
 package badlog.window.welcome
 
+import badlog.files.UnwritableFileException
 import badlog.files.writeAtomically
 import java.nio.file.Files
 import java.nio.file.Path
 
 /** The log of a match that comes with the window, for those who have no log yet. */
 internal object SampleLog {
+    /**
+     * Puts it into the folder [cache], or a temporary one if that cannot be written, and returns its file.
+     *
+     * @throws java.io.IOException if neither can be written.
+     */
+    fun unpack(cache: Path): Path = try {
+        unpackInto(cache)
+    } catch (_: UnwritableFileException) {
+        unpackInto(Files.createTempDirectory("badlog"))
+    }
+
     /**
      * Puts it into the folder [cache], unless it is there, and returns its file.
      *

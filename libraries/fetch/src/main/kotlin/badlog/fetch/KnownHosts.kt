@@ -1,8 +1,10 @@
 package badlog.fetch
 
+import badlog.files.UnwritableFileException
 import badlog.files.reading
 import badlog.files.writeAtomically
 import java.nio.file.Path
+import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.io.path.exists
 import kotlin.io.path.readLines
 
@@ -10,9 +12,14 @@ import kotlin.io.path.readLines
  * The host keys that a person trusted, stored in [file] in the format of OpenSSH's `known_hosts`. A key that was trusted at one address
  * is trusted at all others, since only that robot has it: over USB, nobody is asked again. Several keys may be trusted at one address,
  * since the robots of a team share it.
+ *
+ * @param whenNotStored is called, on any thread, if a key cannot be stored. If it returns, the key is trusted until the program ends.
  */
-class KnownHosts(private val file: Path) {
+class KnownHosts(private val file: Path, private val whenNotStored: (UnwritableFileException) -> Unit = { throw it }) {
     private class Line(val host: String, val key: String)
+
+    /** What [file] could not take. */
+    private val notStored = CopyOnWriteArrayList<String>()
 
     /** Returns whether the robot with [key] is known. */
     internal fun knows(key: String): Boolean = lines().any { it.key == key }
@@ -23,14 +30,20 @@ class KnownHosts(private val file: Path) {
     /**
      * Trusts [key] at [address] from now on.
      *
-     * @throws badlog.files.UnwritableFileException if it cannot be stored.
+     * @throws UnwritableFileException if it cannot be stored, unless [whenNotStored] returns.
      */
     internal fun trust(address: RobotAddress, key: String) {
-        val all = texts() + "${hostOf(address)} $key"
-        writeAtomically(file) { out -> out.write(all.joinToString("") { it + "\n" }.encodeToByteArray()) }
+        val line = "${hostOf(address)} $key"
+        val all = texts() + line
+        try {
+            writeAtomically(file) { out -> out.write(all.joinToString("") { it + "\n" }.encodeToByteArray()) }
+        } catch (e: UnwritableFileException) {
+            whenNotStored(e)
+            notStored += line
+        }
     }
 
-    private fun texts() = if (file.exists()) reading(file) { file.readLines() } else emptyList()
+    private fun texts() = (if (file.exists()) reading(file) { file.readLines() } else emptyList()) + notStored
 
     private fun lines() = texts().mapNotNull { text ->
         val words = text.trim().split(' ', limit = 2)

@@ -1,0 +1,48 @@
+package badlog.window.settings
+
+import badlog.files.UserFolders
+import badlog.window.files.obstacleTo
+import badlog.window.task.Notices
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The files in which badlog keeps what it needs at the next start. The window works without them; a single sentence says what is not kept.
+ * Use it only on the window's thread.
+ *
+ * @property folders the folders of these files.
+ */
+internal class OwnFiles(val folders: UserFolders, private val notices: Notices) {
+    private var isReported = false
+
+    /** Reports what cannot be kept, if a folder cannot be written. */
+    suspend fun check() {
+        val (settings, answers) = withContext(Dispatchers.IO) { obstacleTo(folders.settings) to obstacleTo(folders.answers) }
+        if (settings != null) isReported = true
+        val obstacles = listOfNotNull(settings, answers).distinct()
+        val lost = when {
+            obstacles.isEmpty() -> return
+            answers == null -> "Settings and layouts"
+            settings == null -> "What badlog knows of logs"
+            else -> "Settings, layouts and what badlog knows of logs"
+        }
+        notices.complain("$lost cannot be kept for the next start; ${obstacles.joinToString(" and ", transform = ::remedyFor)}.")
+    }
+
+    /** Reports that settings or layouts cannot be saved, which failed with [e], unless that was reported before. */
+    suspend fun cannotSave(e: IOException) {
+        if (!isReported) check()
+        if (isReported) return
+        isReported = true
+        notices.complain("Settings and layouts cannot be saved: ${e.message}")
+    }
+}
+
+private fun remedyFor(obstacle: Path) = if (Files.isDirectory(obstacle)) {
+    "change the permissions of $obstacle, so that you may write there"
+} else {
+    "rename the file $obstacle, which is in the place of a folder"
+}

@@ -1,0 +1,82 @@
+package badlog.window.settings
+
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.catalog.folder.putSamples
+import badlog.files.UserFolders
+import badlog.window.app.Viewer
+import badlog.window.app.ViewerScreen
+import badlog.window.theme.Theme
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.cancel
+import java.nio.file.Files
+
+@OptIn(ExperimentalTestApi::class)
+class OwnFilesSpec : FunSpec({
+    /** Does what is kept for the next start in a window with [folders], and returns what that says. */
+    fun saidWith(folders: UserFolders, steps: DesktopComposeUiTest.(Viewer) -> Unit = {}): List<String> {
+        val viewer = Viewer(MainScope(), folders)
+        try {
+            runDesktopComposeUiTest(1600, 800) {
+                setContent { ViewerScreen(viewer) }
+                viewer.start()
+                viewer.library.open(tempdir().toPath().also { it.putSamples() })
+                waitFor { viewer.current.recording != null && viewer.library.state.reading == null }
+                onNodeWithContentDescription("Theme: system").performClick()
+                steps(viewer)
+                rest()
+                viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
+                rest()
+            }
+            return viewer.notices.all.map { it.text }
+        } finally {
+            viewer.library.close()
+            viewer.scope.cancel()
+        }
+    }
+
+    test("a home folder that cannot be written is one sentence and a window in which all works") {
+        val home = Files.createFile(tempdir().toPath().resolve("home"))
+        saidWith(UserFolders(home.resolve(".config/badlog"), home.resolve(".cache/badlog"))) { viewer ->
+            viewer.settings.state.theme shouldBe Theme.DARK
+            onNodeWithText("Settings, layouts", substring = true).assertExists()
+            viewer.welcome.openSample()
+            waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag.gz" }
+        } shouldContainExactly listOf(
+            "Settings, layouts and what badlog knows of logs cannot be kept for the next start; " +
+                "rename the file $home, which is in the place of a folder.",
+        )
+    }
+
+    test("what of it can be written is not mentioned") {
+        val folder = tempdir().toPath()
+        val cache = Files.createFile(folder.resolve("cache"))
+        saidWith(UserFolders(folder.resolve("config/badlog"), cache)) shouldContainExactly
+            listOf("What badlog knows of logs cannot be kept for the next start; rename the file $cache, which is in the place of a folder.")
+        SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME)).read().theme shouldBe Theme.DARK
+    }
+
+    test("a file that cannot be replaced in a folder that can be written is said once, too") {
+        val home = tempdir().toPath()
+        Files.createDirectories(home.resolve("${SettingsFile.NAME}/in the way"))
+        val said = saidWith(UserFolders(home, home))
+        said.size shouldBe 1
+        said.single().startsWith("Settings and layouts cannot be saved: ${home.resolve(SettingsFile.NAME)} cannot be") shouldBe true
+    }
+})
+
+/** Waits until what has changed would have been saved. */
+@OptIn(ExperimentalTestApi::class)
+private fun DesktopComposeUiTest.rest() {
+    val begin = System.nanoTime()
+    waitFor { System.nanoTime() - begin > 1_500_000_000 }
+}
