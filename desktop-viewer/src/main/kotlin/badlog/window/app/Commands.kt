@@ -82,14 +82,20 @@ internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Com
 
 /** Moves the keyboard focus to the search field of the topics. */
 internal fun askForTopics(topics: TopicListing, panels: WindowPanels) {
-    panels.change { copy(topics = true, main = MainView.GRAPHS, front = FrontPart.TOPICS) }
-    topics.change { copy(searchesAsked = searchesAsked + 1) }
+    panels.change { withTopics().copy(main = MainView.GRAPHS, front = FrontPart.TOPICS) }
+    topics.change { copy(isSearchAsked = true) }
 }
 
 /** Moves the keyboard focus to the search field of the logs. */
 private fun askForSearch(library: Library, panels: WindowPanels) {
-    panels.change { if (main == MainView.LOGS || main == MainView.CHARTS) this else copy(library = true, front = FrontPart.LOGS) }
-    library.change { copy(searchesAsked = searchesAsked + 1) }
+    panels.change {
+        when (main) {
+            MainView.LOGS, MainView.CHARTS -> this
+            MainView.STATISTICS -> copy(library = true, front = FrontPart.LOGS)
+            else -> copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS)
+        }
+    }
+    library.change { copy(isSearchAsked = true) }
 }
 
 /** Returns the keys for playback. */

@@ -26,7 +26,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** The bar at the top of the window: which parts are open, what is shown, and the [menus]. */
+/** The bar at the top of the window: which parts are open, what is shown, and the [menus]; [showsTopics] says whether the topics are visible. */
 @Composable
 internal fun TopBar(
     panels: WindowPanels,
@@ -35,6 +35,7 @@ internal fun TopBar(
     notes: LogNotes,
     settings: SettingsStore,
     isNarrow: Boolean,
+    showsTopics: Boolean,
     menus: @Composable () -> Unit,
 ) {
     val open = panels.state
@@ -43,7 +44,7 @@ internal fun TopBar(
         horizontalArrangement = Arrangement.spacedBy(4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        if (!isNarrow) PanelButtons(panels)
+        if (!isNarrow) PanelButtons(panels, showsTopics)
         Text(
             current.recording?.label ?: "badlog",
             Modifier.weight(1f).padding(horizontal = 8.dp),
@@ -70,12 +71,12 @@ internal fun TopBar(
 }
 
 @Composable
-private fun PanelButtons(panels: WindowPanels) {
+private fun PanelButtons(panels: WindowPanels, showsTopics: Boolean) {
     ToolButton("Logs: the list at the left", Icons.List, isOn = panels.state.library) {
         panels.change { copy(library = !library) }
     }
-    ToolButton("Topics", Icons.Tree, isOn = panels.state.topics) {
-        panels.change { copy(topics = !topics) }
+    ToolButton("Topics", Icons.Tree, isOn = showsTopics) {
+        panels.change { if (showsTopics) copy(topics = false) else withTopics() }
     }
 }
 

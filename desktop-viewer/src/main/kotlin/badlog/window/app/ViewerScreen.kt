@@ -53,9 +53,11 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
     ViewerTheme(settings.state.theme) {
         keyboard.Watch {
             BoxWithConstraints(Modifier.fillMaxSize().acceptsFiles(::openDropped)) {
-                val isNarrow = maxWidth < NARROW
+                val width = maxWidth
+                val isNarrow = width < NARROW
+                val showsTopics = panels.state.showsTopics(isRoomy = PaneWidths.leaveHalf(width.value, panels.state.library))
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-                    TopBar(panels, current, findings, notes, settings, isNarrow) {
+                    TopBar(panels, current, findings, notes, settings, isNarrow, showsTopics) {
                         LayoutMenu(current, layouts, keptLayouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
@@ -66,7 +68,8 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         ArrivalBar(newLogs, ::showNewLog)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
-                        Body(panels.state, isNarrow, isWithoutLogs, settings, this@BoxWithConstraints.maxWidth, panesOf(viewer))
+                        // Topics come with a log.
+                        Body(panels.state.copy(topics = showsTopics && !isWithoutLogs), isNarrow, settings, width, panesOf(viewer))
                         val open = current.recording
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
@@ -106,11 +109,10 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
 }
 
 @Composable
-private fun Body(panels: Panels, isNarrow: Boolean, isWithoutLogs: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
+private fun Body(panels: Panels, isNarrow: Boolean, settings: SettingsStore, width: Dp, panes: Panes) {
     val all = Modifier.fillMaxSize()
     when {
-        // Topics come with a log.
-        !isNarrow -> WideBody(panels.copy(topics = panels.topics && !isWithoutLogs), settings, width, panes)
+        !isNarrow -> WideBody(panels, settings, width, panes)
 
         panels.main != MainView.GRAPHS -> panes.main(all)
 

@@ -18,7 +18,7 @@ import java.nio.file.Path
  * @property hasLooked whether the files have been listed.
  * @property trouble why the folder or a part of it cannot be read, as a sentence; null if all is well.
  * @property selected the file selected with the keyboard.
- * @property searchesAsked how often the keyboard requested the search field.
+ * @property isSearchAsked whether the keyboard is to go to the search field as soon as that is visible.
  */
 internal data class LibraryState(
     val folder: Path? = null,
@@ -29,7 +29,7 @@ internal data class LibraryState(
     val hasLooked: Boolean = false,
     val trouble: String? = null,
     val selected: Path? = null,
-    val searchesAsked: Int = 0,
+    val isSearchAsked: Boolean = false,
 ) {
     /** Everything known about the folder's files, in no particular order; including files that are not listed. */
     val entries: List<LogEntry> get() = listing.entries
@@ -54,11 +54,8 @@ internal data class LibraryState(
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
     /** Returns the state for another [folder], about which nothing is known yet, listed like this one. */
-    fun opening(folder: Path): LibraryState = LibraryState(
-        folder,
-        listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"),
-        searchesAsked = searchesAsked,
-    )
+    fun opening(folder: Path): LibraryState =
+        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"))
 
     /** Returns the same folder with [entries]. */
     fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))

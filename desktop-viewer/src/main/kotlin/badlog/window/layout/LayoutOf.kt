@@ -33,6 +33,7 @@ internal fun alignmentOf(layout: LayoutComparison): Alignment =
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,
+    keepsTopics = false,
     inspector = panels.inspector?.let { name -> InspectorTab.entries.find { it.name == name } },
     main = MainView.entries.find { it.name == panels.main } ?: now.main,
 )

@@ -43,12 +43,19 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
     private fun only(hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean) =
         PaneWidths(if (hasLogs) logs else 0f, if (hasTopics) topics else 0f, if (hasDetails) details else 0f)
 
-    private companion object {
-        val LEAST = PaneWidths(logs = 150f, topics = 140f, details = 200f)
-        const val GRAPHS = 400f
-        const val MOST = 1200f
+    companion object {
+        /**
+         * Whether topics and a panel on the right, of their default widths, leave the graphs at least half of a window [room] wide. The widths
+         * to which a person drags them do not count: no part may vanish under the pointer.
+         */
+        fun leaveHalf(room: Float, hasLogs: Boolean): Boolean =
+            PaneWidths().only(hasLogs, hasTopics = true, hasDetails = true).sum <= room / 2
+
+        private val LEAST = PaneWidths(logs = 150f, topics = 140f, details = 200f)
+        private const val GRAPHS = 400f
+        private const val MOST = 1200f
 
         /** A damaged file may have any number. */
-        fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
+        private fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
     }
 }

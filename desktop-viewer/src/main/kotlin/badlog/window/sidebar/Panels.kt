@@ -9,7 +9,8 @@ import badlog.window.theme.Icons
  * Which parts of the window are open.
  *
  * @property library whether the list of logs is open on the left.
- * @property topics whether the topics are open beside it.
+ * @property topics whether the topics are open beside it, see [showsTopics].
+ * @property keepsTopics whether they stay beside [inspector] where both leave the graphs little room, because a person has opened them there.
  * @property inspector the panel on the right, or null for none.
  * @property main the content of the middle.
  * @property front the visible part, if the window is too narrow for more than one.
@@ -21,6 +22,7 @@ import badlog.window.theme.Icons
 internal data class Panels(
     val library: Boolean = true,
     val topics: Boolean = true,
+    val keepsTopics: Boolean = false,
     val inspector: InspectorTab? = null,
     val main: MainView = MainView.GRAPHS,
     val front: FrontPart = FrontPart.GRAPHS,
@@ -32,18 +34,34 @@ internal data class Panels(
     /** Shows [view] in the middle, or the graphs if it is already shown. */
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
 
+    /**
+     * Whether the topics are visible beside the graphs: while a panel is open on the right, they are folded in a window that is not [isRoomy],
+     * unless a person has opened them there.
+     */
+    fun showsTopics(isRoomy: Boolean): Boolean = topics && (isRoomy || inspector == null || keepsTopics)
+
+    /** Shows the topics, also beside the panel on the right. */
+    fun withTopics(): Panels = copy(topics = true, keepsTopics = inspector != null)
+
     /** Hides everything beside the graphs, or shows again what was hidden so. */
     fun graphsAlone(): Panels = if (library || topics || inspector != null) {
         copy(
             library = false,
             topics = false,
+            keepsTopics = false,
             inspector = null,
             main = MainView.GRAPHS,
             front = FrontPart.GRAPHS,
             hidden = if (library || topics || hidden == null) copy(hidden = null) else hidden,
         )
     } else {
-        copy(library = hidden?.library ?: true, topics = hidden?.topics ?: true, inspector = hidden?.inspector, hidden = null)
+        copy(
+            library = hidden?.library ?: true,
+            topics = hidden?.topics ?: true,
+            keepsTopics = hidden?.keepsTopics == true,
+            inspector = hidden?.inspector,
+            hidden = null,
+        )
     }
 
     /** Opens [tab] on the right, or closes it if it is open. */
@@ -53,7 +71,7 @@ internal data class Panels(
     fun inspecting(tab: InspectorTab): Panels = copy(inspector = tab, front = FrontPart.DETAILS)
 
     /** Closes the panel on the right. */
-    fun withoutInspector(): Panels = copy(inspector = null, front = FrontPart.GRAPHS)
+    fun withoutInspector(): Panels = copy(inspector = null, keepsTopics = false, front = FrontPart.GRAPHS)
 }
 
 /**

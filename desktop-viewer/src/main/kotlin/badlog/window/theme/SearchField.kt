@@ -97,14 +97,14 @@ internal fun SearchField(
     }
 }
 
-/** Moves the keyboard focus to a field whenever a person has [asked] for it again; requests before the field existed do not count. */
+/** Moves the keyboard focus to a field when a person [hasAsked] for it, also if it was not visible until then; then calls [onMoved]. */
 @Composable
-internal fun rememberAskedFocus(asked: Int): FocusRequester {
+internal fun rememberAskedFocus(hasAsked: Boolean, onMoved: () -> Unit): FocusRequester {
     val focus = remember { FocusRequester() }
-    val before = remember { intArrayOf(asked) }
-    LaunchedEffect(asked) {
-        if (asked != before[0]) focus.requestFocus()
-        before[0] = asked
+    LaunchedEffect(hasAsked) {
+        if (!hasAsked) return@LaunchedEffect
+        focus.requestFocus()
+        onMoved()
     }
     return focus
 }

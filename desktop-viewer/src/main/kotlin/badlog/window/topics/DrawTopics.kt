@@ -43,7 +43,8 @@ internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: F
     if (signal.isEmpty) return
     if (current.recording?.isEvents(signal) == true) {
         events.change { EventFilter(topics = setOf(signal.name)) }
-        panels.change { inspecting(InspectorTab.EVENTS) }
+        // Whoever chooses topics goes on with that.
+        panels.change { inspecting(InspectorTab.EVENTS).withTopics() }
         return
     }
     val names = current.recording?.takeIf { !signal.isDerived }?.let { withCounterparts(it.view, signal.name) } ?: listOf(signal.name)

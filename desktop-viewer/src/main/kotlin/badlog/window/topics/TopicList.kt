@@ -10,7 +10,7 @@ import badlog.window.state.StateHolder
  * @property folded the paths of the closed folders; a search opens all folders.
  * @property known the paths of all folders that were listed so far.
  * @property marked the name of the signal or path with the keyboard focus, or null.
- * @property searchesAsked how often the search field was requested from the keyboard.
+ * @property isSearchAsked whether the keyboard is to go to the search field as soon as that is visible.
  * @property target the id of the graph to which a click adds a topic; null for a new graph.
  * @property selected the names of the selected signals, in the order of selection.
  */
@@ -20,12 +20,16 @@ internal data class TopicList(
     val known: Set<String> = emptySet(),
     val selected: List<String> = emptyList(),
     val marked: String? = null,
-    val searchesAsked: Int = 0,
+    val isSearchAsked: Boolean = false,
     val target: Int? = null,
 ) {
     /** Lists a log with [folders]. If there are many, new folders are closed at first; the others stay as the user left them. */
-    fun listing(folders: Set<String>): TopicList =
-        copy(folded = if (folders.size > MANY_FOLDERS) folded + (folders - known) else folded, known = known + folders, target = null)
+    fun listing(folders: Set<String>): TopicList = copy(
+        folded = if (folders.size > MANY_FOLDERS) folded + (folders - known) else folded,
+        known = known + folders,
+        isSearchAsked = false,
+        target = null,
+    )
 
     /** From now on, a click adds a topic to graph [id] or removes it; for null, it draws the topic in its own graph again. */
     fun adding(id: Int?): TopicList = copy(target = id)

@@ -104,7 +104,7 @@ internal fun TopicPane(
             if (offered != null) return board.change { withToggled(offered.graph) }
             open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
         }
-        val focus = rememberAskedFocus(list.searchesAsked)
+        val focus = rememberAskedFocus(list.isSearchAsked) { topics.change { copy(isSearchAsked = false) } }
         val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys, ::draw) }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {

@@ -141,7 +141,9 @@ class GraphWindowSpec : FunSpec({
             window.awaitState("the cursor at an event") { viewer ->
                 viewer.view.cursor?.let { cursor -> viewer.events.matching.x.any { it == cursor } } == true
             }
-            window.click("Search topics")
+            window.awaitNo("Search topics")
+            window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
+            window.awaitText("Search topics")
             window.type("voltage")
             window.awaitText("Topic System/Battery Voltage")
             window.awaitGraphs()
