@@ -326,7 +326,7 @@ internal class Viewer(
         if (library.state.folder == null) opener.askForFolder("Select a folder for the robot’s logs")
         if (library.state.folder == null) return
         panels.change { copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS) }
-        robot.change { copy(isShown = true, isAsked = true) }
+        robot.change { shown() }
     }
 
     /** The log that this window is recording now; null for none. */

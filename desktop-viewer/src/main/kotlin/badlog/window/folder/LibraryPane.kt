@@ -110,7 +110,7 @@ internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsS
         Row(verticalAlignment = Alignment.CenterVertically) {
             FolderMenu(library, settings, actions, Modifier.weight(1f))
             ToolButton("Logs from the robot", Icons.Robot, isOn = robot.state.isShown || robot.state.isOn) {
-                robot.change { copy(isShown = !isShown) }
+                robot.change { toggled() }
             }
             ToolButton("All logs as a table", Icons.Table) { actions.toggleTable() }
             ToolButton("Charts of these logs", Icons.Chart) { actions.toggleCharts() }

@@ -9,14 +9,12 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
@@ -36,6 +34,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
+import badlog.window.theme.rememberAskedFocus
 
 /** The connection to a robot: which one, its status, its questions, and whether it is recorded. */
 @Composable
@@ -45,14 +44,11 @@ internal fun RobotBar(link: RobotLink, recording: RobotRecording, settings: Sett
     val robot = settings.state.robot
     Column(Modifier.fillMaxWidth().padding(start = 8.dp, end = 8.dp, bottom = 6.dp), verticalArrangement = Arrangement.spacedBy(4.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            val focus = remember { FocusRequester() }
-            LaunchedEffect(state.isAsked) {
-                if (!state.isAsked) return@LaunchedEffect
-                focus.requestFocus()
-                link.change { copy(isAsked = false) }
-            }
+            val focus = rememberAskedFocus(state.isAsked) { link.change { copy(isAsked = false) } }
             val onEnter = Modifier.weight(1f).focusRequester(focus).entering { if (robot.isNotBlank()) link.connect(robot) }
-            SearchField(robot, "Team number or address", onEnter, Icons.Robot) { typed -> settings.change { copy(robot = typed) } }
+            SearchField(robot, "Team number or address", onEnter, Icons.Robot, isSelectedAtFirst = true) { typed ->
+                settings.change { copy(robot = typed) }
+            }
             if (state.isOn) {
                 ToolButton("Disconnect from the robot", text = "Disconnect") { link.disconnect() }
             } else {

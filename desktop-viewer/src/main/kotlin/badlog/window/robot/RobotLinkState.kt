@@ -39,6 +39,12 @@ internal data class RobotLinkState(
     val coming: ComingLog? = null,
     val question: RobotQuestion? = null,
 ) {
+    /** Shows the connection, with the keyboard in the field of the robot's number. */
+    fun shown(): RobotLinkState = copy(isShown = true, isAsked = true)
+
+    /** Shows the connection, or hides it. */
+    fun toggled(): RobotLinkState = if (isShown) copy(isShown = false, isAsked = false) else shown()
+
     /** Returns the state with only a new [status]. */
     fun saying(status: String, isTrouble: Boolean = false): RobotLinkState =
         copy(status = status, isTrouble = isTrouble, mayBeEnabled = false, coming = null, question = null)

@@ -18,7 +18,9 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
@@ -33,7 +35,9 @@ import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.password
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.PasswordVisualTransformation
+import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.text.input.VisualTransformation
 import androidx.compose.ui.unit.dp
 
@@ -42,6 +46,7 @@ import androidx.compose.ui.unit.dp
  * and releases the keyboard focus.
  *
  * @param isSecret whether the text is hidden.
+ * @param isSelectedAtFirst whether what is typed first replaces the text.
  */
 @Composable
 internal fun SearchField(
@@ -50,16 +55,22 @@ internal fun SearchField(
     modifier: Modifier = Modifier,
     icon: ImageVector = Icons.Search,
     isSecret: Boolean = false,
+    isSelectedAtFirst: Boolean = false,
     onChange: (String) -> Unit,
 ) {
     val palette = LocalPalette.current
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
     val isFocused by interactions.collectIsFocusedAsState()
+    var edited by remember { mutableStateOf(TextFieldValue(text, TextRange(0, if (isSelectedAtFirst) text.length else 0))) }
     // The whole area is the field: a click beside the text must give it the keyboard focus, or else typing would run commands.
     BasicTextField(
-        text,
-        onChange,
+        edited.copy(text = text),
+        { typed ->
+            val isChanged = typed.text != edited.text || typed.text != text
+            edited = typed
+            if (isChanged) onChange(typed.text)
+        },
         modifier
             .onPreviewKeyEvent {
                 val leaves = it.type == KeyEventType.KeyDown && it.key == Key.Escape

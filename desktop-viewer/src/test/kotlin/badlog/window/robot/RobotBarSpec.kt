@@ -6,6 +6,7 @@ import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.assert
+import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.performClick
@@ -143,6 +144,19 @@ class RobotBarSpec : FunSpec({
                     folder.resolve(".badlog-fetched.jsonl").readText() shouldNotContain "secret"
                 }
             }
+        }
+    }
+
+    test("the field has the keyboard whenever it opens, and what is typed takes the place of the robot of last time") {
+        beside(RobotAddress::of, tempdir().toPath()) { viewer ->
+            onNodeWithContentDescription("Team number or address").assertIsFocused()
+            onNodeWithContentDescription("Team number or address").performTextInput("1014")
+            repeat(2) { onNodeWithContentDescription("Logs from the robot").performClick() }
+            onNodeWithContentDescription("Team number or address").assertIsFocused()
+            onNodeWithContentDescription("Team number or address").performTextInput("254")
+            runOnIdle { viewer.settings.state.robot shouldBe "254" }
+            onNodeWithContentDescription("Team number or address").performTextInput("1")
+            runOnIdle { viewer.settings.state.robot shouldBe "2541" }
         }
     }
 
