@@ -148,6 +148,7 @@ internal class Viewer(
         fields,
         live,
     )
+    private val places = PlacesInLogs(topics, board, graphs.list)
     private val watcher = RecordingWatcher(
         notices,
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
@@ -239,12 +240,14 @@ internal class Viewer(
     /** Shows [recording], which was just read, in one step for all observers. */
     fun show(recording: OpenRecording) = Snapshot.withMutableSnapshot {
         layouts.keepArranged()
+        current.recording?.let { places.leave(it.file) }
         // What changed while the file was read follows, see ShownRecordings.
         current.replace(recording)
         formulas.replaceAll(layouts.formulasFor(recording.file, recording.layout))
         topics.change { listing(foldersOf(recording.signals)) }
         compared.share(recording)
         layouts.showGraphs(recording, isGrowing = recording.file == recordedNow())
+        places.enter(recording.file)
         view.show(recording.span)
         live.opened()
         panels.change { copy(front = FrontPart.GRAPHS) }
@@ -317,6 +320,7 @@ internal class Viewer(
         loader.stop()
         compared.clear()
         formulas.closeSheet()
+        current.recording?.let { places.close(it.file) }
         current.close()
         board.replace(Board())
         panels.change { copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) }

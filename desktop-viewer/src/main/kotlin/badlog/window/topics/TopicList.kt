@@ -1,5 +1,6 @@
 package badlog.window.topics
 
+import androidx.compose.foundation.lazy.LazyListState
 import badlog.viewer.shown.outline.MANY_FOLDERS
 import badlog.window.state.StateHolder
 
@@ -62,4 +63,7 @@ internal data class TopicList(
 }
 
 /** The state of the window's list of topics. */
-internal class TopicListing : StateHolder<TopicList>(TopicList())
+internal class TopicListing : StateHolder<TopicList>(TopicList()) {
+    /** How far the list is scrolled, also while it is folded. */
+    val list = LazyListState()
+}

@@ -16,7 +16,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
-import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.shape.RoundedCornerShape
@@ -70,6 +69,7 @@ import badlog.window.theme.ToolButton
 import badlog.window.theme.rememberAskedFocus
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import java.nio.file.Path
 
 /**
  * The topics of the open recording by folder.
@@ -94,11 +94,13 @@ internal fun TopicPane(
         val open = current.recording
         val found = topicsWithFindings()
         val shown by produceState<ShownRows?>(null, open, list.query, list.folded, found) {
-            value = open?.let { withContext(Dispatchers.Default) { ShownRows(list.query, it.rowsOf(list, found)) } }
+            value = open?.let { withContext(Dispatchers.Default) { ShownRows(it.file, list.query, it.rowsOf(list, found)) } }
         }
-        val rows = shown?.rows
+        // Those of another log would lose the place to which this one is scrolled.
+        val ofThis = { shown?.takeIf { it.file == open?.file } }
+        val rows = ofThis()?.rows
         // A key may come before the rows of what was typed are shown.
-        val rowsOfKeys = { shown?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
+        val rowsOfKeys = { ofThis()?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
         fun draw(name: String) {
             val offered = rowsOfKeys().firstOrNull { it is GraphRow && it.name == name } as GraphRow?
             if (offered != null) return board.change { withToggled(offered.graph) }
@@ -123,8 +125,8 @@ internal fun TopicPane(
     }
 }
 
-/** The rows of a list that is searched for [query]. */
-private class ShownRows(val query: String, val rows: List<TopicRow>)
+/** The rows of the log in [file], which are searched for [query]. */
+private class ShownRows(val file: Path, val query: String, val rows: List<TopicRow>)
 
 private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(
     signals,
@@ -178,7 +180,7 @@ private fun Rows(
     // As in graphs: with several recordings, each line has a color per recording.
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
-    val state = rememberLazyListState()
+    val state = topics.list
     KeepInSight(state, listed.indexOfFirst { it.name != null && it.name == topics.state.marked })
     BoxWithConstraints(modifier.fillMaxSize()) {
         val showsValues = maxWidth >= ROOMY
