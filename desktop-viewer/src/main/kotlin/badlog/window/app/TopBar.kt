@@ -12,6 +12,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.window.findings.LogFindings
 import badlog.window.log.CurrentRecording
@@ -26,7 +27,12 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** The bar at the top of the window: which parts are open, what is shown, and the [menus]; [showsTopics] says whether the topics are visible. */
+/**
+ * The bar at the top of the window: which parts are open, what is shown, and the [menus].
+ *
+ * @param width the width of the window: in a wide one, each icon has a word beside it.
+ * @param showsTopics whether the topics are visible.
+ */
 @Composable
 internal fun TopBar(
     panels: WindowPanels,
@@ -34,17 +40,19 @@ internal fun TopBar(
     findings: LogFindings,
     notes: LogNotes,
     settings: SettingsStore,
-    isNarrow: Boolean,
+    width: Dp,
     showsTopics: Boolean,
     menus: @Composable () -> Unit,
 ) {
     val open = panels.state
+    val isNarrow = width < NARROW
+    val hasLabels = width >= LABELED
     Row(
         Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        if (!isNarrow) PanelButtons(panels, showsTopics)
+        if (!isNarrow) PanelButtons(panels, showsTopics, hasLabels)
         Text(
             current.recording?.label ?: "badlog",
             Modifier.weight(1f).padding(horizontal = 8.dp),
@@ -52,33 +60,36 @@ internal fun TopBar(
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
-        if (!isNarrow) InspectorTabs(current, findings, notes, panels)
-        ToolButton("Statistics across logs", Icons.Compare, isOn = open.main == MainView.STATISTICS) {
+        if (!isNarrow) InspectorTabs(current, findings, notes, panels, hasLabels)
+        ToolButton("Statistics across logs", Icons.Compare, "Across logs".takeIf { hasLabels }, isOn = open.main == MainView.STATISTICS) {
             panels.change { toggled(MainView.STATISTICS) }
         }
-        ToolButton("Charts of the folder’s logs", Icons.Chart, isOn = open.main == MainView.CHARTS) {
+        ToolButton("Charts of the folder’s logs", Icons.Chart, "Charts".takeIf { hasLabels }, isOn = open.main == MainView.CHARTS) {
             panels.change { toggled(MainView.CHARTS) }
         }
         menus()
         val isSystemDark = isSystemInDarkTheme()
-        ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun) {
+        ToolButton("Theme: ${settings.state.theme.name.lowercase()}", Icons.Sun, "Theme".takeIf { hasLabels }) {
             settings.change { copy(theme = theme.other(isSystemDark)) }
         }
-        ToolButton("Keys and gestures", Icons.Help, isOn = open.help) {
+        ToolButton("Keys and gestures", Icons.Help, "Keys".takeIf { hasLabels }, isOn = open.help) {
             panels.change { copy(help = !help) }
         }
     }
 }
 
 @Composable
-private fun PanelButtons(panels: WindowPanels, showsTopics: Boolean) {
-    ToolButton("Logs: the list at the left", Icons.List, isOn = panels.state.library) {
+private fun PanelButtons(panels: WindowPanels, showsTopics: Boolean, hasLabels: Boolean) {
+    ToolButton("Logs: the list at the left", Icons.List, "Logs".takeIf { hasLabels }, isOn = panels.state.library) {
         panels.change { copy(library = !library) }
     }
-    ToolButton("Topics", Icons.Tree, isOn = showsTopics) {
+    ToolButton("Topics", Icons.Tree, "Topics".takeIf { hasLabels }, isOn = showsTopics) {
         panels.change { if (showsTopics) copy(topics = false) else withTopics() }
     }
 }
+
+/** From this width, the bar has room for all words beside the name of the log. */
+private val LABELED = 1700.dp
 
 /** The bar at the bottom of a narrow window: which of its parts is visible. */
 @Composable

@@ -57,7 +57,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                 val isNarrow = width < NARROW
                 val showsTopics = panels.state.showsTopics(isRoomy = PaneWidths.leaveHalf(width.value, panels.state.library))
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-                    TopBar(panels, current, findings, notes, settings, isNarrow, showsTopics) {
+                    TopBar(panels, current, findings, notes, settings, width, showsTopics) {
                         LayoutMenu(current, layouts, keptLayouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }
@@ -202,4 +202,4 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 
 /** Below this, three lists would leave no room for the graphs. */
-private val NARROW = 1100.dp
+internal val NARROW = 1100.dp

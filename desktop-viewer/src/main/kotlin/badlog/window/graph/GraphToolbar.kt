@@ -2,6 +2,7 @@ package badlog.window.graph
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -27,34 +28,39 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import badlog.window.video.PlaybackButtons
 
-/** The toolbar of the graphs: visible range, playback, and height. */
+/** The toolbar of the graphs: visible range, playback, and height. In a wide one, each icon has a word beside it. */
 @Composable
 internal fun GraphToolbar(scene: GraphScene) {
-    FlowRow(
-        Modifier.fillMaxWidth().background(LocalPalette.current.surface).padding(horizontal = 8.dp, vertical = 2.dp),
-        horizontalArrangement = Arrangement.spacedBy(12.dp),
-        itemVerticalAlignment = Alignment.CenterVertically,
-    ) {
-        ViewButtons(scene.current, scene.view)
-        LiveButton(scene.live)
-        PlaybackButtons(scene.player, isEnabled = scene.current.recording != null)
-        HeightButtons(scene.settings)
-        BoardButtons(scene.board)
+    BoxWithConstraints(Modifier.fillMaxWidth().background(LocalPalette.current.surface)) {
+        val hasLabels = maxWidth >= LABELED
+        FlowRow(
+            Modifier.padding(horizontal = 8.dp, vertical = 2.dp),
+            horizontalArrangement = Arrangement.spacedBy(12.dp),
+            itemVerticalAlignment = Alignment.CenterVertically,
+        ) {
+            ViewButtons(scene.current, scene.view, hasLabels)
+            LiveButton(scene.live)
+            PlaybackButtons(scene.player, isEnabled = scene.current.recording != null, hasLabels)
+            HeightButtons(scene.settings, hasLabels)
+            BoardButtons(scene.board, hasLabels)
+        }
     }
 }
 
 @Composable
-private fun ViewButtons(current: CurrentRecording, view: AxisView) {
+private fun ViewButtons(current: CurrentRecording, view: AxisView, hasLabels: Boolean) {
     // The view changes with every turn of the wheel, but the buttons hardly ever.
     val isZoomed by remember(view) { derivedStateOf { view.viewport.isZoomed } }
     val hasHistory by remember(view) { derivedStateOf { view.viewport.canGoBack } }
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton("Show everything (0)", text = "All", isEnabled = isZoomed) { view.change { reset() } }
-        ToolButton("Previous view (Backspace)", Icons.Back, isEnabled = hasHistory) {
+        ToolButton("Previous view (Backspace)", Icons.Back, "Previous".takeIf { hasLabels }, isEnabled = hasHistory) {
             view.change { back() }
         }
-        ToolButton("Zoom out (-)", Icons.Remove, isEnabled = isZoomed) { view.change { zoomed(-1, view.cursor) } }
-        ToolButton("Zoom in (+)", Icons.Add) { view.change { zoomed(1, view.cursor) } }
+        ToolButton("Zoom out (-)", Icons.Remove, "Zoom out".takeIf { hasLabels }, isEnabled = isZoomed) {
+            view.change { zoomed(-1, view.cursor) }
+        }
+        ToolButton("Zoom in (+)", Icons.Add, "Zoom in".takeIf { hasLabels }) { view.change { zoomed(1, view.cursor) } }
         if (current.recording?.enabled.orEmpty().isNotEmpty()) {
             ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") {
                 view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
@@ -73,22 +79,24 @@ private fun LiveButton(live: LiveView) {
 }
 
 @Composable
-private fun BoardButtons(board: GraphBoard) {
+private fun BoardButtons(board: GraphBoard, hasLabels: Boolean) {
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Undo (${Action.UNDO.shortcut})", Icons.Undo, isEnabled = board.canUndo) { board.undo() }
-        ToolButton("Redo (${Action.REDO.shortcut})", Icons.Redo, isEnabled = board.canRedo) { board.redo() }
+        ToolButton("Undo (${Action.UNDO.shortcut})", Icons.Undo, "Undo".takeIf { hasLabels }, isEnabled = board.canUndo) { board.undo() }
+        ToolButton("Redo (${Action.REDO.shortcut})", Icons.Redo, "Redo".takeIf { hasLabels }, isEnabled = board.canRedo) { board.redo() }
         ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
     }
 }
 
 @Composable
-private fun HeightButtons(settings: SettingsStore) {
+private fun HeightButtons(settings: SettingsStore, hasLabels: Boolean) {
     val state = settings.state
+    val isShortest = state.graphHeight <= BoardGraph.HEIGHTS.first
+    val isTallest = state.graphHeight >= BoardGraph.HEIGHTS.last
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Shorter graphs (Ctrl+Shift+wheel)", Icons.Shrink, isEnabled = state.graphHeight > BoardGraph.HEIGHTS.first) {
+        ToolButton("Shorter graphs (Ctrl+Shift+wheel)", Icons.Shrink, "Shorter".takeIf { hasLabels }, isEnabled = !isShortest) {
             setGraphHeight(settings, state.graphHeight - HEIGHT_STEP)
         }
-        ToolButton("Taller graphs (Ctrl+Shift+wheel)", Icons.Grow, isEnabled = state.graphHeight < BoardGraph.HEIGHTS.last) {
+        ToolButton("Taller graphs (Ctrl+Shift+wheel)", Icons.Grow, "Taller".takeIf { hasLabels }, isEnabled = !isTallest) {
             setGraphHeight(settings, state.graphHeight + HEIGHT_STEP)
         }
         ToolButton("Share the window's height among few graphs", text = "Fit", isOn = state.fitsGraphs) {
@@ -101,5 +109,8 @@ private fun HeightButtons(settings: SettingsStore) {
 internal fun setGraphHeight(settings: SettingsStore, height: Int) {
     settings.change { copy(graphHeight = height.coerceIn(BoardGraph.HEIGHTS), fitsGraphs = false) }
 }
+
+/** From this width, it has room for all words in a single line. */
+private val LABELED = 1020.dp
 
 private const val HEIGHT_STEP = 25

@@ -127,9 +127,9 @@ internal fun PanelHint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
-/** Opens and closes the panels on the right; each button shows how much is in its panel. */
+/** Opens and closes the panels on the right; each button shows how much is in its panel, and its title if it [hasLabels]. */
 @Composable
-internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels) {
+internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels, hasLabels: Boolean) {
     val open = current.recording ?: return
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
@@ -143,7 +143,7 @@ internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, not
             ToolButton(
                 if (count == null) tab.title else "${tab.title}: $count",
                 tab.icon,
-                text = count?.takeIf { it > 0 }?.toString(),
+                text = listOfNotNull(tab.title.takeIf { hasLabels }, count?.takeIf { it > 0 }).joinToString(" ").ifEmpty { null },
                 isOn = panels.state.inspector == tab,
                 color = if (hasErrors) palette.error else palette.text,
             ) { panels.change { toggled(tab) } }

@@ -7,14 +7,15 @@ import badlog.viewer.text.exactText
 import badlog.window.theme.Icons
 import badlog.window.theme.ToolButton
 
-/** Play, speed and loop. */
+/** Play, speed and loop; if it [hasLabels], each icon has a word beside it. */
 @Composable
-internal fun PlaybackButtons(player: Player, isEnabled: Boolean) {
+internal fun PlaybackButtons(player: Player, isEnabled: Boolean, hasLabels: Boolean) {
     val playback = player.state
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton(
             if (playback.isPlaying) "Pause (Space)" else "Play: moves the cursor (Space)",
             if (playback.isPlaying) Icons.Pause else Icons.Play,
+            (if (playback.isPlaying) "Pause" else "Play").takeIf { hasLabels },
             isOn = playback.isPlaying,
             isEnabled = isEnabled,
         ) { player.toggle() }
@@ -27,7 +28,7 @@ internal fun PlaybackButtons(player: Player, isEnabled: Boolean) {
         ToolButton("Faster (>)", text = "›", isEnabled = playback.speed < Playback.SPEEDS.last()) {
             player.change { faster(1) }
         }
-        ToolButton("Loop the selection, or the visible range (L)", Icons.Loop, isOn = playback.loops) {
+        ToolButton("Loop the selection, or the visible range (L)", Icons.Loop, "Loop".takeIf { hasLabels }, isOn = playback.loops) {
             player.toggleLoop()
         }
     }

@@ -1,0 +1,79 @@
+package badlog.window.app
+
+import androidx.compose.ui.test.DesktopComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.getBoundsInRoot
+import androidx.compose.ui.test.hasContentDescription
+import androidx.compose.ui.test.hasText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.width
+import badlog.catalog.folder.samples
+import badlog.files.UserFolders
+import badlog.window.log.OpenRecording
+import badlog.window.sidebar.InspectorTab
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.comparables.shouldBeGreaterThan
+import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+
+@OptIn(ExperimentalTestApi::class)
+class LabelsSpec : FunSpec({
+    val match = OpenRecording.read(samples.resolve("qualification-42.bag").toAbsolutePath().normalize(), null)
+
+    fun inWindow(width: Int, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
+        val home = tempdir().toPath()
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        viewer.show(match)
+        runDesktopComposeUiTest(width, 1080) {
+            setContent { ViewerScreen(viewer) }
+            steps(viewer)
+        }
+    }
+
+    /** The buttons of the bar at the top and of that above the graphs, by their words, except those that show more than these. */
+    val words = mapOf(
+        "Logs: the list at the left" to "Logs",
+        "Topics" to "Topics",
+        "Statistics" to "Statistics",
+        "Values" to "Values",
+        "Video" to "Video",
+        "Statistics across logs" to "Across logs",
+        "Charts of the folder’s logs" to "Charts",
+        "Theme: system" to "Theme",
+        "Keys and gestures" to "Keys",
+        "Previous view (Backspace)" to "Previous",
+        "Zoom out (-)" to "Zoom out",
+        "Zoom in (+)" to "Zoom in",
+        "Play: moves the cursor (Space)" to "Play",
+        "Loop the selection, or the visible range (L)" to "Loop",
+        "Shorter graphs (Ctrl+Shift+wheel)" to "Shorter",
+        "Taller graphs (Ctrl+Shift+wheel)" to "Taller",
+        "Undo (Ctrl+Z)" to "Undo",
+        "Redo (Ctrl+Shift+Z)" to "Redo",
+    )
+
+    test("in a wide window, each icon has a word beside it, and all of them fit") {
+        inWindow(1920) {
+            for ((button, word) in words) onNode(hasContentDescription(button) and hasText(word)).assertExists()
+            for (tab in InspectorTab.entries) onNodeWithText(tab.title, substring = true, useUnmergedTree = true).assertExists()
+            onNodeWithContentDescription("Keys and gestures").getBoundsInRoot().run { right shouldBeLessThan 1920.dp }
+            onNodeWithText(match.label).getBoundsInRoot().width shouldBeGreaterThan 260.dp
+            onNodeWithContentDescription("Redo (Ctrl+Shift+Z)").getBoundsInRoot().top shouldBe
+                onNodeWithContentDescription("Zoom in (+)").getBoundsInRoot().top
+        }
+    }
+
+    test("on a laptop, there are only the icons, whose tooltips say the same") {
+        inWindow(1366) {
+            for ((button, word) in words) {
+                onNodeWithContentDescription(button).assertExists()
+                onNode(hasContentDescription(button) and hasText(word)).assertDoesNotExist()
+            }
+        }
+    }
+})
