@@ -19,6 +19,7 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.input.key.utf16CodePoint
 import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
@@ -94,6 +95,7 @@ internal class Keyboard {
      * presses the button. Escape closes the open menu, and a context menu hears its keys. For `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
+        if (event.isDigitWithCtrl) return true
         if (event.key == Key.Tab && event.type == KeyEventType.KeyDown) showsFocus = true
         if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
         if (event.type == KeyEventType.KeyDown && menus.heard(event.key)) return true
@@ -109,6 +111,10 @@ internal class Keyboard {
         )
     }
 }
+
+/** Whether it is the character that some systems report after Ctrl and a digit were pressed: a field would take it for text. */
+private val KeyEvent.isDigitWithCtrl: Boolean
+    get() = type == KeyEventType.Unknown && isCtrlPressed && utf16CodePoint in '0'.code..'9'.code
 
 /**
  * A keyboard command, as listed in the help.

@@ -146,6 +146,11 @@ class GraphWindowSpec : FunSpec({
             window.awaitText("Search topics")
             window.type("voltage")
             window.awaitText("Topic System/Battery Voltage")
+            window.press(KeyEvent.VK_2, KeyEvent.VK_CONTROL)
+            window.awaitState("the metadata") { it.panels.state.inspector == InspectorTab.VALUES }
+            window.press(KeyEvent.VK_1, KeyEvent.VK_CONTROL)
+            window.awaitState("the events") { it.panels.state.inspector == InspectorTab.EVENTS }
+            window.look { it.topics.state.query } shouldBe "voltage"
             window.awaitGraphs()
             window.picture("events-and-topics")
             val before = window.look { viewer -> viewer.board.state.graphs.sumOf { it.lines.size } }
