@@ -8,7 +8,6 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.Base64
 import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
@@ -116,22 +115,16 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    fun fake(files: Map<String, ByteArray>) = "window.folder = {${files.entries.joinToString { (name, bytes) ->
-        "'$name': new File([Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bytes)}'), c => c.charCodeAt(0))], '$name', {lastModified: 1})"
-    }}};"
-
     browserTest("a folder that the browser lets the page look into again shows new logs, those that grew, and none that is gone") {
-        val picker = "window.keepsTime = true; window.showDirectoryPicker = async () => ({name: 'pit', values: async function* () {" +
-            "for (const [name, file] of Object.entries(window.folder)) yield {kind: 'file', name, getFile: async () => file} }})"
-        onPage(page, state = "empty", script = fake(mapOf("one.bag" to log(11))) + picker) {
+        onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
             element("#open-folder").click()
             await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
             texts(".page-head h1") shouldContainExactly listOf("pit")
-            script(fake(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
+            script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
             await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
             // It is read when it has stopped growing, so not at the first look.
             await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
-            script(fake(mapOf("two.bag" to log(12))))
+            script(putIntoFolder(mapOf("two.bag" to log(12))))
             await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
         }
     }

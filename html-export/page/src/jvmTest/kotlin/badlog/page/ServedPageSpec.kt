@@ -136,6 +136,36 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
+    browserTest("a log that the robot has finished is fetched, and announced with the worst in it") {
+        val logs = folder("arriving/logs") { (it / "bench.bag").writeBytes(bag) }
+        withRobot(logs) { address ->
+            onServedPage(address, Screen.PHONE) {
+                awaitList()
+                // The list is asked for again every 15 s, from the moment when it is shown.
+                script("const set = window.setTimeout; window.keepsTime = true; window.setTimeout = (work, delay, ...more) => set(work, Math.min(delay, 200), ...more)")
+                for (isShown in listOf(false, true)) {
+                    elements("[data-column='FILE'] button")[0].click()
+                    awaitLog("bench.bag")
+                    if (isShown) continue
+                    element("#go-back").click()
+                    awaitList()
+                }
+                SAMPLES.resolve("qualification-42.bag").copyTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
+                await("the news") { texts(".arrival p").single() != "" }
+                texts(".arrival p").single() shouldContain "Qualification 42 arrived: "
+                texts(".arrival p").single() shouldContain "Browned out at 1:3"
+                texts(".page-title h1") shouldContainExactly listOf("bench.bag")
+                keepScreenshot("served-arrival-phone")
+                element("#show-arrival").click()
+                awaitLog("Qualification 42")
+                element("#go-back").click()
+                awaitList()
+                column("FILE").size shouldBe 2
+                column("BATTERY") shouldContain "6.73 V"
+            }
+        }
+    }
+
     browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
         val options = LogServerOptions()
         val folder = folder("broken/logs") {

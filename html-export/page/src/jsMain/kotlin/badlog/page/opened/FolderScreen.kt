@@ -10,13 +10,12 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.rules.RuleSet
 import badlog.rules.toJson
+import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
-import org.w3c.files.File
-import kotlin.js.Promise
 
 /**
  * The logs of a folder: what their names say at once, the rest as they are read.
@@ -24,7 +23,7 @@ import kotlin.js.Promise
  * @param logs the logs; those that turn out to be none are not listed.
  * @param rules those that run over each.
  * @param settings returns what can be changed on every page.
- * @param again promises the files that are in the folder now, see [WatchedFolder]; null for a folder that can be looked into once.
+ * @param again the same folder; null if the page can look into it once.
  * @param onLeave called when a person wants something else.
  * @param onOpen called with the log to open, those to compare with it, and whether to show the worst that was found.
  */
@@ -32,7 +31,7 @@ internal class FolderScreen(
     logs: List<OpenedLog>,
     name: String,
     rules: RuleSet,
-    private val again: (() -> Promise<List<File>>)?,
+    again: FolderAgain?,
     private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
     private val onOpen: (OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) -> Unit,
@@ -48,10 +47,17 @@ internal class FolderScreen(
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
-    private var lookTimer = 0
+    private val watch = again?.let { FolderWatch(it, known, ::renew) }
 
-    /** The logs that had changed when the folder was last looked into. */
-    private val growing = HashSet<String>()
+    /** The logs that have changed since the folder was opened. */
+    private val fresh = HashSet<String>()
+    private var seen = ""
+    private val arrived = ArrivedLogs {
+        keep(it)
+        reading.start()
+    }
+    private var arrivals = Arrivals<OpenedLog>()
+    private val bar = ArrivalBar(::showArrival) { change(arrivals.dealtWith()) }
     private lateinit var tools: HTMLElement
     private lateinit var progress: HTMLElement
     private lateinit var compare: HTMLElement
@@ -90,6 +96,10 @@ internal class FolderScreen(
 
     init {
         show()
+        if (watch != null) {
+            arrivals = arrivals.begun(logs.associate { it.path to it.size })
+            bar.start()
+        }
         cache.find(logs, { log, message ->
             val known = SummaryMessage.read(message, log)
             unread -= log.path
@@ -107,8 +117,8 @@ internal class FolderScreen(
     fun resume() {
         tools.appendChild(settings())
         isShown = true
+        watch?.start()
         if (isCacheRead) reading.start()
-        lookAgain()
     }
 
     /** Returns whether [log] is one of its logs. */
@@ -121,12 +131,25 @@ internal class FolderScreen(
         listing = listing.copy(entries = known.values.toList())
     }
 
-    /** Stops reading, because a log is being read that a person wants to see. */
+    /** Remembers that a person sees [log], which is no news even if rules have not run over it. */
+    fun see(log: OpenedLog) {
+        seen = log.path
+        change(arrivals)
+    }
+
+    /** Stops reading, because a log is being read that a person wants to see. Logs that arrive are read when that is shown. */
     fun pause() {
         isShown = false
-        window.clearTimeout(lookTimer)
         reading.stop()
-        for (log in known.values) if (log.isUnread) unread += log.path
+        for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
+    }
+
+    /** Ends it: something else is shown, and will be. */
+    fun end() {
+        pause()
+        watch?.stop()
+        arrived.stop()
+        bar.stop()
     }
 
     private fun HTMLElement.addSearch() {
@@ -146,37 +169,41 @@ internal class FolderScreen(
         add("span", "", label)
     }
 
-    /** Looks for new logs and for those that have grown, from time to time while the list is shown. */
-    private fun lookAgain() {
-        val look = again ?: return
-        window.clearTimeout(lookTimer)
-        lookTimer = window.setTimeout({
-            // What cannot be listed now is looked for again later.
-            look().then({ if (isShown) renew(OpenedLog.logsIn(it)) }, {}).then { if (isShown) lookAgain() }
-        }, LOOK_PAUSE)
+    private fun renew(look: FolderLook) {
+        known -= look.gone
+        checked -= look.gone
+        for (log in look.changed) known[log.path] = log
+        for (path in look.changed.map { it.path } + look.gone) {
+            unread -= path
+            arrived.remove(path)
+        }
+        val (here, elsewhere) = look.complete.mapNotNull(known::get).partition { it.isHere }
+        here.mapTo(unread) { it.path }
+        elsewhere.filter(arrivals::isNew).forEach(arrived::add)
+        fresh += look.complete
+        arrived.fetch()
+        reading.start()
+        if (look.isSame) return
+        follow()
+        showLater()
     }
 
-    private fun renew(logs: List<OpenedLog>) {
-        val others = logs.filter { log -> known[log.path].let { it == null || it.size != log.size || it.modified != log.modified } }
-        val gone = known.keys - logs.mapTo(HashSet()) { it.path }
-        // A browser does not read a file that is written meanwhile: a log is read when it has stopped growing.
-        val grown = growing - others.mapTo(HashSet()) { it.path } - gone
-        growing.clear()
-        others.mapTo(growing) { it.path }
-        if (others.isEmpty() && gone.isEmpty() && grown.isEmpty()) return
-        known -= gone
-        unread -= gone
-        checked -= gone
-        for (log in others) known[log.path] = log
-        unread -= growing
-        unread += grown
-        reading.start()
-        showLater()
+    /** Follows what has arrived. */
+    private fun follow() = change(arrivals.knowing(known.values.toList()))
+
+    private fun change(changed: Arrivals<OpenedLog>) {
+        arrivals = changed.without(seen)
+        bar.show(arrivals)
     }
 
     /** What is seen first is read first. */
     private fun nextToRead(): OpenedLog? {
-        val path = listing.visible.firstOrNull { it.path in unread }?.path ?: unread.firstOrNull() ?: return null
+        val path = when {
+            // Beside a log that is shown, only what is announced.
+            !isShown -> unread.firstOrNull { it in fresh }
+
+            else -> listing.visible.firstOrNull { it.path in unread }?.path ?: unread.firstOrNull()
+        } ?: return null
         unread -= path
         return known[path]
     }
@@ -184,6 +211,7 @@ internal class FolderScreen(
     private fun take(log: OpenedLog) {
         known[log.path] = log
         if (!log.isReadable) checked -= log.path
+        if (arrivals.hasBegun) follow()
         showLater()
     }
 
@@ -230,8 +258,5 @@ internal class FolderScreen(
     private companion object {
         /** Milliseconds between two updates of the table. */
         const val PAUSE = 200
-
-        /** Milliseconds between two looks into the folder. */
-        const val LOOK_PAUSE = 3000
     }
 }

@@ -8,6 +8,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.isTyped
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
@@ -89,11 +90,18 @@ internal class LogOpening(
                     "It writes one when a driver station is connected: look again then.",
                 )
 
-                else -> list(logs, ServedFolder.NAME, again = null)
+                else -> list(logs, ServedFolder.NAME, FolderAgain(SERVER_PAUSE, ::serverFiles))
             }
         }, {
             if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
         }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    /** Promises what the page's server has now; a page that is not seen asks for nothing. */
+    private fun serverFiles(): Promise<List<File>> = if (document.asDynamic().hidden == true) {
+        Promise.reject(Throwable())
+    } else {
+        ServedFolder().files().then { it.filter(OpenedLog::isNamedLikeLog) }
     }
 
     /** The buttons of the shown log's page that lead to others; null for the log that is part of the page. */
@@ -111,7 +119,7 @@ internal class LogOpening(
             addIconButton("", Icon.CHEVRON, "Next log of the list (Alt+Page down)") { next() }.id = "next-log"
             PageEvents.on(document, "keydown") {
                 val key = it.unsafeCast<KeyboardEvent>()
-                if (key.target.asDynamic().closest("dialog, input, textarea, select") != null) return@on
+                if (key.isTyped) return@on
                 if (key.altKey && key.key == "PageUp") previous()
                 if (key.altKey && key.key == "PageDown") next()
             }
@@ -200,7 +208,8 @@ internal class LogOpening(
         val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
         if (unreadable != null) return fail("There is nothing to show of ${opened.fileName}", unreadable.message)
         log = opened
-        if (folder?.has(opened) == false) folder = null
+        if (folder?.has(opened) == false) endFolder()
+        folder?.see(opened)
         document.title = opened.title
         // A finding of the list was found over the log's time.
         show(opened, if (showsWorst) read.overItsTime() else read, compared.flatMap { it.files }, showsWorst)
@@ -254,19 +263,23 @@ internal class LogOpening(
 
     /** Lists the logs in [watched], also those that are not there yet. */
     fun open(watched: WatchedFolder) {
-        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched::files) }.catch { root.failUnexpectedly(it, back()) }
+        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again) }.catch { root.failUnexpectedly(it, back()) }
     }
 
-    private fun list(logs: List<OpenedLog>, name: String, again: (() -> Promise<List<File>>)?) {
-        folder?.pause()
+    private fun list(logs: List<OpenedLog>, name: String, again: FolderAgain?) {
+        endFolder()
         folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, ::open)
         goBack()
     }
 
     private fun leaveFolder() {
-        folder?.pause()
-        folder = null
+        endFolder()
         goBack()
+    }
+
+    private fun endFolder() {
+        folder?.end()
+        folder = null
     }
 
     /** Shows the list from which the log was opened, or else what was there before. */
@@ -304,4 +317,9 @@ internal class LogOpening(
     }
 
     private fun isPage(file: File) = file.name.endsWith(".html", ignoreCase = true) || file.name.endsWith(".htm", ignoreCase = true)
+
+    private companion object {
+        /** Milliseconds between two looks at the list of a robot, which has other things to do. */
+        const val SERVER_PAUSE = 15_000
+    }
 }

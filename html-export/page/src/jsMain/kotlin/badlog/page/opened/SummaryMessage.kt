@@ -16,6 +16,7 @@ import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.ProblemCounts
 import badlog.viewer.catalog.TopicSummary
+import badlog.viewer.catalog.Verdict
 
 /** What a worker learned of a log, as a message: what lists show, in plain arrays. */
 internal object SummaryMessage {
@@ -39,6 +40,7 @@ internal object SummaryMessage {
         "numbers" to numbersOf(summary.topics),
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
+        "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
     )
 
     /** Returns [log] with what [message] says of it. */
@@ -59,7 +61,18 @@ internal object SummaryMessage {
             battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn),
             topics = topicsIn(message),
         )
-        return log.with(summary, if (message.hasRun as Boolean) LogFound(0, rules) else null)
+        return log.with(summary, if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null)
+    }
+
+    private fun verdictIn(parts: Array<dynamic>?): Verdict? = parts?.let {
+        Verdict(
+            Severity.entries[it[0] as Int],
+            it[1] as String,
+            it[2].unsafeCast<Array<String>>().toList(),
+            it[3] as String,
+            it[4] as Int,
+            it[5] as Int,
+        )
     }
 
     private fun numbersOf(topics: List<TopicSummary>) = DoubleArray(topics.size * NUMBERS).also { numbers ->

@@ -9,6 +9,9 @@ import kotlin.js.Promise
 internal class WatchedFolder private constructor(private val handle: dynamic) {
     val name: String get() = handle.name as String
 
+    /** The same folder, later. */
+    val again: FolderAgain get() = FolderAgain(PAUSE, ::files)
+
     /** Promises the files in it now that are named like logs, and those in its folders, of which some may not be readable; rejected if it cannot be listed. */
     fun files(): Promise<List<File>> = filesIn(handle, name)
 
@@ -42,6 +45,9 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
     }
 
     companion object {
+        /** Milliseconds between two looks. */
+        private const val PAUSE = 3000
+
         /** Whether this browser has such folders. */
         val areThere: Boolean get() = window.asDynamic().showDirectoryPicker != undefined
 

@@ -13,3 +13,9 @@ internal fun setPageState(state: String) {
     if (state != "ready") document.documentElement?.removeAttribute("data-rules")
     document.documentElement?.setAttribute("data-state", state)
 }
+
+/** Whether a log is being opened, or rules run over it. */
+internal val isPageBusy: Boolean
+    get() = document.documentElement?.run {
+        getAttribute("data-state") == "loading" || (getAttribute("data-state") == "ready" && getAttribute("data-rules") == null)
+    } ?: true

@@ -22,12 +22,14 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
     /** Returns the same, where the files with these [sizes], by their paths, were there before. */
     fun begun(sizes: Map<String, Long>): Arrivals<E> = Arrivals(sizes, waiting)
 
+    /** Returns whether [log] was not there before, or was smaller, and has not arrived yet. */
+    fun isNew(log: E): Boolean = known != null && known[log.path] != log.size && known[log.path] != ARRIVED
+
     /** Returns what has arrived when the folder holds [entries]. */
     fun knowing(entries: List<E>): Arrivals<E> {
         if (known == null) return this
         val present = entries.associateBy { it.path }
-        val complete = entries.filter { it.found != null && it.isReadable && !it.isGray }
-        val arrived = complete.filter { known[it.path] != it.size && known[it.path] != ARRIVED }
+        val arrived = entries.filter { it.found != null && it.isReadable && !it.isGray && isNew(it) }
         // What was removed is gone. One that grows again is known as it was until the rules have run again.
         val before = waiting.mapNotNull { old -> present[old.path]?.let { if (it.found == null) old else it } }
         if (arrived.isEmpty() && before == waiting) return this

@@ -28,6 +28,14 @@ class ArrivalsSpec : FunSpec({
         opened.knowing(listOf(log("a.bag"), log("b.bag"))).paths() shouldBe emptyList()
     }
 
+    test("a log is new until it has arrived") {
+        Arrivals<AnyLog>().isNew(log("a.bag")) shouldBe false
+        opened.isNew(log("a.bag")) shouldBe false
+        opened.isNew(log("a.bag", size = 2000, found = null)) shouldBe true
+        opened.isNew(log("c.bag", found = null)) shouldBe true
+        opened.knowing(listOf(log("c.bag"))).isNew(log("c.bag")) shouldBe false
+    }
+
     test("a log arrives when the rules have run over it, and waits until somebody deals with it") {
         val copied = opened.knowing(listOf(log("a.bag"), log("c.bag", found = null)))
         copied.paths() shouldBe emptyList()

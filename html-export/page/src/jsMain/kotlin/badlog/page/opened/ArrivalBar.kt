@@ -1,0 +1,59 @@
+package badlog.page.opened
+
+import badlog.core.recording.Severity
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
+import badlog.page.dom.isPlain
+import badlog.page.dom.showText
+import badlog.viewer.shown.folder.Arrivals
+import badlog.viewer.shown.folder.arrivalText
+import kotlinx.browser.document
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.events.Event
+import org.w3c.dom.events.KeyboardEvent
+
+/**
+ * Says at the lower edge of the page, whatever it shows, which log has arrived and what is wrong in it, until somebody shows it or puts it off.
+ *
+ * @param onShow called when a person wants to see that log.
+ * @param onLater called when a person wants to see it later.
+ */
+internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
+    private lateinit var text: HTMLElement
+    private val element = element("aside", "arrival is-empty") {
+        setAttribute("aria-label", "New log")
+        // Screen readers speak what appears in an element that was there before.
+        text = add("p") { setAttribute("role", "status") }
+        addButton("", "Show", "Show the new log and the worst in it (A)", onShow).id = "show-arrival"
+        addButton("", "Later", "Hide this; the log stays in the list", onLater).id = "leave-arrival"
+    }
+    private val press = { event: Event -> press(event.unsafeCast<KeyboardEvent>()) }
+
+    /** Puts it on the page; nothing is seen of it yet. */
+    fun start() {
+        document.body?.appendChild(element)
+        document.addEventListener("keydown", press)
+    }
+
+    /** Takes it from the page. */
+    fun stop() {
+        element.remove()
+        document.removeEventListener("keydown", press)
+    }
+
+    /** Shows the latest of [arrivals], or nothing. */
+    fun show(arrivals: Arrivals<OpenedLog>) {
+        val match = arrivals.latest
+        val log = match?.worst
+        val severity = log?.found?.verdict?.severity ?: Severity.NOTE
+        element.className = if (log == null) "arrival is-empty" else "arrival is-${severity.name.lowercase()}"
+        text.showText(if (match == null || log == null) "" else arrivalText(log, arrivals.waiting.size - match.logs.size))
+    }
+
+    private fun press(event: KeyboardEvent) {
+        if (!event.isPlain("a") || element.classList.contains("is-empty")) return
+        event.preventDefault()
+        onShow()
+    }
+}

@@ -1,0 +1,93 @@
+package badlog.page
+
+import badlog.exporter.EmptyPage
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Files
+import kotlin.io.path.div
+import kotlin.io.path.readBytes
+
+/** Logs that arrive in a folder into which the browser lets the page look again. */
+internal class ArrivalSpec : PageSpec({
+    val temporary by lazy { Files.createTempDirectory("badlog-arrival") }
+    val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
+    val laptop = Screen(1366, 768)
+
+    afterSpec { temporary.toFile().deleteRecursively() }
+
+    fun samples(vararg names: String) = names.associateWith { SAMPLES.resolve(it).readBytes() }
+    val before = samples("practice.bag", "qualification-57.bag.gz")
+    val after = before + samples("qualification-42.bag")
+
+    fun OpenPage.openFolder() {
+        element("#open-folder").click()
+        await("all logs") { texts(".log-tools [role=status]").singleOrNull()?.let { "read" !in it } == true }
+    }
+
+    fun OpenPage.awaitLog(title: String) {
+        await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
+        awaitState("ready")
+    }
+
+    // Rows are made anew while logs are read.
+    fun OpenPage.openListed(file: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", file)
+
+    fun OpenPage.news() = texts(".arrival p").singleOrNull().orEmpty()
+
+    fun OpenPage.isWithinScreen() = number("return document.documentElement.scrollWidth - innerWidth") <= 0
+
+    browserTest("a log that arrives beside one that is shown is announced with the worst in it, takes nothing away, and is shown on demand") {
+        onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
+            openFolder()
+            news() shouldBe ""
+            openListed("practice")
+            await("the log") { texts(".page-title h1").size == 1 }
+            awaitState("ready")
+            val shown = texts(".page-title h1")
+            script(putIntoFolder(after))
+            await("the news") { news() != "" }
+            news() shouldStartWith "Qualification 42 arrived: "
+            news() shouldContain "error"
+            news() shouldContain "Browned out at 1:3"
+            texts(".page-title h1") shouldBe shown
+            seriousForReaders().shouldBeEmpty()
+            isWithinScreen() shouldBe true
+            keepScreenshot("arrival-1366-light")
+            show(laptop.copy(isDark = true))
+            keepScreenshot("arrival-1366-dark")
+            show(Screen.PHONE)
+            isWithinScreen() shouldBe true
+            keepScreenshot("phone-arrival")
+            press("a")
+            awaitLog("Qualification 42")
+            await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+            news() shouldBe ""
+            element("#go-back").click()
+            await("the list") { texts("[data-column='FILE']").size == 3 }
+        }
+    }
+
+    browserTest("what somebody puts off, or opens from the list, is not announced any more, and neither is a log of a folder that was left") {
+        onPage(page, state = "empty", script = watchedFolder(before)) {
+            openFolder()
+            script(putIntoFolder(after))
+            await("the news") { news() != "" }
+            element("#leave-arrival").click()
+            news() shouldBe ""
+            texts("[data-column='FILE']").size shouldBe 3
+            script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
+            await("the next") { "arrived" in news() }
+            openListed("later")
+            await("the log") { texts(".page-title h1").size == 1 }
+            awaitState("ready")
+            news() shouldBe ""
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+            element("#go-back").click()
+            await("the start") { elements(".start-drop").isNotEmpty() }
+            elements(".arrival").shouldBeEmpty()
+        }
+    }
+})
