@@ -20,14 +20,13 @@ import badlog.window.theme.Palette
 @Composable
 internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
     val palette = LocalPalette.current
-    val advice = batteries.advice
-    val lines = advice.all.map { "Battery: ${it.headline.replaceFirstChar { letter -> letter.lowercase() }}" to palette.colorOf(it.step) }
+    val lines = batteries.advice.inPit
     if (lines.isEmpty()) return
     Column(
         Modifier.fillMaxWidth().clickable(role = Role.Button, onClickLabel = "Show the batteries", onClick = onOpen),
         Arrangement.spacedBy(4.dp),
     ) {
-        for ((text, color) in lines.take(MOST_LINES)) Line(text, color)
+        for (line in lines) Line(line.pitText, palette.colorOf(line.step))
     }
 }
 
@@ -41,5 +40,3 @@ internal fun Palette.colorOf(step: BatteryStep): Color = when (step) {
     BatteryStep.RETIRE -> error
     BatteryStep.CHECK -> warning
 }
-
-private const val MOST_LINES = 3

@@ -5,6 +5,7 @@ import badlog.files.LogFile
 import badlog.files.LogName
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
+import badlog.viewer.shown.folder.logsOfRobots
 import java.nio.file.Path
 
 /**
@@ -37,15 +38,8 @@ internal data class LibraryState(
     /** The listed logs, in order. */
     val visible: List<LogEntry> get() = listing.visible
 
-    /**
-     * The readable logs of robots, in no particular order. Tables of numbers count only if there is no other log: they may be of anything, and
-     * usually only the file's time shows how old they are.
-     */
-    val ofRobots: List<LogEntry>
-        get() {
-            val readable = entries.filter { it.isReadable }
-            return readable.filter { LogName.of(it.fileName).isOnlyOfLogs }.ifEmpty { readable }
-        }
+    /** The readable logs of robots, in no particular order. */
+    val ofRobots: List<LogEntry> get() = logsOfRobots(entries) { LogName.of(it).isOnlyOfLogs }
 
     /** The log that began last, of those that are not idle, or else of all readable ones; null if there are none. */
     val newest: LogEntry? get() = ofRobots.filter { !it.isGray }.maxWithOrNull(AGE) ?: ofRobots.maxWithOrNull(AGE)

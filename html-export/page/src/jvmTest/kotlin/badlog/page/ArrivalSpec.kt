@@ -2,6 +2,8 @@ package badlog.page
 
 import badlog.exporter.EmptyPage
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
@@ -9,7 +11,7 @@ import java.nio.file.Files
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 
-/** Logs that arrive in a folder into which the browser lets the page look again. */
+/** Logs that arrive in a folder into which the browser lets the page look again: what says so, and the view for pits. */
 internal class ArrivalSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-arrival") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
@@ -88,6 +90,44 @@ internal class ArrivalSpec : PageSpec({
             element("#go-back").click()
             await("the start") { elements(".start-drop").isNotEmpty() }
             elements(".arrival").shouldBeEmpty()
+        }
+    }
+
+    browserTest("the pit view shows the last match in large letters, what to do next, batteries and the ones before, and goes on by itself") {
+        onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
+            openFolder()
+            press("i")
+            texts(".pit h2").single() shouldContain "57"
+            element(".log-table").isDisplayed shouldBe false
+            script(putIntoFolder(samples("qualification-42.bag") + ("practice.bag" to before.getValue("practice.bag"))))
+            await("the next match") { texts(".pit h2").singleOrNull()?.contains("42") == true && "Browned out at" in texts("#pit-last strong").single() }
+            news() shouldBe ""
+            texts("#pit-last b").single() shouldStartWith "Next: "
+            texts("#pit-last span").shouldNotBeEmpty()
+            texts(".pit-battery").first() shouldStartWith "Battery: use "
+            texts(".pit-before b").size shouldBe 1
+            for (width in listOf(1366, 1920)) {
+                show(Screen(width, if (width == 1366) 768 else 1080))
+                number("return parseFloat(getComputedStyle(document.querySelector('#pit-last strong')).fontSize)") shouldBeGreaterThan 55.0
+                number("return parseFloat(getComputedStyle(document.querySelector('#pit-last span')).fontSize)") shouldBeGreaterThan 27.0
+                isWithinScreen() shouldBe true
+                keepScreenshot("pit-$width")
+            }
+            seriousForReaders().shouldBeEmpty()
+            show(laptop.copy(isDark = true))
+            seriousForReaders().shouldBeEmpty()
+            keepScreenshot("pit-1366-dark")
+            show(Screen.PHONE)
+            isWithinScreen() shouldBe true
+            keepScreenshot("phone-pit")
+            show(laptop)
+            element("#pit-last").click()
+            awaitLog("Qualification 42")
+            await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+            element("#go-back").click()
+            await("the pit view") { elements(".pit").any { it.isDisplayed } }
+            press("i")
+            element(".log-table").isDisplayed shouldBe true
         }
     }
 })

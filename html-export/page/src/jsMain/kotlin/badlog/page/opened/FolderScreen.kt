@@ -1,21 +1,25 @@
 package badlog.page.opened
 
 import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
+import badlog.page.dom.isPlain
 import badlog.page.dom.showText
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.text.countText
+import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.KeyboardEvent
 
 /**
  * The logs of a folder: what their names say at once, the rest as they are read.
@@ -44,6 +48,7 @@ internal class FolderScreen(
     private val reading = FolderReading(rules, cache, ::nextToRead, ::take) { unread += it.path }
     private val statistics = LogStatistics()
     private val batteries = BatteryTable()
+    private val pit = PitView { onOpen(it, emptyList(), true) }
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
@@ -59,6 +64,7 @@ internal class FolderScreen(
     private var arrivals = Arrivals<OpenedLog>()
     private val bar = ArrivalBar(::showArrival) { change(arrivals.dealtWith()) }
     private lateinit var tools: HTMLElement
+    private lateinit var pitButton: HTMLElement
     private lateinit var progress: HTMLElement
     private lateinit var compare: HTMLElement
     private lateinit var groups: HTMLElement
@@ -75,6 +81,8 @@ internal class FolderScreen(
                     appendChild(Icon.BACK.draw())
                     add("span", "", "Open…")
                 }
+                pitButton = addButton("", "Pit view", PIT_HINT, ::togglePit)
+                pitButton.id = "pit-view"
             }
         }
         add("div", "log-tools") {
@@ -92,6 +100,7 @@ internal class FolderScreen(
         nothing = add("p", "nothing-found")
         appendChild(statistics.element)
         appendChild(batteries.element)
+        appendChild(pit.element)
     }
 
     init {
@@ -117,8 +126,12 @@ internal class FolderScreen(
     fun resume() {
         tools.appendChild(settings())
         isShown = true
+        change(arrivals)
         watch?.start()
         if (isCacheRead) reading.start()
+        PageEvents.on(document, "keydown") {
+            if (it.unsafeCast<KeyboardEvent>().isPlain("i")) togglePit()
+        }
     }
 
     /** Returns whether [log] is one of its logs. */
@@ -192,8 +205,25 @@ internal class FolderScreen(
     private fun follow() = change(arrivals.knowing(known.values.toList()))
 
     private fun change(changed: Arrivals<OpenedLog>) {
-        arrivals = changed.without(seen)
+        // The pit view shows new logs by itself.
+        arrivals = if (isPit && isShown) changed.dealtWith() else changed.without(seen)
         bar.show(arrivals)
+    }
+
+    private fun togglePit() {
+        element.classList.toggle("is-pit")
+        pitButton.textContent = if (isPit) "Logs" else "Pit view"
+        pitButton.title = if (isPit) "Back to the list of logs (I)" else PIT_HINT
+        change(arrivals)
+        show()
+    }
+
+    private val isPit: Boolean get() = element.classList.contains("is-pit")
+
+    private fun showArrival() {
+        val log = arrivals.latest?.worst ?: return
+        change(arrivals.dealtWith())
+        onOpen(log, emptyList(), true)
     }
 
     /** What is seen first is read first. */
@@ -221,7 +251,7 @@ internal class FolderScreen(
         timer = window.setTimeout({
             timer = 0
             // A button that is being pressed must not be replaced by a new one.
-            if (table.isPressed) showLater() else list(listing.copy(entries = known.values.toList()))
+            if (table.isPressed || pit.isPressed) showLater() else list(listing.copy(entries = known.values.toList()))
         }, PAUSE)
     }
 
@@ -241,6 +271,7 @@ internal class FolderScreen(
     }
 
     private fun show() {
+        if (isPit) pit.show(listing.entries, isReading = listing.entries.any { it.isUnread })
         table.show(listing, checked)
         val left = listing.entries.count { it.isUnread }
         val all = countText(listing.size, "log")
@@ -256,6 +287,8 @@ internal class FolderScreen(
     private val OpenedLog.isUnread: Boolean get() = isHere && found == null && isReadable && !isGray
 
     private companion object {
+        const val PIT_HINT = "The last logs in large letters (I)"
+
         /** Milliseconds between two updates of the table. */
         const val PAUSE = 200
     }

@@ -16,6 +16,9 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
     /** All of it: what to use next, what to use no longer, what to check. */
     val all: List<AdvisedBattery> get() = listOfNotNull(next) + retire + charge
 
+    /** As much of it as a pit view has room for. */
+    val inPit: List<AdvisedBattery> get() = all.take(MOST_IN_PIT)
+
     /** Returns what to do with [season], in a few words and with the reason; null for nothing. */
     fun of(season: BatterySeason): AdvisedBattery? = all.find { it.name == season.battery?.name }
 
@@ -100,6 +103,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         private const val MATCHES_TO_TELL = 3
         private const val HUNDREDTHS = 100
         private const val LEAST_TO_RETIRE = 2
+        private const val MOST_IN_PIT = 3
     }
 }
 
@@ -112,6 +116,9 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
 class AdvisedBattery(val name: String, val step: BatteryStep, val reason: String) {
     /** What to do, in a few words: `Use A1 next`. */
     val headline: String get() = step.before + name + step.after
+
+    /** What to do, beside what is not about batteries: `Battery: use A1 next`. */
+    val pitText: String get() = "Battery: ${headline.replaceFirstChar { it.lowercase() }}"
 
     /** What to do, and why, as sentences. */
     val text: String get() = "$headline. $reason"

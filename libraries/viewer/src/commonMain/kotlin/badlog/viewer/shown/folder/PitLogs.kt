@@ -32,3 +32,14 @@ fun verdictText(found: LogFound?): String = when {
 /** Returns the paths of those of [logs] of whose run there are others: the match alone does not tell them apart. */
 fun sameMatches(logs: List<ListedLog>): Set<String> =
     runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }
+
+/**
+ * Returns those of [logs] that are readable and of robots. Tables of numbers count only if there is no other log: they may be of anything, and
+ * usually only the file's time shows how old they are.
+ *
+ * @param isOnlyOfLogs returns whether only logs have such a name.
+ */
+fun <E : ListedLog> logsOfRobots(logs: List<E>, isOnlyOfLogs: (name: String) -> Boolean): List<E> {
+    val readable = logs.filter { it.isReadable }
+    return readable.filter { isOnlyOfLogs(it.fileName) }.ifEmpty { readable }
+}

@@ -19,6 +19,7 @@ class BatteryAdviceSpec : FunSpec({
         advice.next?.name shouldBe "A1"
         advice.next?.reason shouldBe "Its resistance is 20.0 ± 0.2 mΩ and it has rested since Qualification 4."
         advice.next?.headline shouldBe "Use A1 next"
+        advice.inPit.map { it.pitText } shouldContainExactly listOf("Battery: use A1 next")
         advice.retire.shouldBeEmpty()
     }
 

@@ -48,6 +48,13 @@ class PitLogsSpec : FunSpec({
         isOfSameRun(log("y", 10, "42"), unnamed) shouldBe true
     }
 
+    test("logs of robots are those with names of logs; without any, tables count; what cannot be read never does") {
+        val unreadable = log("broken.bag", 1).run { copy(summary = summary.copy(trouble = "broken.bag is cut off.")) }
+        fun robots(vararg logs: AnyLog) = logsOfRobots(logs.toList()) { it.endsWith(".bag") }.map { it.path }
+        robots(log("a.bag", 1), log("b.csv", 2), unreadable) shouldBe listOf("a.bag")
+        robots(log("b.csv", 2), unreadable) shouldBe listOf("b.csv")
+    }
+
     test("a log in a few words") {
         verdictText(null) shouldBe "The rules are still running"
         verdictText(LogFound(0, null)) shouldBe "The rules could not be run"
