@@ -14,10 +14,11 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import badlog.catalog.folder.LogEntry
 import badlog.rules.Finding
+import badlog.viewer.shown.folder.Changes
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.LogFindings
-import badlog.window.folder.Changes
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
 
@@ -27,7 +28,7 @@ import badlog.window.theme.Tip
  * @param onGo called when a click draws something.
  */
 @Composable
-internal fun ChangesList(changes: Changes, findings: LogFindings, compared: ComparedRecordings, onGo: () -> Unit) {
+internal fun ChangesList(changes: Changes<LogEntry>, findings: LogFindings, compared: ComparedRecordings, onGo: () -> Unit) {
     if (changes.differences.isEmpty()) return
     val palette = LocalPalette.current
     Column(
@@ -56,7 +57,7 @@ internal fun ChangesList(changes: Changes, findings: LogFindings, compared: Comp
     }
 }
 
-private fun drawOver(difference: Finding, changes: Changes, findings: LogFindings, compared: ComparedRecordings) {
+private fun drawOver(difference: Finding, changes: Changes<LogEntry>, findings: LogFindings, compared: ComparedRecordings) {
     findings.showEvidence(difference)
-    changes.previous?.takeIf { it !in compared.state.checked }?.let(compared::add)
+    changes.previous?.file?.takeIf { it !in compared.state.checked }?.let(compared::add)
 }

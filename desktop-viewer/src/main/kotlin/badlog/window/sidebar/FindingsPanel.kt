@@ -39,10 +39,12 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.viewer.input.Action
+import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.search.hiddenBySearch
 import badlog.viewer.text.countText
 import badlog.viewer.todo.taskOf
@@ -52,7 +54,6 @@ import badlog.window.findings.LogFindings
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
 import badlog.window.findings.word
-import badlog.window.folder.Changes
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -82,7 +83,7 @@ internal fun FindingsPanel(
     view: AxisView,
     board: GraphBoard,
     open: OpenRecording,
-    changes: Changes,
+    changes: Changes<LogEntry>,
     perform: (Action) -> Unit,
     onGo: () -> Unit,
     modifier: Modifier,

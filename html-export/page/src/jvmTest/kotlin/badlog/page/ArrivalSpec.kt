@@ -1,7 +1,10 @@
 package badlog.page
 
+import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -128,6 +131,39 @@ internal class ArrivalSpec : PageSpec({
             await("the pit view") { elements(".pit").any { it.isDisplayed } }
             press("i")
             element(".log-table").isDisplayed shouldBe true
+        }
+    }
+
+    /** A minute in which the robot drives, and its arm draws [amps] amperes. */
+    fun match(number: Int, amps: Double): ByteArray {
+        val topics = listOf(TIME, BagTopic("Enabled", "ul"), BagTopic("Arm/Current", "A"))
+        val values = mapOf("Match Type" to "Qualification", "Match Number" to "$number", "Start Time" to "2026-03-07T10:1$number:00")
+        return bagOf(topics, rows = 600, values) { row, column ->
+            when (column) {
+                0 -> row / 10.0
+                1 -> "${row > 20}"
+                else -> amps + row % 2
+            }
+        }
+    }
+
+    browserTest("above the findings is how a match is unlike those before it in the folder; a click draws it over the last of them") {
+        val matches = (1..7).associate { "Q$it.bag" to match(it, 10 + it / 10.0) } + ("Q8.bag" to match(8, 21.0))
+        onPage(page, laptop, state = "empty", script = watchedFolder(matches)) {
+            openFolder()
+            openListed("Q7")
+            awaitLog("Qualification 7")
+            elements(".changes").shouldBeEmpty()
+            element("#go-back").click()
+            await("the list") { elements(".log-table").isNotEmpty() }
+            openListed("Q8")
+            awaitLog("Qualification 8")
+            texts(".changes li") shouldContainExactly listOf("Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A).")
+            seriousForReaders().shouldBeEmpty()
+            keepScreenshot("changes")
+            element(".changes button").click()
+            await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
+            texts(".board .graph-title") shouldContain "Current"
         }
     }
 })

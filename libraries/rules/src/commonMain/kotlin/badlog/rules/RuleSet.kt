@@ -9,7 +9,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property rules in the order of the file; no two have the same name.
  * @property signals the names of topics that rules refer to by their meaning.
  * @property causes which findings lead to which.
- * @property comparisons rules that compare a log with the team's others, which pages do not do.
+ * @property comparisons rules that compare a log with the team's others.
  * @property devices what the team calls the devices on its CAN bus.
  */
 class RuleSet internal constructor(

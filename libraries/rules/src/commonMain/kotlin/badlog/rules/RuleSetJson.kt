@@ -19,7 +19,7 @@ import badlog.signals.vocabulary.toJson
 
 /**
  * Returns these rules as a line of JSON, with everything that decides what they find in a log. It is in every page, so reasons are
- * omitted, which are in the guide, and so are rules that compare logs.
+ * omitted, which are in the guide.
  *
  * @param haveChecklist whether rules also have their lines of the checklist, which pages do not show.
  */
@@ -28,6 +28,7 @@ fun RuleSet.toJson(haveChecklist: Boolean = false): String = jsonObject(
     "rules" to jsonArray(rules) { ruleJson(it, haveChecklist) },
     "signals" to signals.toJson(),
     "causes" to causes.toJson(),
+    "comparisons" to jsonList(comparisons, ::comparisonJson),
     "devices" to jsonList(devices.devices, ::deviceJson),
 )
 
@@ -40,7 +41,8 @@ fun RuleSet.Companion.fromJson(members: List<JsonMember>?): RuleSet? = try {
     val signals = json.find("signals")?.let { SignalVocabulary.fromJson(it) } ?: throw UnreadableJsonException()
     val causes = json.find("causes")?.let(CauseGraph::fromJson) ?: CauseGraph.NONE
     val devices = DeviceNames(json.list("devices", ::deviceOf))
-    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes, devices = devices)
+    val comparisons = json.list("comparisons", ::comparisonOf)
+    RuleSet(json.list("aliases", ::aliasOf), json.list("rules", ::ruleOf), signals, causes, comparisons, devices)
 } catch (_: UnreadableJsonException) {
     null
 }

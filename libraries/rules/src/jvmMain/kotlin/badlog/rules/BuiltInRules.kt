@@ -3,15 +3,11 @@ package badlog.rules
 import java.io.File
 
 private const val RULES_JSON = "badlog-rules.json"
-private const val COMPARISONS_JSON = "badlog-comparisons.json"
 
 /** The built-in rules, with the built-in vocabulary. */
 val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
-private val BUILT_IN_RULES by lazy {
-    val rules = checkNotNull(RuleSet.fromJson(resource(RULES_JSON)))
-    rules.run { RuleSet(aliases, this.rules, signals, causes, comparisonsOf(resource(COMPARISONS_JSON))) }
-}
+private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource(RULES_JSON))) }
 
 /** Returns the built-in rules as their file says them; reading that takes longer than exporting a small page. */
 internal fun builtInRulesFromToml(): RuleSet =
@@ -20,7 +16,5 @@ internal fun builtInRulesFromToml(): RuleSet =
 /** Writes the built-in rules as JSON into the folder that the only argument names: a step of the build. */
 internal fun main(arguments: Array<String>) {
     val folder = File(arguments.single()).apply { mkdirs() }
-    val rules = builtInRulesFromToml()
-    File(folder, RULES_JSON).writeText(rules.toJson(haveChecklist = true))
-    File(folder, COMPARISONS_JSON).writeText(comparisonsJson(rules.comparisons))
+    File(folder, RULES_JSON).writeText(builtInRulesFromToml().toJson(haveChecklist = true))
 }

@@ -21,6 +21,7 @@ import badlog.page.export.sendMoment
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.findings.SignalChoice
+import badlog.page.findings.changesList
 import badlog.page.folder.EventsLink
 import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
@@ -133,7 +134,7 @@ internal class LogPage(
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
     private val findings =
-        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), ::showEvidence, ::pinEvidence)
+        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), changes(), ::showEvidence, ::pinEvidence)
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
@@ -354,6 +355,15 @@ internal class LogPage(
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
         board.change { withGraphs(shown) }
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
+    }
+
+    private fun changes(): HTMLElement? {
+        val changes = opening.changes()
+        return changesList(changes.differences) { difference ->
+            pinEvidence(difference, null)
+            changes.previous?.files?.takeIf { it.intersect(comparison.files).isEmpty() }?.let(compareBar::open)
+            boardSection.bringIntoSight()
+        }
     }
 
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {

@@ -13,7 +13,11 @@ import badlog.page.dom.showText
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.viewer.shown.folder.Arrivals
+import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.Listing
+import badlog.viewer.shown.folder.changesOf
+import badlog.viewer.shown.folder.earlierThan
+import badlog.viewer.shown.folder.logsOfRobots
 import badlog.viewer.text.countText
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -34,7 +38,7 @@ import org.w3c.dom.events.KeyboardEvent
 internal class FolderScreen(
     logs: List<OpenedLog>,
     name: String,
-    rules: RuleSet,
+    private val rules: RuleSet,
     again: FolderAgain?,
     private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
@@ -142,6 +146,12 @@ internal class FolderScreen(
         known[log.path] = log
         if (log.isUnread) unread += log.path
         listing = listing.copy(entries = known.values.toList())
+    }
+
+    /** Returns how [log] differs from the matches before it, as far as they have been read. */
+    fun changesOf(log: OpenedLog): Changes<OpenedLog> {
+        val examined = logsOfRobots(known.values.toList(), OpenedLog::isOnlyOfLogs).filter { !it.isGray && it.found?.rules != null }
+        return changesOf(known[log.path] ?: log, earlierThan(log, examined), rules) { it.figures }
     }
 
     /** Remembers that a person sees [log], which is no news even if rules have not run over it. */

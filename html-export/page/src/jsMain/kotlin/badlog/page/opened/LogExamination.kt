@@ -3,6 +3,7 @@ package badlog.page.opened
 import badlog.core.analysis.LogView
 import badlog.page.reading.LogFileReader
 import badlog.rules.RuleSet
+import badlog.rules.comparison.figuresOf
 import badlog.rules.over
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
@@ -20,13 +21,14 @@ internal class LogExamination(private val rules: RuleSet) {
         val summary = LogSummary.of(view, rules.signals, name, log.modified, OpenedLog.isOnlyOfLogs(name))
         val known = log.with(summary, found = null)
         onKnown(known)
-        if (!known.isGray) onKnown(known.with(summary, found(view, name)))
+        if (!known.isGray) onKnown(examined(known, view))
     }
 
-    private fun found(view: LogView, name: String) = try {
-        rules.foundIn(rules.over(view, name, isEverywhere = true).findings, key = 0)
+    private fun examined(log: OpenedLog, view: LogView) = try {
+        val found = rules.foundIn(rules.over(view, log.fileName, isEverywhere = true).findings, key = 0)
+        log.with(log.summary, found, figuresOf(view, rules.signals, log.summary.battery))
     } catch (problem: Throwable) {
         console.error(problem)
-        LogFound(0, null)
+        log.with(log.summary, LogFound(0, null))
     }
 }

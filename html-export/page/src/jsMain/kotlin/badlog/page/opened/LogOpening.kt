@@ -21,6 +21,7 @@ import badlog.page.served.ServedFolder
 import badlog.page.served.served
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
+import badlog.viewer.shown.folder.Changes
 import badlog.viewer.text.countText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -96,6 +97,9 @@ internal class LogOpening(
             if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
         }).catch { root.failUnexpectedly(it, back()) }
     }
+
+    /** How the shown log differs from the matches before it in its folder. */
+    fun changes(): Changes<OpenedLog> = log?.let { folder?.changesOf(it) } ?: Changes()
 
     /** Promises what the page's server has now; a page that is not seen asks for nothing. */
     private fun serverFiles(): Promise<List<File>> = if (document.asDynamic().hidden == true) {

@@ -4,6 +4,9 @@ import badlog.core.analysis.SeriesStatistics
 import badlog.core.recording.Severity
 import badlog.core.recording.TopicKind
 import badlog.page.dom.json
+import badlog.rules.number.FigureReader
+import badlog.rules.number.FigureText
+import badlog.rules.number.toText
 import badlog.signals.battery.BatteryUse
 import badlog.signals.battery.Resistance
 import badlog.signals.match.MatchOfLog
@@ -20,8 +23,12 @@ import badlog.viewer.catalog.Verdict
 
 /** What a worker learned of a log, as a message: what lists show, in plain arrays. */
 internal object SummaryMessage {
-    /** Returns [summary] and [found], null while the rules run, as a message. */
-    fun of(summary: LogSummary, found: LogFound?): dynamic = json(
+    private val reader = FigureReader()
+
+    /** Returns what is known of [log], whose findings are null while the rules run, as a message. */
+    fun of(log: OpenedLog): dynamic = with(log) { of(summary, found, figures.toText()) }
+
+    private fun of(summary: LogSummary, found: LogFound?, figures: FigureText): dynamic = json(
         "match" to with(summary.match) { arrayOf(event, type, number, alliance) },
         "second" to summary.date.second.toDouble(),
         "source" to summary.date.source.ordinal,
@@ -41,6 +48,7 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
+        "figures" to arrayOf(figures.names, figures.values),
     )
 
     /** Returns [log] with what [message] says of it. */
@@ -61,7 +69,9 @@ internal object SummaryMessage {
             battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn),
             topics = topicsIn(message),
         )
-        return log.with(summary, if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null)
+        val found = if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null
+        val (names, values) = message.figures.unsafeCast<Array<String>>()
+        return log.with(summary, found, reader.read(FigureText(names, values)))
     }
 
     private fun verdictIn(parts: Array<dynamic>?): Verdict? = parts?.let {

@@ -34,7 +34,7 @@ internal object SummaryWorker {
                 examination = LogExamination(checkNotNull(RuleSet.fromJson(message as String)))
             } else {
                 val log = OpenedLog(message.unsafeCast<Array<File>>().toList())
-                examination.of(log) { page.postMessage(SummaryMessage.of(it.summary, it.found)) }.then(
+                examination.of(log) { page.postMessage(SummaryMessage.of(it)) }.then(
                     { page.postMessage(json("failure" to null)) },
                     { page.postMessage(json("failure" to (it.message ?: it.toString()))) },
                 )

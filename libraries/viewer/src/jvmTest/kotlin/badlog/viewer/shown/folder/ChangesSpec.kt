@@ -1,0 +1,67 @@
+package badlog.viewer.shown.folder
+
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import badlog.rules.fromJson
+import badlog.rules.number.FigureReader
+import badlog.rules.number.FigureText
+import badlog.rules.number.LogFigures
+import badlog.rules.number.MatchKind
+import badlog.rules.number.Measure
+import badlog.rules.toJson
+import badlog.signals.match.MatchOfLog
+import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.LogDate
+import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.LogSummary
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+class ChangesSpec : FunSpec({
+    fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
+
+    /** A log whose motor was as hot as [celsius]. */
+    fun figures(celsius: Double, kind: MatchKind = MatchKind.MATCH): LogFigures = FigureReader().read(
+        FigureText(
+            "motor temperature\tArm/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
+            "${kind.ordinal};NaN;false;false;$celsius",
+        ),
+    )
+
+    // Pages have their rules as JSON.
+    val rules = checkNotNull(RuleSet.fromJson(RuleSet.BUILT_IN.toJson()))
+    val logs = List(8) { log("$it.bag", it.toLong()) }
+
+    test("a log that is unlike the matches before it says how") {
+        val temperatures = listOf(41.0, 40.0, 42.0, 39.5, 41.5, 40.5, 95.0)
+        val changes = changesOf(logs[6], logs.take(6), rules) { figures(temperatures[logs.indexOf(it)]) }
+        changes.differences.single().text shouldContain "Arm/Temperature at its highest was 95 °C"
+        changes.previous shouldBe logs[5]
+    }
+
+    test("a log like the others, or with too few before it, says nothing") {
+        changesOf(logs[6], logs.take(6), rules) { figures(40.0 + logs.indexOf(it) % 3) }.differences.shouldBeEmpty()
+        changesOf(logs[3], logs.take(3), rules) { figures(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
+        changesOf(logs[0], emptyList(), rules) { figures(95.0) } shouldBe Changes()
+        changesOf(logs[6], logs.take(6), rules) { LogFigures.NONE } shouldBe Changes()
+    }
+
+    test("only matches before count, neither practice nor another log of the same match, and of them the last 20") {
+        val many = List(40) { log("$it.bag", it.toLong()) }
+        earlierThan(many[25], many.shuffled()).map { it.summary.date.second } shouldBe (0L..24L).toList()
+        val match = MatchOfLog(null, "Qualification", "7")
+        fun AnyLog.of(match: MatchOfLog) = copy(summary = summary.copy(match = match))
+        earlierThan(many[1].of(match), listOf(many[0].of(match))).shouldBeEmpty()
+
+        var read = 0
+        val changes = changesOf(many[39], many.take(39), rules) {
+            read++
+            if (it === many[38]) figures(40.0, MatchKind.PRACTICE) else figures(if (it === many[39]) 95.0 else 40.0 + read % 3)
+        }
+        changes.differences.single().text shouldContain "your 20 other matches"
+        changes.previous shouldBe many[37]
+    }
+})
