@@ -194,11 +194,7 @@ internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifie
 private fun emptinessOf(library: LibraryState): String = when {
     library.folder == null -> "Open the folder where the robot’s logs are, or drop it onto this window."
 
-    library.listing.size > 0 && library.listing.filter.isNotBlank() -> "No log matches “${library.listing.filter.trim()}”."
-
-    library.listing.size > 0 && library.listing.onlyErrors -> "Rules found no error in any of these logs."
-
-    library.listing.size > 0 -> "All of these logs are idle."
+    library.listing.size > 0 -> library.listing.emptiness
 
     !library.hasLooked -> "Looking for logs…"
 

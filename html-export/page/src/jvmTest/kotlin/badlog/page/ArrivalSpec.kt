@@ -166,4 +166,16 @@ internal class ArrivalSpec : PageSpec({
             texts(".board .graph-title") shouldContain "Current"
         }
     }
+
+    browserTest("the list shows only logs with an error, if asked to") {
+        onPage(page, state = "empty", script = watchedFolder(after)) {
+            openFolder()
+            element("#only-errors").click()
+            settle()
+            texts("[data-column='FILE']").joinToString() shouldContain "qualification-42.bag"
+            elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
+            script(putIntoFolder(mapOf("Q1.bag" to match(1, 10.0))))
+            await("no log") { "Rules found no error in any of these logs." in text }
+        }
+    }
 })

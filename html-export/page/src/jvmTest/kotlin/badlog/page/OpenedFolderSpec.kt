@@ -94,7 +94,7 @@ internal class OpenedFolderSpec : PageSpec({
             column("FILE") shouldContainExactly listOf("qualification-57.bag.gz")
             element("#search").sendKeys(" nothing")
             settle()
-            text shouldContain "No log matches."
+            text shouldContain "No log matches “"
         }
     }
 
@@ -149,7 +149,7 @@ internal class OpenedFolderSpec : PageSpec({
             // The folder's own name finds nothing.
             element("#search").sendKeys("event practice")
             settle()
-            text shouldContain "No log matches."
+            text shouldContain "No log matches “"
         }
     }
 

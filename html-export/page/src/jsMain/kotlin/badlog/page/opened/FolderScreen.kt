@@ -97,6 +97,7 @@ internal class FolderScreen(
             compare = addButton("", "Compare", "Draw the checked logs over each other") { compareChecked() }
             compare.id = "compare-logs"
             addBox("hide-empty", "Hide idle logs") { list(listing.copy(hidesEmpty = it)) }
+            addBox("only-errors", "Only logs with an error") { list(listing.copy(onlyErrors = it)) }
             groups = addBox("group-events", "Group by event") { list(listing.copy(groupsEvents = it)) }
             progress = add("p", "unit") { setAttribute("role", "status") }
         }
@@ -291,7 +292,7 @@ internal class FolderScreen(
         statistics.show(checked.mapNotNull(known::get))
         compare.isDisabled = checked.size < 2
         nothing.isHidden = listing.visible.isNotEmpty()
-        nothing.showText(if (listing.size == 0) "There are no logs in this folder." else "No log matches.")
+        nothing.showText(if (listing.size == 0) "There are no logs in this folder." else listing.emptiness)
     }
 
     private val OpenedLog.isUnread: Boolean get() = isHere && found == null && isReadable && !isGray

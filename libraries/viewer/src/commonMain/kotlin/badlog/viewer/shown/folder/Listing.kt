@@ -46,6 +46,14 @@ data class Listing<E : ListedLog>(
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
 
+    /** Why none of them is listed, as a sentence, though there are some. */
+    val emptiness: String
+        get() = when {
+            filter.isNotBlank() -> "No log matches “${filter.trim()}”."
+            onlyErrors -> "Rules found no error in any of these logs."
+            else -> "All of these logs are idle."
+        }
+
     /** Sorted by [column]; the other way round when that is so already. */
     fun sorted(column: LogColumn): Listing<E> = if (column == this.column) {
         copy(isDescending = !isDescending)

@@ -89,6 +89,12 @@ class ListingSpec : FunSpec({
         names(listing.copy(onlyErrors = true)) shouldContainExactly listOf("a.bag")
     }
 
+    test("why no log is listed: the words before what is hidden") {
+        listing.copy(filter = " nothing ", onlyErrors = true).emptiness shouldBe "No log matches “nothing”."
+        listing.copy(onlyErrors = true, hidesEmpty = true).emptiness shouldBe "Rules found no error in any of these logs."
+        listing.copy(hidesEmpty = true).emptiness shouldBe "All of these logs are idle."
+    }
+
     test("sorting loses and adds nothing, puts what is missing last, and a column has a text where it has something") {
         val anyLog = arbitrary {
             val number = Arb.int(1..99).orNull().bind()?.toString()
