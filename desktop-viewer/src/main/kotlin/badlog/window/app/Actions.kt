@@ -48,6 +48,8 @@ internal class Actions(
     private fun perform(request: Request) = when (request) {
         Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
 
+        Request.Modules -> panels.change { toggled(InspectorTab.MODULES) }
+
         Request.Pin -> board.togglePin()
 
         is Request.Graph -> board.keepInSight(request.id)

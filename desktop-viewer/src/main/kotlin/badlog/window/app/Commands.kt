@@ -50,7 +50,7 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
 }
 
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
-private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight)
+private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight, Key.Nine)
 
 /** Returns the keys for the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener, showNewLog: () -> Unit): List<Command> = listOf(

@@ -40,9 +40,10 @@ import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.FieldFile
 import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.XyPlot
-import badlog.viewer.draw.path.swerveModulesOf
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.shown.swerve.SwerveDrive
+import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
 import java.awt.EventQueue
@@ -156,6 +157,9 @@ internal class OpenRecording(
     /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
 
+    /** Its swerve drive; null for none. */
+    val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
+
     private val modules by lazy { swerveModulesOf(view.recording.topics) }
 
     /** The picture of its field; null for none, or where it cannot be drawn. */
@@ -209,6 +213,7 @@ internal class OpenRecording(
         events
         standardGraphs
         timeColumn
+        drive
     }
 
     companion object {

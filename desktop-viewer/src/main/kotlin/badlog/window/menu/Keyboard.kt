@@ -158,6 +158,7 @@ private val KEYS = mapOf(
     "G" to listOf(Key.G),
     "H" to listOf(Key.H),
     "P" to listOf(Key.P),
+    "W" to listOf(Key.W),
     "Y" to listOf(Key.Y),
     "Z" to listOf(Key.Z),
     "↑" to listOf(Key.DirectionUp),

@@ -48,7 +48,7 @@ import badlog.window.video.VideoPanel
 import kotlinx.coroutines.launch
 import java.awt.datatransfer.StringSelection
 
-/** The panel on the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video. */
+/** The panel on the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video, modules. */
 @Composable
 internal fun InspectorPane(
     current: CurrentRecording,
@@ -73,7 +73,7 @@ internal fun InspectorPane(
             itemVerticalAlignment = Alignment.CenterVertically,
         ) {
             Text(tab.title, Modifier.widthIn(min = TITLE), fontWeight = FontWeight.SemiBold, maxLines = 1)
-            for (other in InspectorTab.entries) {
+            for (other in tabsOf(current.recording)) {
                 ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
                     panels.change { inspecting(other) }
                 }
@@ -114,6 +114,8 @@ internal fun InspectorPane(
                 InspectorTab.NOTES -> NotesPanel(notes, todo, view, open, showGraphs, Modifier.fillMaxSize())
 
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
+
+                InspectorTab.MODULES -> ModulesPanel(view, open, showGraphs, Modifier.fillMaxSize())
             }
         }
     }
@@ -127,13 +129,17 @@ internal fun PanelHint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
 }
 
+/** Returns the panels that [open] has something for. */
+private fun tabsOf(open: OpenRecording?): List<InspectorTab> =
+    InspectorTab.entries.filter { it != InspectorTab.MODULES || open?.drive != null }
+
 /** Opens and closes the panels on the right; each button shows how much is in its panel, and its title if it [hasLabels]. */
 @Composable
 internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels, hasLabels: Boolean) {
     val open = current.recording ?: return
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
-        for (tab in InspectorTab.entries) {
+        for (tab in tabsOf(open)) {
             val count = countOf(tab, findings, notes, open)
             val hasErrors = when (tab) {
                 InspectorTab.PROBLEMS -> open.view.count(Severity.ERROR) > 0
@@ -155,7 +161,7 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> problemsIn(open.view)
-    InspectorTab.STATISTICS, InspectorTab.CURSOR, InspectorTab.VIDEO -> null
+    InspectorTab.STATISTICS, InspectorTab.CURSOR, InspectorTab.VIDEO, InspectorTab.MODULES -> null
     InspectorTab.FINDINGS -> findings.state.list?.all?.size
     InspectorTab.NOTES -> notes.all.size
 }

@@ -89,6 +89,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     NOTES("Notes", Icons.Note),
     CURSOR("Values", Icons.Table),
     VIDEO("Video", Icons.Video),
+    MODULES("Modules", Icons.Wheels),
 }
 
 /** The range of statistics. */

@@ -56,6 +56,7 @@ internal object Icons {
     val Sigma = icon("M12.5 4.5 V3 H4 L8.5 8 L4 13 H12.5 V11.5")
     val Note = icon("M3 2.5 H13 V10 L9.5 13.5 H3 Z M13 10 H9.5 V13.5 M5.5 5.5 H10.5 M5.5 8 H8.5")
     val Video = icon("M1.5 4 H10.5 V12 H1.5 Z M10.5 7 L14.5 4.5 V11.5 L10.5 9")
+    val Wheels = icon("M4.5 4.5 H11.5 V11.5 H4.5 Z M2.5 2 V7 M13.5 2 V7 M2.5 9 V14 M13.5 9 V14")
     val PreviousFrame = icon("M6.5 4 L2.5 8 L6.5 12 M2.5 8 H13.5")
     val NextFrame = icon("M9.5 4 L13.5 8 L9.5 12 M13.5 8 H2.5")
     val Link = icon("M6.5 9.5 L9.5 6.5 M7.5 5 L9.5 3 A2.5 2.5 0 0 1 13 6.5 L11 8.5 M8.5 11 L6.5 13 A2.5 2.5 0 0 1 3 9.5 L5 7.5")

@@ -11,6 +11,7 @@ import badlog.page.layout.LayoutDialog
 import badlog.page.note.NoteDialog
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
+import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
 import badlog.viewer.input.Action
@@ -33,6 +34,7 @@ internal class Keyboard(
     private val evidence: EvidenceSection,
     private val board: BoardKeys,
     private val values: CursorPanel,
+    private val modules: ModulesPanel,
     private val formulas: FormulaDialog,
     private val notes: NoteDialog,
     private val layouts: LayoutDialog,
@@ -68,6 +70,8 @@ internal class Keyboard(
 
     private fun perform(request: Request) = when (request) {
         Request.Values -> values.toggle()
+
+        Request.Modules -> modules.toggle()
 
         Request.Pin -> board.togglePin()
 

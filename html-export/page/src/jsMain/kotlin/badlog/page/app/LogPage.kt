@@ -50,6 +50,7 @@ import badlog.page.opened.OpenedLog
 import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
+import badlog.page.panel.ModulesPanel
 import badlog.page.rules.RuleSearch
 import badlog.page.screen.setRulesState
 import badlog.page.video.VideoPanel
@@ -124,9 +125,11 @@ internal class LogPage(
             add("span", "", "Formula")
         }
     }
-    private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines)
+    private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines) { modules.close() }
+    private val modules: ModulesPanel = ModulesPanel(scene) { if (values.isOpen) values.toggle() }
     private val noteDialog = NoteDialog(scene, notes)
-    private val ways = listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button)
+    private val ways =
+        listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button, modules.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
     private val link =
         PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, { opened.now }, { opened.open(it) })
@@ -189,6 +192,7 @@ internal class LogPage(
         }
         appendChild(video.element)
         appendChild(values.element)
+        appendChild(modules.element)
         appendChild(help.element)
         appendChild(formulaDialog.element)
         appendChild(topicDialog.element)
@@ -215,7 +219,7 @@ internal class LogPage(
         }
         BoardDrag(board, graphs, boardSection)
         val keys = BoardKeys(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, keys, values, formulaDialog, noteDialog, layouts.dialog, help, video, live)
+        Keyboard(scene, search, findings, evidence, keys, values, modules, formulaDialog, noteDialog, layouts.dialog, help, video, live)
     }
 
     /** What stays of it when the log has grown. */
@@ -295,6 +299,7 @@ internal class LogPage(
     /** Redraws everything that has its own colors. */
     fun repaint() {
         graphs.repaint()
+        modules.repaint()
         zoomBar.repaint()
     }
 

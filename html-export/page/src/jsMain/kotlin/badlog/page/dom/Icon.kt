@@ -36,6 +36,7 @@ internal enum class Icon(private val path: String) {
     COMPARE("M2.5 10.5l3-4 3 2.5 5-5.5M2.5 13.5l3-2.5 3 1.5 5-4"),
     FOLDER("M2 12.5v-9h4l1.5 2H14v7z"),
     SEND("M13.5 2.5 2.5 7l4.5 2 2 4.5zM13.5 2.5 7 9"),
+    WHEELS("M4.5 4.5h7v7h-7zM2.5 2v5M13.5 2v5M2.5 9v5M13.5 9v5"),
     OPEN("M8 10.5v-8M4.5 6 8 2.5 11.5 6M2.5 13.5h11"),
     ;
 

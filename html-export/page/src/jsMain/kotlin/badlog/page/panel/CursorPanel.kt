@@ -27,8 +27,14 @@ import org.w3c.dom.HTMLElement
  *
  * @param shown the lines of the graphs on the screen.
  * @param all the lines that a search may find.
+ * @param beforeOpening closes what is in its place.
  */
-internal class CursorPanel(private val scene: Scene, private val shown: () -> List<GraphSeries>, private val all: () -> List<GraphSeries>) {
+internal class CursorPanel(
+    private val scene: Scene,
+    private val shown: () -> List<GraphSeries>,
+    private val all: () -> List<GraphSeries>,
+    private val beforeOpening: () -> Unit,
+) {
     private lateinit var place: HTMLElement
     private lateinit var hint: HTMLElement
     private lateinit var body: HTMLElement
@@ -69,6 +75,7 @@ internal class CursorPanel(private val scene: Scene, private val shown: () -> Li
 
     /** Opens or closes it. */
     fun toggle() {
+        if (element.isHidden) beforeOpening()
         setOpen(element.isHidden)
         refresh()
         LocalStorage[KEY] = if (element.isHidden) "" else "open"

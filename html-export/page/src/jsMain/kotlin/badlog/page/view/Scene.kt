@@ -27,6 +27,7 @@ import badlog.viewer.shown.outline.traits
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import badlog.viewer.shown.statistics.Channels
+import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 import kotlin.math.abs
@@ -42,6 +43,9 @@ internal class Scene(
 ) {
     /** The channels of the power distribution, found by the names of signals. */
     val channels: Channels by lazy { Channels.of(view, signalTopicsOf(view, signals)) }
+
+    /** The swerve drive; null for none. */
+    val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
 
     val xAxis: XAxis = view.xAxis
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })

@@ -19,11 +19,11 @@ import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyDrawing
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.path.shown
-import badlog.viewer.draw.path.swerveModulesOf
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
+import badlog.viewer.shown.swerve.swerveModulesOf
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement

@@ -50,6 +50,9 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     /** Opens or closes the values of many topics at the cursor. */
     CURSOR_VALUES("Graphs", "Values at the cursor: open or close", KeyStroke("V")),
 
+    /** Opens or closes the modules of a swerve drive at the cursor. */
+    MODULES("Graphs", "Swerve modules: open or close", KeyStroke("W")),
+
     /** Adds the graph to the board, or removes it. */
     PIN("Board", "Add the graph to the board, or remove it", KeyStroke("P")),
 

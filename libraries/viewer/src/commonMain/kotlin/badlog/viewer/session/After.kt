@@ -31,6 +31,7 @@ fun after(session: Session, shown: Shown, action: Action): Outcome = when (actio
     Action.NEXT_LAYOUT -> Outcome(session, Request.Layout(1))
     Action.PREVIOUS_LAYOUT -> Outcome(session, Request.Layout(-1))
     Action.CURSOR_VALUES -> Outcome(session, Request.Values)
+    Action.MODULES -> Outcome(session, Request.Modules)
     Action.NEW_FORMULA -> Outcome(session, Request.Formula)
     Action.NEW_NOTE -> Outcome(session, Request.Note(session.place.ofNote))
     Action.MARK -> Outcome(session, Request.Mark(shown.newest ?: session.place.ofNote))

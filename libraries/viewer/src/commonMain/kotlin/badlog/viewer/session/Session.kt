@@ -46,6 +46,9 @@ sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
     data object Values : Request
 
+    /** Opens the modules of a swerve drive at the cursor, or closes them; for a log without any, it says so. */
+    data object Modules : Request
+
     /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */
     data object Pin : Request
 

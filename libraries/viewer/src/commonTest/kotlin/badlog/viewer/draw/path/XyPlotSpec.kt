@@ -7,6 +7,8 @@ import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.posesOf
 import badlog.viewer.bagView
+import badlog.viewer.shown.swerve.SwerveModules
+import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
@@ -89,6 +91,16 @@ class XyPlotSpec : FunSpec({
         plot.arrowsAt(-1.0) shouldBe emptyList()
     }
 
+    test("three modules are arrows too: two in front, one behind") {
+        val states = List(3) { i -> listOf(timedTopic("Measured[$i]/speed", 0.0 to 4.0), timedTopic("Measured[$i]/angle/value", 0.0 to 0.0)) }
+        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0)) + states.flatten())
+        val modules = swerveModulesOf(view.recording.topics)
+        val plot = xyPlotOf(listOf("Pose/translation/x", "Pose/translation/y"), posesOf(view.recording.topics), modules) { name ->
+            view.recording.topics.find { it.name == name }?.let(view::seriesOf)
+        }!!
+        plot.arrowsAt(0.0)[2].places.take(4).zip(listOf(2.0, 2.7, 2.0, 3.7)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
+    }
+
     test("modules with a topic of their own for speed and for angle are arrows, however their corners are named") {
         fun found(vararg names: String, units: List<String> = listOf("m/s", "deg")): List<SwerveModules> {
             val topics = names.flatMapIndexed { i, name -> listOf(name, name.replace("Speed", "Angle")).map { it to i } }
@@ -104,7 +116,11 @@ class XyPlotSpec : FunSpec({
         found(*corners("FL", "FR", "BL", "BR")).single().radians shouldBe (PI / 180 plusOrMinus 1e-12)
         found(*corners("Module0/", "Module1/", "Module2/", "Module3/"), units = listOf("ft/s", "rad")).single().meters shouldBe 0.3048
         found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
-        found(*corners("FL", "FR", "BL")) shouldBe emptyList()
+        found(*corners("FrontLeft", "FrontRightt", "BackLeft", "BackRight")).single().isTarget shouldBe false
+        found(*corners("FL", "FR", "BR")).single().labels shouldBe listOf("Front Left", "Front Right", "Back Right")
+        found(*corners("FL", "BR")) shouldBe emptyList()
+        found(*corners("Module0/", "Module1/", "Module3/")) shouldBe emptyList()
+        found(*corners("Module0/", "Module1/", "Module2/")).single().labels shouldBe listOf("Module 0", "Module 1", "Module 2")
         found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
         // How far a wheel has turned is not its direction.
         val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->

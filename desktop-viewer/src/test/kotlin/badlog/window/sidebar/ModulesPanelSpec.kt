@@ -1,0 +1,89 @@
+package badlog.window.sidebar
+
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.captureToImage
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onNodeWithContentDescription
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollTo
+import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import badlog.files.UserFolders
+import badlog.viewer.input.Action
+import badlog.window.TestInspector
+import badlog.window.app.Viewer
+import badlog.window.bagOf
+import badlog.window.log.OpenRecording
+import badlog.window.recordingOf
+import badlog.window.theme.Palette
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
+import badlog.window.waiting.waitFor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.MainScope
+import kotlin.math.PI
+
+@OptIn(ExperimentalTestApi::class)
+class ModulesPanelSpec : FunSpec({
+    val home = tempdir().toPath()
+
+    /** Ten seconds of three modules; module 1 points 10° aside, and 15° from 3 s to 3.5 s. */
+    fun drive(hasTargets: Boolean): OpenRecording {
+        val sides = if (hasTargets) listOf("Measured", "Setpoints") else listOf("Measured")
+        val topics = sides.flatMap { side -> List(3) { "$side[$it]" } }.flatMap { listOf("$it/speed", "$it/angle/value") }
+        val rows = List(501) { row ->
+            val time = row / 50.0
+            val numbers = topics.map { topic ->
+                val off = (if (time in 3.0..3.5) 15 else 10).takeIf { topic.startsWith("Measured[1]") } ?: 0
+                if (topic.endsWith("speed")) 2.0 else time / 5 + off * PI / 180
+            }
+            (listOf(time) + numbers).joinToString(",")
+        }
+        return recordingOf(bagOf(listOf("Time|xaxis") + topics, rows))
+    }
+
+    fun viewerOf(recording: OpenRecording) = Viewer(MainScope(), UserFolders(home, home)).apply {
+        current.replace(recording)
+        view.show(recording.span)
+    }
+
+    test("the worst module is named, its largest error takes the cursor there, and the arrows have the modules' colors") {
+        val viewer = viewerOf(drive(hasTargets = true))
+        viewer.panels.change { inspecting(InspectorTab.MODULES) }
+        runDesktopComposeUiTest(340, 800) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            val sentence = "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+            waitFor { onAllNodesWithText(sentence).fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("largest 15.0°: Go to the largest error, at 3.000", substring = true).performScrollTo().performClick()
+            runOnIdle { viewer.view.cursor shouldBe 3.0 }
+            val pixels = onNodeWithContentDescription("Modules at the cursor").performScrollTo().captureToImage().toPixelMap()
+            val ofModule = (0 until pixels.height).sumOf { y -> (0 until pixels.width).count { pixels[it, y] == Palette.LIGHT.line(2) } }
+            ofModule shouldBeGreaterThan 50
+            viewer.view.change { showing(3.1, 3.4) }
+            waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
+        }
+    }
+
+    test("without targets there are arrows and no errors; without modules there is no button, and the panel says why") {
+        val without = viewerOf(drive(hasTargets = false))
+        without.panels.change { inspecting(InspectorTab.MODULES) }
+        runDesktopComposeUiTest(340, 800) {
+            setContent { ViewerTheme(Theme.DARK) { TestInspector(without) } }
+            waitFor { onAllNodesWithText("This log has no targets", substring = true).fetchSemanticsNodes().isNotEmpty() }
+            onAllNodesWithContentDescription("Show modules").fetchSemanticsNodes().size shouldBe 1
+            onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
+        }
+        val none = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))))
+        none.actions.perform(Action.MODULES)
+        runDesktopComposeUiTest(340, 800) {
+            setContent { ViewerTheme(Theme.DARK) { TestInspector(none) } }
+            onNodeWithText("This log has no swerve modules", substring = true).assertExists()
+            onAllNodesWithContentDescription("Show modules").fetchSemanticsNodes().size shouldBe 0
+        }
+    }
+})

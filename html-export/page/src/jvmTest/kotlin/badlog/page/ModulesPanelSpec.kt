@@ -1,0 +1,82 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.By
+import kotlin.math.PI
+
+/** The panel with the modules of a swerve drive. */
+internal class ModulesPanelSpec : PageSpec({
+    /** Ten seconds of four modules, the second of which points 10° aside, and 15° from 3 s to 3.5 s. */
+    val page by lazy {
+        val names = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
+        val topics = listOf(TIME) + names.flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }
+        TestPages.of(
+            bagOf(topics, 501) { row, column ->
+                val time = row / 50.0
+                val off = (if (time in 3.0..3.5) 15 else 10).takeIf { column == 4 } ?: 0
+                when {
+                    column == 0 -> time
+                    column % 2 == 1 -> 2
+                    else -> time / 5 + off * PI / 180
+                }
+            },
+        )
+    }
+
+    fun OpenPage.picture() = script("return document.querySelector('#modules canvas').toDataURL()") as String
+
+    browserTest("W opens the modules: the worst one is named, its largest error is one click away, and the picture follows the cursor") {
+        onPage(page) {
+            press("w")
+            settle()
+            element(".modules-worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+            texts(".module-error b") shouldBe List(4) { "Module $it" }
+            val before = picture()
+            elements(".module-error")[1].findElement(By.tagName("button")).click()
+            settle()
+            element(".cursor-readout").text shouldStartWith "3.00"
+            picture() shouldNotBe before
+            keepScreenshot("modules")
+            press("w")
+            element("#modules").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("the errors are those of the visible range; values at the cursor take the place of the modules") {
+        onPage(page) {
+            click("#modules-button")
+            graph("Measured[0]/speed").drag(0.25, 0.4)
+            settle()
+            element(".modules-worst").text shouldNotBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+            press("v")
+            element("#modules").isDisplayed shouldBe false
+            element("#cursor-values").isDisplayed shouldBe true
+            press("w")
+            element("#modules").isDisplayed shouldBe true
+            element("#cursor-values").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("a log without modules has no button for them, and W says why") {
+        onPage(TestPages.of(stepBag(graphs = 1))) {
+            element("#modules-button").isDisplayed shouldBe false
+            press("w")
+            element("#modules").isDisplayed shouldBe false
+            texts(".notice").single().startsWith("This log has no swerve modules") shouldBe true
+        }
+    }
+
+    browserTest("on a phone the modules are a sheet over the foot of the page") {
+        onPage(page, Screen.PHONE) {
+            click("#modules-button")
+            settle()
+            number("return document.querySelector('#modules').getBoundingClientRect().bottom") shouldBe 844.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+            keepScreenshot("phone-modules")
+        }
+    }
+})

@@ -1,0 +1,82 @@
+package badlog.viewer.draw.swerve
+
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.pen.Pen
+import badlog.viewer.draw.pen.Points
+import badlog.viewer.draw.pen.TextSide
+import badlog.viewer.draw.plot.AXIS_LETTERS
+import badlog.viewer.shown.swerve.SwerveDrive
+import badlog.viewer.shown.swerve.WheelVector
+import kotlin.math.hypot
+
+/**
+ * Draws the robot of [drive] from above, its front up, in the middle of [width] by [height]: an outlined arrow for the target of each
+ * module at [time], and a solid one for what it does. The longest arrow of the whole log just fits.
+ */
+internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, height: Double, colors: PenColors) {
+    val side = minOf(width, height)
+    val half = side * HALF
+    val middleX = width / 2
+    val middleY = height / 2
+    val outline = Points().add(middleX - half, middleY - half).add(middleX + half, middleY - half)
+        .add(middleX + half, middleY + half).add(middleX - half, middleY + half)
+    shapes(outline, corners = 4, colors[Shade.RAISED])
+    chain(outline, isClosed = true, colors[Shade.MUTED], LINE * density)
+    val letters = AXIS_LETTERS * density
+    val top = middleY - half
+    val below = top + letters
+    val front = Points().add(middleX - letters / 2, below).add(middleX + letters / 2, below).add(middleX, top + letters / 4)
+    shapes(front, corners = 3, colors[Shade.MUTED])
+    text("front", middleX, below + letters, letters, colors[Shade.MUTED], TextSide.CENTER)
+    val scale = if (drive.fastest > 0) side * LONGEST / drive.fastest else 0.0
+    drive.modules.forEachIndexed { i, module ->
+        val place = module.place
+        val x = middleX - place.left * half
+        val y = middleY - place.ahead * half
+        val color = colors.line(i)
+        module.targetAt(time)?.let { arrow(x, y, it, scale, TARGET * density) }?.let { chain(it, isClosed = true, color, LINE * density) }
+        module.actualAt(time)?.let { arrow(x, y, it, scale, ACTUAL * density) }?.let { shapes(it, CORNERS, color) }
+        dots(Points().add(x, y), DOT * density, color)
+        // Toward the middle, where fewer arrows are.
+        val inside = INSIDE * density
+        val signX = x + place.left * inside
+        val signY = y + place.ahead * inside
+        text(module.sign, signX, signY, letters, colors[Shade.TEXT], TextSide.CENTER, isBold = true, halo = colors[Shade.RAISED])
+    }
+    if (time.isNaN()) text("Point at a graph.", middleX, middleY, letters, colors[Shade.MUTED], TextSide.CENTER)
+}
+
+/** Returns the corners of an arrow from ([x], [y]) along [vector]; its shaft is twice [half] wide. Null if it is too short to be seen. */
+private fun arrow(x: Double, y: Double, vector: WheelVector, scale: Double, half: Double): Points? {
+    val toX = -vector.left * scale
+    val toY = -vector.ahead * scale
+    val length = hypot(toX, toY)
+    if (length < half) return null
+    val alongX = toX / length
+    val alongY = toY / length
+    val head = minOf(HEAD * half, length)
+    val points = Points()
+    fun corner(along: Double, aside: Double) = points.add(x + along * alongX - aside * alongY, y + along * alongY + aside * alongX)
+    corner(0.0, half)
+    corner(length - head, half)
+    corner(length - head, HEAD / 2 * half)
+    corner(length, 0.0)
+    corner(length - head, -HEAD / 2 * half)
+    corner(length - head, -half)
+    corner(0.0, -half)
+    return points
+}
+
+/** Half of the robot's side, as a share of the picture's. */
+private const val HALF = 0.23
+
+/** The length of the longest arrow, as a share of the picture's side. */
+private const val LONGEST = 0.25
+private const val CORNERS = 7
+private const val LINE = 1.5
+private const val TARGET = 4.5
+private const val ACTUAL = 2.0
+private const val HEAD = 4.5
+private const val DOT = 3.5
+private const val INSIDE = 15.0

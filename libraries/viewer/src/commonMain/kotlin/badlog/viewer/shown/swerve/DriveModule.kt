@@ -1,0 +1,55 @@
+package badlog.viewer.shown.swerve
+
+import badlog.core.analysis.GraphSeries
+import badlog.viewer.shown.cursor.indexAt
+import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * One module of a [SwerveDrive].
+ *
+ * @property label its name for people, as in findings: `Front Left`, `Module 2`.
+ * @property sign what tells it from the others in a drawing: `FL`, `2`.
+ */
+class DriveModule internal constructor(
+    val label: String,
+    internal val place: ModulePlace,
+    internal val actual: WheelLines,
+    internal val target: WheelLines?,
+) {
+    val sign: String = if (label.last().isDigit()) label.takeLastWhile { it.isDigit() } else label.filter { it.isUpperCase() }
+
+    /** Returns what its wheel does at [time]; null if that is unknown. */
+    fun actualAt(time: Double): WheelVector? = actual.vectorAt(time)
+
+    /** Returns what its wheel should do at [time]; null if that is unknown. */
+    fun targetAt(time: Double): WheelVector? = target?.vectorAt(time)
+}
+
+/**
+ * The velocity of a wheel over the ground, as the robot sees it, in m/s. A wheel that runs backward, pointing back, goes ahead.
+ *
+ * @property ahead the part toward the robot's front.
+ * @property left the part toward its left.
+ */
+class WheelVector internal constructor(val ahead: Double, val left: Double)
+
+/** The lines of a wheel: its speed times [meters] is in m/s, its angle times [radians] in rad, counterclockwise from straight ahead. */
+internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, private val meters: Double, private val radians: Double) {
+    /** Whether its samples are in the order of x. */
+    val isOrdered: Boolean get() = speed.data.isOrdered && angle.data.isOrdered
+
+    /** The highest speed, in m/s; 0 without any. */
+    val fastest: Double by lazy { speed.data.y.maxOfOrNull { if (it.isFinite()) abs(it) else 0.0 }.let { (it ?: 0.0) * abs(meters) } }
+
+    fun vectorAt(time: Double): WheelVector? {
+        val speed = speedOf(speed.indexAt(time))
+        val angle = angleOf(angle.indexAt(time))
+        return if (speed.isFinite() && angle.isFinite()) WheelVector(speed * cos(angle), speed * sin(angle)) else null
+    }
+
+    fun speedOf(sample: Int): Double = if (sample < 0) Double.NaN else speed.data.y[sample] * meters
+
+    fun angleOf(sample: Int): Double = if (sample < 0) Double.NaN else angle.data.y[sample] * radians
+}

@@ -1,0 +1,74 @@
+package badlog.viewer.shown.swerve
+
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.viewer.text.fixedText
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/**
+ * How far a module was from its target over a part of x.
+ *
+ * @property label the module's name for people.
+ * @property angle the error of its angle; null if it did not drive.
+ * @property speed the error of its speed; null if it did not drive.
+ */
+class ModuleError internal constructor(val label: String, val angle: ErrorSize?, val speed: ErrorSize?)
+
+/** What an error is measured in, with as many decimals as anybody reads. */
+internal enum class ErrorUnit(private val text: String, private val decimals: Int) {
+    DEGREES("°", 1),
+    SPEED(" m/s", 2),
+    ;
+
+    fun textOf(value: Double): String = fixedText(value, decimals) + text
+
+    /** Returns the texts of both ends of a range, the unit once. */
+    fun textOf(least: Double, most: Double): String {
+        val number = fixedText(least, decimals)
+        return if (number == fixedText(most, decimals)) textOf(most) else "$number to ${textOf(most)}"
+    }
+}
+
+/**
+ * The size of an error over a part of x.
+ *
+ * @property rms its root mean square by time.
+ * @property largest the error that is farthest from 0.
+ * @property largestAt the x at which that begins.
+ */
+class ErrorSize private constructor(val rms: Double, val largest: Double, val largestAt: Double, private val unit: ErrorUnit) {
+    /** [rms] for people: `1.2° RMS`. */
+    val rmsText: String get() = "${unit.textOf(rms)} RMS"
+
+    /** [largest] for people: `largest -9.8°`. */
+    val largestText: String get() = "largest ${unit.textOf(largest)}"
+
+    internal companion object {
+        private const val BEYOND_ROUNDING = 1 + 1e-9
+
+        /** Returns the size of [error], which holds each value until the next one, within [part]; null if it has none. */
+        fun of(error: Series, part: Span, unit: ErrorUnit): ErrorSize? {
+            var time = 0.0
+            var squares = 0.0
+            var largest = 0.0
+            var largestAt = Double.NaN
+            var i = maxOf(0, error.firstAfter(part.from) - 1)
+            while (i + 1 < error.size && error.x[i] < part.to) {
+                val from = maxOf(error.x[i], part.from)
+                val width = minOf(error.x[i + 1], part.to) - from
+                val value = error.y[i]
+                if (width > 0 && value.isFinite()) {
+                    time += width
+                    squares += width * value * value
+                    if (largestAt.isNaN() || abs(value) > abs(largest) * BEYOND_ROUNDING) {
+                        largest = value
+                        largestAt = from
+                    }
+                }
+                i++
+            }
+            return if (time > 0) ErrorSize(sqrt(squares / time), largest, largestAt, unit) else null
+        }
+    }
+}

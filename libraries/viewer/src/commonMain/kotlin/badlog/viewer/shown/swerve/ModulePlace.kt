@@ -1,0 +1,35 @@
+package badlog.viewer.shown.swerve
+
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+import kotlin.math.sqrt
+
+/**
+ * Where a module is on its robot, as multiples of half the robot's length and width.
+ *
+ * @property ahead how far in front of the center; negative behind it.
+ * @property left how far to the left of the center; negative to the right.
+ */
+internal class ModulePlace(val ahead: Double, val left: Double)
+
+/**
+ * Returns where [count] modules are, in their order. Logs do not say it. Four are at the corners, front before back, left before right;
+ * three form a triangle with two in front; more are around a circle, clockwise from the front left.
+ */
+internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
+    TRIANGLE.size -> TRIANGLE
+
+    CORNER_PLACES.size -> CORNER_PLACES
+
+    else -> List(count) { module ->
+        val turn = PI / 4 - 2 * PI * module / count
+        ModulePlace(sqrt(2.0) * cos(turn), sqrt(2.0) * sin(turn))
+    }
+}
+
+private val TRIANGLE = listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), ModulePlace(-1.0, 0.0))
+
+/** The corners, front before back, left before right. */
+internal val CORNER_PLACES: List<ModulePlace> =
+    listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), ModulePlace(-1.0, 1.0), ModulePlace(-1.0, -1.0))
