@@ -7,6 +7,7 @@ import badlog.core.analysis.statisticsOf
 import badlog.core.recording.Topic
 import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.Channels
+import badlog.viewer.shown.statistics.Histogram
 import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.RankedChannel
 import badlog.viewer.shown.statistics.StateTime
@@ -25,6 +26,7 @@ import badlog.window.log.Signal
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
  * @property channels what the channels of the power distribution gave, by [order]; [what] they are.
+ * @property opened the name of the signal whose histogram is open; null for none.
  */
 internal class RangeStatistics(
     val part: NamedSpan,
@@ -33,6 +35,7 @@ internal class RangeStatistics(
     val channels: List<RankedChannel> = emptyList(),
     val order: ChannelOrder = ChannelOrder.CHARGE,
     val what: String = "",
+    val opened: String? = null,
 )
 
 /**
@@ -41,8 +44,16 @@ internal class RangeStatistics(
  * @property recording the label of its recording; empty while only one is drawn.
  * @property place the index of that recording among those drawn, which is that of its color.
  * @property cells its displayed values, in order: a name, and a number or a state with its unit.
+ * @property histogram how long it had which values; null unless it is open.
  */
-internal class SignalStatistics(val signal: String, val unit: String, val recording: String, val place: Int, val cells: List<StatCell>)
+internal class SignalStatistics(
+    val signal: String,
+    val unit: String,
+    val recording: String,
+    val place: Int,
+    val cells: List<StatCell>,
+    val histogram: Histogram? = null,
+)
 
 /** A name with its value, also [exact] to the last digit, in a separate line if [isWide]; [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
@@ -50,6 +61,8 @@ internal class StatCell(val name: String, val text: String, val unit: String, va
 /**
  * Returns the statistics of [names] over [part] in each of [drawn], how the lines of each of [graphs] differ, and the channels of the first,
  * by [order]; calculates them all, so do not use it on the window's thread.
+ *
+ * @param opened the name of the signal whose histogram is open; null for none.
  */
 internal fun rangeStatistics(
     drawn: List<DrawnRecording>,
@@ -57,6 +70,7 @@ internal fun rangeStatistics(
     part: NamedSpan,
     graphs: List<List<String>> = emptyList(),
     order: ChannelOrder = ChannelOrder.CHARGE,
+    opened: String? = null,
 ): RangeStatistics {
     val signals = names.flatMap { name ->
         drawn.mapIndexedNotNull { place, (recording, offset, recordingName) ->
@@ -68,7 +82,8 @@ internal fun rangeStatistics(
                 signal.hasFigures && signal.states == null -> cellsOf(signal, statistics, recording.view.xAxis.unit)
                 else -> cellsOf(recording, signal, statistics, parts)
             }
-            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells)
+            val histogram = if (name == opened) Histogram.of(recording.view, signal.line, parts) else null
+            SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells, histogram)
         }
     }
     val xUnit = drawn.firstOrNull()?.recording?.view?.xAxis?.unit.orEmpty()
@@ -82,6 +97,7 @@ internal fun rangeStatistics(
         channels?.ranked(part.parts, order).orEmpty(),
         order,
         channels?.what.orEmpty(),
+        opened,
     )
 }
 

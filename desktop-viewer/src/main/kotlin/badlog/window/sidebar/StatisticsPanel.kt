@@ -6,9 +6,11 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
@@ -20,15 +22,25 @@ import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.draw.plot.HISTOGRAM_HEIGHT
+import badlog.viewer.draw.plot.drawHistogram
 import badlog.viewer.shown.statistics.ChannelOrder
+import badlog.viewer.shown.statistics.Histogram
+import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
@@ -38,6 +50,7 @@ import badlog.window.compare.colorOf
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
+import badlog.window.pen.pen
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
@@ -58,12 +71,15 @@ internal fun StatisticsPanel(
     open: OpenRecording,
     modifier: Modifier,
 ) {
+    var opened by remember { mutableStateOf<String?>(null) }
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
         snapshotFlow {
-            askedFor(compared, board, view, spanOf(panels.state.statistics, open, view), panels.state.channels)
+            askedFor(compared, board, view, spanOf(panels.state.statistics, open, view), panels.state.channels, opened)
         }.conflate().map { asked ->
-            withContext(Dispatchers.Default) { rangeStatistics(asked.drawn, asked.names, asked.part, asked.graphs, asked.order) }
+            withContext(Dispatchers.Default) {
+                asked.run { rangeStatistics(drawn, names, part, graphs, order, opened) }
+            }
         }.collect { value = it }
     }
     val known = statistics ?: return
@@ -82,7 +98,9 @@ internal fun StatisticsPanel(
         if (known.signals.isEmpty()) PanelHint("No topic is drawn. Click one in the list of topics.")
         Box(Modifier.fillMaxSize()) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                items(known.signals) { SignalCells(it) }
+                items(known.signals) { signal ->
+                    SignalCells(signal, signal.signal == known.opened) { opened = if (opened == signal.signal) null else signal.signal }
+                }
                 if (known.channels.isNotEmpty()) item { ChannelsHead(known.what, panels) }
                 items(known.channels) { ChannelLine(it, known.channels.maxOf { each -> each.by(known.order) }, known.order) }
             }
@@ -126,6 +144,7 @@ internal data class Asked(
     val part: NamedSpan,
     val graphs: List<List<String>>,
     val order: ChannelOrder,
+    val opened: String?,
 )
 
 /** Returns the current input for [part]; if that is null, for the displayed range. */
@@ -135,9 +154,11 @@ internal fun askedFor(
     view: AxisView,
     part: NamedSpan? = null,
     order: ChannelOrder = ChannelOrder.CHARGE,
+    opened: String? = null,
 ): Asked {
     val graphs = board.state.graphs.map { it.lines }
-    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), graphs.filter { it.size > 1 }.distinct(), order)
+    val together = graphs.filter { it.size > 1 }.distinct()
+    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), together, order, opened)
 }
 
 private fun rangeText(statistics: RangeStatistics): String {
@@ -147,10 +168,16 @@ private fun rangeText(statistics: RangeStatistics): String {
 }
 
 @Composable
-private fun SignalCells(signal: SignalStatistics) {
+private fun SignalCells(signal: SignalStatistics, isOpen: Boolean, onToggle: () -> Unit) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
-        NameText(signal.signal, fontWeight = FontWeight.SemiBold)
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            NameText(signal.signal, Modifier.weight(1f), fontWeight = FontWeight.SemiBold)
+            // Neither states nor differences have one.
+            if (signal.cells.any { it.name == Statistic.MEAN.title } && signal.cells.none { it.name == NamedDifference.TITLES.last() }) {
+                ToolButton("Histogram of ${signal.signal}: ${Histogram.HINT}", Icons.Chart, isOn = isOpen, onClick = onToggle)
+            }
+        }
         if (signal.recording.isNotEmpty()) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
                 Box(Modifier.size(8.dp).background(palette.colorOf(signal.place), RoundedCornerShape(2.dp)))
@@ -165,7 +192,19 @@ private fun SignalCells(signal: SignalStatistics) {
             }
         }
         for (cell in wide) Cell(cell, Modifier.fillMaxWidth(), nameWidth = WIDE_NAME)
+        if (isOpen) HistogramPicture(signal)
     }
+}
+
+@Composable
+private fun HistogramPicture(signal: SignalStatistics) {
+    val histogram = signal.histogram ?: return Text(Histogram.NONE, color = LocalPalette.current.muted, fontSize = 12.sp)
+    val colors = LocalPalette.current.pen
+    Spacer(
+        Modifier.fillMaxWidth().height(HISTOGRAM_HEIGHT.dp).semantics { contentDescription = "Histogram of ${signal.signal}" }.drawBehind {
+            pen().drawHistogram(histogram, signal.unit, signal.place, size.width.toDouble(), colors)
+        },
+    )
 }
 
 @Composable

@@ -14,6 +14,7 @@ import badlog.core.recording.Severity
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.range.Viewport
+import badlog.viewer.shown.statistics.Histogram
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -110,6 +111,21 @@ class InspectorPaneSpec : FunSpec({
             viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("A"), listOf("Bus"))
             onNodeWithContentDescription("Go to the graph of Bus").performClick()
             viewer.board.wanted shouldBe viewer.board.state.graphs.last().id
+        }
+    }
+
+    test("the histogram of a topic is opened from its statistics, and says if there is none") {
+        val rows = List(11) { "$it,${it * it},7" }
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A", "Flat"), rows)), InspectorTab.STATISTICS)
+        viewer.board.replace(Board().withGraph(listOf("A")).withGraph(listOf("Flat")))
+        runDesktopComposeUiTest(320, 1100) {
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
+            waitFor { onAllNodesWithContentDescription("Histogram of A: ${Histogram.HINT}").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Histogram of A: ${Histogram.HINT}").performClick()
+            waitFor { onAllNodesWithContentDescription("Histogram of A").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Histogram of Flat: ${Histogram.HINT}").performClick()
+            waitFor { onAllNodesWithText(Histogram.NONE).fetchSemanticsNodes().isNotEmpty() }
+            onAllNodesWithContentDescription("Histogram of A").fetchSemanticsNodes().size shouldBe 0
         }
     }
 

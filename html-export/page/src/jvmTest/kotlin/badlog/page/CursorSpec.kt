@@ -149,6 +149,21 @@ internal class CursorSpec : PageSpec({
         }
     }
 
+    browserTest("the histogram of a line is opened from its statistics, and closed again") {
+        onPage(page) {
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+            elements(".statistics tbody .icon-button").first().click()
+            settle()
+            val painted = "const c = document.querySelector('.histogram'); const d = c.getContext('2d')" +
+                ".getImageData(0, 0, c.width, c.height).data; return d.reduce((n, v, i) => n + (i % 4 == 3 && v > 0 ? 1 : 0), 0)"
+            number(painted) shouldBeGreaterThan 1000.0
+            keepScreenshot("histogram")
+            elements(".statistics tbody .icon-button").first().click()
+            settle()
+            elements(".histogram").size shouldBe 0
+        }
+    }
+
     browserTest("Shift and a click set a second cursor: values at both, difference, slope, and statistics between them") {
         onPage(page) {
             graph("Row").click(0.25)

@@ -14,6 +14,7 @@ internal enum class Icon(private val path: String) {
     SUN("M8 5a3 3 0 1 1 0 6 3 3 0 0 1 0-6zM8 1v1.5M8 13.5V15M1 8h1.5M13.5 8H15M3 3l1 1M12 12l1 1M3 13l1-1M12 4l1-1"),
     MOON("M13 9.6A5.6 5.6 0 0 1 6.4 3 5.6 5.6 0 1 0 13 9.6z"),
     LIST("M2.5 4h4M2.5 8h4M2.5 12h4M9.5 4h4M9.5 8h4M9.5 12h4"),
+    BARS("M2.5 13.5h11M4.5 13.5v-3M8 13.5v-10M11.5 13.5v-6"),
     SUM("M12 3H4l4 5-4 5h8"),
     IMAGE("M2.5 3.5h11v9h-11zM2.5 10.5l3.2-3 2.6 2.3 2-1.8 3.2 2.9M10.5 6.2v.1"),
     CHEVRON("M6 3.5 10.5 8 6 12.5"),

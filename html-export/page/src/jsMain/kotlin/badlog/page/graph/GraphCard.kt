@@ -309,6 +309,7 @@ internal class GraphCard(
         isStale = true
         refresh()
         placeCursors()
+        statistics.repaint()
     }
 
     private fun showEmpty() {

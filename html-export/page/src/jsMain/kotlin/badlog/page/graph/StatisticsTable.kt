@@ -4,14 +4,20 @@ import badlog.core.analysis.Graph
 import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
+import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addIconButton
 import badlog.page.dom.addName
 import badlog.page.dom.element
+import badlog.page.pen.CanvasPen
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
+import badlog.viewer.draw.plot.HISTOGRAM_HEIGHT
+import badlog.viewer.draw.plot.drawHistogram
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.statistics.ChannelOrder
+import badlog.viewer.shown.statistics.Histogram
 import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
@@ -20,6 +26,9 @@ import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
 import kotlinx.browser.document
+import kotlinx.browser.window
+import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
@@ -29,6 +38,11 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
     private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
     private var shown: Span? = null
     private var order = ChannelOrder.CHARGE
+
+    /** The index of the line whose histogram is open; -1 for none. */
+    private var opened = -1
+    private var histogram: Histogram? = null
+    private var canvas: HTMLCanvasElement? = null
 
     private val wanted get() = scene.cursor.now.between ?: scene.range.now
 
@@ -58,6 +72,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                             setAttribute("scope", "row")
                             add("span", "swatch line-${colors[index] % LINE_COLORS}")
                             addName(names[index])
+                            addHistogramButton(index, names[index])
                         }
                         for (statistic in Statistic.entries) {
                             val value = statistic.of(statistics)
@@ -67,8 +82,42 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                 }
             }
         }
+        addHistogram()
         addDifferences(now)
         if (graph.series.any { it.topic.name in scene.channels.topics }) addChannels(now)
+    }
+
+    private fun HTMLElement.addHistogramButton(index: Int, name: String) {
+        addIconButton("", Icon.BARS, "Histogram of $name: ${Histogram.HINT}") {
+            opened = if (opened == index) -1 else index
+            update()
+        }.setAttribute("aria-pressed", (opened == index).toString())
+    }
+
+    /** Adds the histogram of the line whose button was pressed. */
+    private fun addHistogram() {
+        histogram = null
+        val line = graph.series.getOrNull(opened) ?: return
+        val found = Histogram.of(scene.view, line, listOf(wanted))
+        if (found == null) {
+            element.add("p", "cursor-panel-hint", Histogram.NONE)
+            return
+        }
+        histogram = found
+        canvas = element.add("canvas", "histogram").unsafeCast<HTMLCanvasElement>()
+        repaint()
+    }
+
+    /** Draws what has colors of its own. */
+    fun repaint() {
+        val found = histogram ?: return
+        val canvas = canvas ?: return
+        val ratio = window.devicePixelRatio
+        canvas.style.height = "${HISTOGRAM_HEIGHT}px"
+        canvas.width = (canvas.clientWidth * ratio).toInt()
+        canvas.height = (HISTOGRAM_HEIGHT * ratio).toInt()
+        val pen = CanvasPen(canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>())
+        pen.drawHistogram(found, graph.series[opened].unit, colors[opened], canvas.width.toDouble(), scene.palette.colors)
     }
 
     /** Adds what each channel gave; a click on a title sorts. */

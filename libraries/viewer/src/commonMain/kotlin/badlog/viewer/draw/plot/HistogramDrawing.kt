@@ -1,0 +1,50 @@
+package badlog.viewer.draw.plot
+
+import badlog.core.analysis.Span
+import badlog.viewer.draw.axis.Ticks
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.pen.Pen
+import badlog.viewer.draw.pen.Points
+import badlog.viewer.draw.pen.TextSide
+import badlog.viewer.shown.statistics.Histogram
+import badlog.viewer.text.fixedText
+import badlog.viewer.text.withUnit
+
+/**
+ * Draws [histogram] of a line in [unit] and in the color of line [color], [width] physical pixels wide and [HISTOGRAM_HEIGHT] high: a bar for
+ * each bin, the values below, and the share of the highest bar above.
+ */
+fun Pen.drawHistogram(histogram: Histogram, unit: String, color: Int, width: Double, colors: PenColors) {
+    val letters = AXIS_LETTERS * density
+    val left = SIDE * density
+    val wide = width - 2 * left
+    val top = 1.5 * letters
+    val bottom = HISTOGRAM_HEIGHT * density - 2 * letters
+    if (wide < 1) return
+    val most = histogram.shares.max()
+    val bar = wide / histogram.shares.size
+    histogram.shares.forEachIndexed { i, share ->
+        val high = share / most * (bottom - top)
+        rectangle(left + i * bar, bottom - high, maxOf(1.0, bar - density), high, colors.line(color))
+    }
+    segments(Points().line(left, bottom, left + wide, bottom), colors[Shade.MUTED], density)
+    text("highest bar: ${fixedText(most * PERCENT, 1)} % of the time", left, letters / 2, letters, colors[Shade.MUTED])
+    val values = histogram.values
+    val x = Scale.ofX(values, wide, left)
+    val ticks = Ticks.ofX(Span(values.from, values.to), wide / density)
+    val texts = ticks.texts
+    ticks.values.forEachIndexed { i, value ->
+        val text = if (i == texts.lastIndex) withUnit(texts[i], unit) else texts[i]
+        val half = widthOf(text, letters) / 2
+        val middle = x.placeOf(value).coerceIn(half, maxOf(half, width - half))
+        text(text, middle, bottom + letters, letters, colors[Shade.MUTED], TextSide.CENTER)
+    }
+}
+
+/** The height of a histogram, in CSS pixels or dp. */
+const val HISTOGRAM_HEIGHT: Int = 120
+
+private const val SIDE = 12.0
+private const val PERCENT = 100
