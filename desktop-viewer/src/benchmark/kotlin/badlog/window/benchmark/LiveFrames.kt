@@ -19,7 +19,9 @@ internal fun measureLiveFrames(): List<FrameTimes> = listOf(1, 10, 40).map { meg
     val file = Files.createTempFile("badlog-live", ".wpilog")
     try {
         GrowingLog(file, megabytes * 1_000_000L).use { log ->
-            OffScreenWindow { viewer -> ViewerScreen(viewer) }.use { window -> FrameTimes("$megabytes MB", liveFramesIn(window, file, log)) }
+            OffScreenWindow { viewer ->
+                ViewerScreen(viewer)
+            }.use { window -> FrameTimes("$megabytes MB", liveFramesIn(window, file, log)) }
         }
     } finally {
         Files.delete(file)

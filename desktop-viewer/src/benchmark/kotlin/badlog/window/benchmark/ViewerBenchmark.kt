@@ -62,7 +62,9 @@ private fun reportOf(
     appendLine()
     appendLine("## Live: from the disk to the picture")
     appendLine()
-    appendLine("A WPILOG of 50 topics grows by 50 rows a second; how long after a row was written its picture is there, by the size of the log.")
+    appendLine(
+        "A WPILOG of 50 topics grows by 50 rows a second; how long after a row was written its picture is there, by the size of the log.",
+    )
     appendLine()
     appendTimes(live, "size")
     if (openings.isEmpty()) return@buildString

@@ -128,7 +128,10 @@ internal class RobotRecording(
         override fun finished(file: RecordedFile) {
             val gaps = if (file.gaps > 0) "; lost connections: ${countText(file.gaps)}" else ""
             val lost = if (file.dropped > 0) "; values missing, because the disk was too slow: ${file.dropped}" else ""
-            val text = "${file.path.fileName} is recorded: ${countText(file.topics, "topic")}, ${bytesText(file.bytes.toDouble())}$gaps$lost."
+            val text = "${file.path.fileName} is recorded: ${countText(
+                file.topics,
+                "topic",
+            )}, ${bytesText(file.bytes.toDouble())}$gaps$lost."
             scope.launch { if (file.dropped > 0) notices.complain(text) else notices.say(text) }
         }
 

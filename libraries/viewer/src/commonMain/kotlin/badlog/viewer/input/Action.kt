@@ -87,7 +87,11 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
     NEW_NOTE("Notes", "Write a note at the cursor", KeyStroke("M")),
 
     /** Adds a note without asking for its text, at the newest moment of a log that grows, or else where [NEW_NOTE] begins one. */
-    MARK("Notes", "Mark the moment of the cursor, or the newest one of a log that grows: a note without typing", KeyStroke("M", shift = true)),
+    MARK(
+        "Notes",
+        "Mark the moment of the cursor, or the newest one of a log that grows: a note without typing",
+        KeyStroke("M", shift = true),
+    ),
 
     /** Moves the cursor to the next finding. */
     NEXT_FINDING("Findings", "Next finding", KeyStroke("N")),
