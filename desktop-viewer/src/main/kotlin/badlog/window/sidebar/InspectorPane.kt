@@ -3,6 +3,7 @@ package badlog.window.sidebar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
@@ -67,18 +68,22 @@ internal fun InspectorPane(
 ) {
     val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
-        // In a small window, the panel is narrower than all of its buttons.
-        FlowRow(
-            Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
-            itemVerticalAlignment = Alignment.CenterVertically,
-        ) {
-            Text(tab.title, Modifier.widthIn(min = TITLE), fontWeight = FontWeight.SemiBold, maxLines = 1)
-            for (other in tabsOf(current.recording)) {
-                ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
-                    panels.change { inspecting(other) }
+        BoxWithConstraints {
+            // The bar above the graphs has all buttons, too; a narrow window, which has no such bar, has a wide panel.
+            val tabs = tabsOf(current.recording).filter { it != InspectorTab.MODULES || maxWidth >= ALL_TABS }
+            // In a small window, the panel is narrower than all of its buttons.
+            FlowRow(
+                Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp, bottom = 4.dp),
+                itemVerticalAlignment = Alignment.CenterVertically,
+            ) {
+                Text(tab.title, Modifier.widthIn(min = TITLE), fontWeight = FontWeight.SemiBold, maxLines = 1)
+                for (other in tabs) {
+                    ToolButton("Show ${other.title.lowercase()}", other.icon, isOn = other == tab) {
+                        panels.change { inspecting(other) }
+                    }
                 }
+                ToolButton("Close the panel", Icons.Close) { panels.change { withoutInspector() } }
             }
-            ToolButton("Close the panel", Icons.Close) { panels.change { withoutInspector() } }
         }
         HorizontalDivider()
         val open = current.recording
@@ -122,6 +127,9 @@ internal fun InspectorPane(
 }
 
 private val TITLE = 76.dp
+
+/** The width of a panel with room for the buttons of all tabs. */
+private val ALL_TABS = 380.dp
 
 /** The content of a panel that has nothing to show. */
 @Composable

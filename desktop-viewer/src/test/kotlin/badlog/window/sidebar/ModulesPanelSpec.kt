@@ -72,7 +72,7 @@ class ModulesPanelSpec : FunSpec({
     test("without targets there are arrows and no errors; without modules there is no button, and the panel says why") {
         val without = viewerOf(drive(hasTargets = false))
         without.panels.change { inspecting(InspectorTab.MODULES) }
-        runDesktopComposeUiTest(340, 800) {
+        runDesktopComposeUiTest(420, 800) {
             setContent { ViewerTheme(Theme.DARK) { TestInspector(without) } }
             waitFor { onAllNodesWithText("This log has no targets", substring = true).fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithContentDescription("Show modules").fetchSemanticsNodes().size shouldBe 1
@@ -80,7 +80,7 @@ class ModulesPanelSpec : FunSpec({
         }
         val none = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))))
         none.actions.perform(Action.MODULES)
-        runDesktopComposeUiTest(340, 800) {
+        runDesktopComposeUiTest(420, 800) {
             setContent { ViewerTheme(Theme.DARK) { TestInspector(none) } }
             onNodeWithText("This log has no swerve modules", substring = true).assertExists()
             onAllNodesWithContentDescription("Show modules").fetchSemanticsNodes().size shouldBe 0

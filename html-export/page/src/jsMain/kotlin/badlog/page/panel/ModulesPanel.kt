@@ -122,6 +122,6 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     private fun HTMLElement.size(size: ErrorSize) {
         add("span", "", size.rmsText)
         val at = scene.xText(size.largestAt)
-        addButton("", size.largestText, "Go to the largest error, at $at") { scene.goTo(size.largestAt) }
+        addButton("text-button", size.largestText, "Go to the largest error, at $at") { scene.goTo(size.largestAt) }
     }
 }

@@ -29,7 +29,7 @@ class DriveErrors private constructor(val modules: List<Lines>) {
 
     companion object {
         /** When errors count, for people. */
-        const val WHEN: String = "While the robot is enabled and the target of a module is 0.3 m/s or more."
+        const val WHEN: String = "Errors count while the robot is enabled and the target of a module is 0.3 m/s or more."
 
         /** In m/s: of a slower module, the direction says little. The same as for findings. */
         private const val DRIVING = 0.3
