@@ -47,15 +47,16 @@ internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, heig
     if (time.isNaN()) text("Point at a graph.", middleX, middleY, letters, colors[Shade.MUTED], TextSide.CENTER)
 }
 
-/** Returns the corners of an arrow from ([x], [y]) along [vector]; its shaft is twice [half] wide. Null if it is too short to be seen. */
-private fun arrow(x: Double, y: Double, vector: WheelVector, scale: Double, half: Double): Points? {
+/** Returns the corners of an arrow from ([x], [y]) along [vector]; its shaft is twice [most] wide, or less if it is short. Null for none. */
+private fun arrow(x: Double, y: Double, vector: WheelVector, scale: Double, most: Double): Points? {
     val toX = -vector.left * scale
     val toY = -vector.ahead * scale
     val length = hypot(toX, toY)
-    if (length < half) return null
+    if (length < most) return null
+    val half = minOf(most, length / HEAD)
     val alongX = toX / length
     val alongY = toY / length
-    val head = minOf(HEAD * half, length)
+    val head = HEAD * half
     val points = Points()
     fun corner(along: Double, aside: Double) = points.add(x + along * alongX - aside * alongY, y + along * alongY + aside * alongX)
     corner(0.0, half)
