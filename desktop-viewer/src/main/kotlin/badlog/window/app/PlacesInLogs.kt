@@ -1,6 +1,7 @@
 package badlog.window.app
 
 import androidx.compose.foundation.lazy.LazyListState
+import badlog.viewer.choices.board.BoardGraph
 import badlog.window.log.GraphBoard
 import badlog.window.topics.TopicListing
 import java.nio.file.Path
@@ -14,9 +15,15 @@ import java.nio.file.Path
 internal class PlacesInLogs(private val topics: TopicListing, private val board: GraphBoard, private val graphs: LazyListState) {
     /**
      * @property topic the number of the first visible row of the topics, and [topicOffset] what is hidden of it.
-     * @property graph the lines of the first visible graph, and [graphOffset] what is hidden of that: graphs of a finding may be above it.
+     * @property graph the first visible graph, and [graphOffset] what is hidden of that: graphs of a finding may be above it.
      */
-    private class Place(val query: String, val topic: Int, val topicOffset: Int, val graph: List<String>?, val graphOffset: Int)
+    private class Place(
+        val query: String,
+        val topic: Int,
+        val topicOffset: Int,
+        val graph: Pair<List<String>, Boolean>?,
+        val graphOffset: Int,
+    )
 
     /** The logs that were opened last are the last. */
     private val known = LinkedHashMap<Path, Place>()
@@ -28,7 +35,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
             topics.state.query,
             topics.list.firstVisibleItemIndex,
             topics.list.firstVisibleItemScrollOffset,
-            board.state.graphs.getOrNull(graphs.firstVisibleItemIndex)?.lines,
+            board.state.graphs.getOrNull(graphs.firstVisibleItemIndex)?.let(::drawn),
             graphs.firstVisibleItemScrollOffset,
         )
         if (known.size > MOST) known.remove(known.keys.first())
@@ -39,7 +46,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
         val place = known[file]
         topics.change { searching(place?.query.orEmpty()) }
         topics.list.requestScrollToItem(place?.topic ?: 0, place?.topicOffset ?: 0)
-        val graph = board.state.graphs.indexOfFirst { it.lines == place?.graph }
+        val graph = board.state.graphs.indexOfFirst { drawn(it) == place?.graph }
         if (place != null && graph >= 0) graphs.requestScrollToItem(graph, place.graphOffset) else graphs.requestScrollToItem(0)
     }
 
@@ -48,6 +55,8 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
         known.remove(file)
         topics.change { searching("") }
     }
+
+    private fun drawn(graph: BoardGraph) = graph.lines to graph.isXy
 
     private companion object {
         /** More than a person goes back to. */

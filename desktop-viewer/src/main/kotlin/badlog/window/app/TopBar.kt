@@ -113,7 +113,9 @@ internal fun FrontTabs(panels: WindowPanels) {
                 isOn = panels.state.front == part && panels.state.main == MainView.GRAPHS,
             ) {
                 val inspector = panels.state.inspector ?: InspectorTab.EVENTS.takeIf { part == FrontPart.DETAILS }
-                panels.change { copy(front = part, main = MainView.GRAPHS, inspector = inspector) }
+                panels.change {
+                    (if (part == FrontPart.TOPICS) withTopics() else this).copy(front = part, main = MainView.GRAPHS, inspector = inspector)
+                }
             }
         }
     }

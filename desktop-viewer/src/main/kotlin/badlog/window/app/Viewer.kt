@@ -110,9 +110,10 @@ internal class Viewer(
     val fields: FieldChoice = FieldChoice(current, settings, files, tasks, notices, folder = { library.state.folder })
     val formulas: FormulaStore = FormulaStore(current, board, notices)
     val live = LiveView(current, view) { recordedNow() }
-    val shown = ShownRecordings(current, compared, board, view, live, notices, { library.state.folder }) { recording ->
-        choicesFor(recording.file).run { copy(overTime = overTime && recording.timeColumn != null) }
-    }
+    val shown: ShownRecordings =
+        ShownRecordings(current, compared, board, view, live, notices, { placing(it) }, { library.state.folder }) { recording ->
+            choicesFor(recording.file).run { copy(overTime = overTime && recording.timeColumn != null) }
+        }
     val events = FilteredEvents(current)
     val topics = TopicListing()
     val statistics = SelectedStatistics()
@@ -122,7 +123,7 @@ internal class Viewer(
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
-    val layouts = LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
+    val layouts: LayoutStore = LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
     val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
@@ -154,8 +155,9 @@ internal class Viewer(
         read = { shown, isGrowing -> reader.read(shown.file, isGrowing) },
         update = { read, isGrowing ->
             live.grows(read.file.takeIf { isGrowing })
-            layouts.following { shown.show(read) }
+            shown.show(read)
         },
+        ended = { live.grows(null) },
     )
     val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
     val opener = LogOpener(library, loader, files, notices)
@@ -167,7 +169,10 @@ internal class Viewer(
         show = loader::open,
         robots,
     )
-    private val recorded = RecordedLog(current, live, loader, notices, isWriting = { notes.draft != null || formulas.sheet != null })
+    private val recorded = RecordedLog(current, live, loader, notices, isWriting = {
+        keyboard.isTyping || notes.draft != null ||
+            formulas.sheet != null
+    })
     val recording = RobotRecording(scope, notices, folder = { library.state.folder }, robots, recorded)
     val newest = NewestLog(library, current, loader, opener, notices, ::recordedNow, isInUse = ::isInUse)
     val newLogs: NewLogs =
@@ -336,5 +341,8 @@ internal class Viewer(
     /** The log that this window is recording now; null for none. */
     private fun recordedNow(): Path? = recording.state.file
 
-    private fun isInUse() = !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS
+    private fun placing(show: () -> Unit) = layouts.following(show)
+
+    private fun isInUse() =
+        topics.state.query.isNotEmpty() || !layouts.isUntouched || player.state.isPlaying || panels.state.main != MainView.GRAPHS
 }

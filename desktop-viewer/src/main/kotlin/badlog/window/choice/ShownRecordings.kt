@@ -28,6 +28,7 @@ import java.nio.file.Path
  * Keeps what is shown of the open recording and of the compared ones as a person has chosen it: after each change of a choice, calculates
  * it off the window's thread, each log by itself, and then shows it. Use it only on the window's thread.
  *
+ * @param following calls a function that shows the open recording anew, and places its graphs again.
  * @param library returns the folder of logs.
  * @param choices returns what is chosen for a recording.
  */
@@ -38,6 +39,7 @@ internal class ShownRecordings(
     private val view: AxisView,
     private val live: LiveView,
     private val notices: Notices,
+    private val following: (() -> Unit) -> Unit,
     private val library: () -> Path?,
     private val choices: (OpenRecording) -> RecordingChoices,
 ) {
@@ -74,9 +76,11 @@ internal class ShownRecordings(
     }
 
     /** Shows [made], which was read or calculated instead of the recording of the same file that is shown. */
-    fun show(made: OpenRecording) = Snapshot.withMutableSnapshot {
+    fun show(made: OpenRecording) = Snapshot.withMutableSnapshot { following { showNow(made) } }
+
+    private fun showNow(made: OpenRecording) {
         compared.share(made)
-        val before = current.recording?.takeIf { it.file == made.file } ?: return@withMutableSnapshot
+        val before = current.recording?.takeIf { it.file == made.file } ?: return
         // The time has a graph only if it is not the axis, and the Driver Station's topics have some.
         val isOtherAxis = made.isOverTime != before.isOverTime
         val isDefault = (if (isOtherAxis) board.kept else board.state).showsSame(before.standardGraphs)

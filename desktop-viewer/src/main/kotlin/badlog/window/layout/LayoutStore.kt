@@ -59,8 +59,8 @@ internal class LayoutStore(
     @Volatile
     private var saved: Layout? = null
 
-    /** Whether [saved] is still to be written. */
-    private var isUnwritten = false
+    /** The layout as it was read or written last: what other windows have changed since is merged with it. */
+    private var stored: Layout? = null
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
@@ -75,14 +75,16 @@ internal class LayoutStore(
     val layout: Layout
         get() {
             val open = current.recording
+            // While another folder is opened, it is still that of the log.
+            val place = folder ?: library.state.folder
             val isDefault = open == null || board.kept.showsSame(open.standardGraphs)
             return Layout(
                 version = Layout.VERSION,
                 graphs = if (isDefault) null else board.kept.renumbered(),
-                recording = open?.let { pathText(it.file, library.state.folder) },
+                recording = open?.let { pathText(it.file, place) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
-                compared = layoutOf(compared.state, library.state.folder),
+                compared = layoutOf(compared.state, place),
                 panels = layoutOf(panels.state),
                 overTime = axis.state,
                 formulas = formulas.definitions,
@@ -109,7 +111,6 @@ internal class LayoutStore(
     /** Remembers what was arranged a moment ago, before another log is shown. */
     fun keepArranged() {
         saved = change()?.second ?: return
-        isUnwritten = true
     }
 
     /**
@@ -127,7 +128,7 @@ internal class LayoutStore(
     }
 
     /**
-     * Calls [show], which shows the open log with what was written since. Its graphs are still those arranged for its folder, of which it now may
+     * Calls [show], which shows the open log with what was written or calculated since. Its graphs are still those arranged for its folder, of which it now may
      * have more, unless a person has changed them.
      */
     fun following(show: () -> Unit) {
@@ -190,10 +191,11 @@ internal class LayoutStore(
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */
     suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
+        if (folder != opened) saveNow()
         folder = opened
         // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
-        isUnwritten = false
+        stored = saved
         if (opened == null) return@collectLatest
         val isSeen = current.recording?.let { isInFolder(it.file) } == true
         // Who looks at a log of the folder already, and has chosen its axis, goes on so.
@@ -215,7 +217,7 @@ internal class LayoutStore(
         }
     }
 
-    /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
+    /** Saves immediately what would otherwise be saved a moment later, because the window or its folder is about to close. */
     fun saveNow() {
         val (place, layout) = change() ?: return
         try {
@@ -240,10 +242,11 @@ internal class LayoutStore(
     private suspend fun save() {
         val (place, layout) = change() ?: return
         val written = written(place, layout)
-        saved = layout.copy(formulas = written.formulas)
-        isUnwritten = false
+        val known = layout.copy(formulas = written.formulas)
+        saved = known
         try {
             withContext(Dispatchers.IO) { layouts.write(place, written) }
+            stored = known
         } catch (e: IOException) {
             own.cannotSave(e)
         }
@@ -254,14 +257,14 @@ internal class LayoutStore(
         val place = folder ?: return null
         val open = current.recording?.takeIf { isInFolder(it.file) }
         if (open == null) {
-            val before = saved ?: Layout(Layout.VERSION)
-            return if (before.formulas == formulas.definitions) null else place to before.copy(formulas = formulas.definitions)
+            val kept = (saved ?: Layout(Layout.VERSION)).copy(formulas = formulas.definitions)
+            return if (kept == (stored ?: Layout(Layout.VERSION))) null else place to kept
         }
         val shown = layout
         // A recording that lacks a signal must not make all others forget it.
         val isAsSaved = board.kept.showsSame(placedFor(open))
         val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
-        return if (layout == saved && !isUnwritten) null else place to layout
+        return if (layout == stored) null else place to layout
     }
 
     /**
@@ -270,7 +273,7 @@ internal class LayoutStore(
      */
     private fun written(place: Path, mine: Layout): Layout {
         val theirs = layouts.read(place) ?: return mine
-        val both = merged(mine, saved ?: Layout(Layout.VERSION), theirs)
+        val both = merged(mine, stored ?: Layout(Layout.VERSION), theirs)
         if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
         return both
     }

@@ -30,6 +30,9 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     /** Whether the person is at the end of the log, and has not gone elsewhere. */
     val isStaying: Boolean by derivedStateOf { state.place?.let(::isAt) == true }
 
+    /** Whether nothing was looked at since the end was shown: no part of it, and no selected range. */
+    val isUntouched: Boolean get() = isStaying && state.place?.range?.visible == view.viewport.visible && view.selection == null
+
     /** The newest moment of the open log if that is being written; null otherwise. */
     val newest: Double? get() = current.recording?.span?.to?.takeIf { isGrowing }
 
@@ -63,7 +66,7 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     fun staying(show: () -> Unit) {
         val isThere = isStaying
         show()
-        if (!isThere) return
+        if (!isThere) return pause()
         view.go { movedToEnd() }
         stayHere()
     }
@@ -72,8 +75,7 @@ internal class LiveView(private val current: CurrentRecording, private val view:
 
     /** Zooming and looking at what is beside the end do not go elsewhere. */
     private fun isAt(place: Place): Boolean {
-        val range = view.viewport
-        val isEndVisible = !range.isZoomed || range.visible.to >= place.range.full.to
-        return isEndVisible && view.cursors.pinned == place.cursors.pinned && view.secondCursor == place.cursors.second
+        val isHere = view.viewport.isAtEnd && view.viewport.full == place.range.full
+        return isHere && view.cursors.pinned == place.cursors.pinned && view.secondCursor == place.cursors.second
     }
 }

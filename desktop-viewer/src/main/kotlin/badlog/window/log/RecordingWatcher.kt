@@ -17,11 +17,13 @@ import kotlin.time.TimeSource
  *
  * @param read reads the file again: up to its last line end, or all of it.
  * @param update shows what was read, and whether the file grows.
+ * @param ended is called when the file is gone, or too large to be read.
  */
 internal class RecordingWatcher(
     private val notices: Notices,
     private val read: (OpenRecording, isGrowing: Boolean) -> OpenRecording,
     private val update: (OpenRecording, isGrowing: Boolean) -> Unit,
+    private val ended: () -> Unit = {},
 ) {
     /** Watches the file of [opened], which was read when its file was as [stamp], until cancelled. */
     suspend fun watch(opened: OpenRecording, stamp: FileStamp) {
@@ -36,7 +38,7 @@ internal class RecordingWatcher(
             if (now == null && ++misses < MISSES) continue
             if (now == null) {
                 notices.say("${shown.file.fileName} was removed from its folder; the data read so far stays open.")
-                return
+                return ended()
             }
             misses = 0
             val hasChanged = now != known
@@ -50,7 +52,7 @@ internal class RecordingWatcher(
             } catch (_: OutOfMemoryError) {
                 val name = shown.file.fileName
                 notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
-                return
+                return ended()
             }
             update(shown, hasChanged)
             // Reading a large file repeatedly must not slow down the program that writes it.

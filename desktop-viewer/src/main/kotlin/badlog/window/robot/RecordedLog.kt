@@ -35,7 +35,7 @@ internal class RecordedLog(
         val open = current.recording?.file
         val isJustAsked = open == openBefore && askedSince?.let { it.elapsedNow() < PATIENCE } == true
         askedSince = null
-        val isFree = !loader.isReading && !isWriting() && (open == null || isJustAsked || live.isStaying)
+        val isFree = !loader.isReading && !isWriting() && (open == null || isJustAsked || live.isUntouched)
         if (isFree) show(log) else notices.say("${log.fileName} is being recorded.", NoticeAction("Show") { show(log) })
     }
 

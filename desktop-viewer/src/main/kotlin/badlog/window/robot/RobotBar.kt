@@ -21,6 +21,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
@@ -45,8 +46,15 @@ internal fun RobotBar(link: RobotLink, recording: RobotRecording, settings: Sett
     Column(Modifier.fillMaxWidth().padding(start = 8.dp, end = 8.dp, bottom = 6.dp), verticalArrangement = Arrangement.spacedBy(4.dp)) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             val focus = rememberAskedFocus(state.isAsked) { link.change { copy(isAsked = false) } }
-            val onEnter = Modifier.weight(1f).focusRequester(focus).entering { if (robot.isNotBlank()) link.connect(robot) }
-            SearchField(robot, "Team number or address", onEnter, Icons.Robot, isSelectedAtFirst = true) { typed ->
+            val keyboard = LocalFocusManager.current
+            val onEnter = Modifier.weight(1f).focusRequester(focus).entering {
+                if (robot.isNotBlank()) {
+                    link.connect(robot)
+                    // From here on, keys are commands again.
+                    keyboard.clearFocus()
+                }
+            }
+            SearchField(robot, "Team number or address", onEnter, Icons.Robot, keepsText = true, isSelectedAtFirst = true) { typed ->
                 settings.change { copy(robot = typed) }
             }
             if (state.isOn) {

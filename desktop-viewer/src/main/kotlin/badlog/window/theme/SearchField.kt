@@ -42,10 +42,11 @@ import androidx.compose.ui.text.input.VisualTransformation
 import androidx.compose.ui.unit.dp
 
 /**
- * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it
- * and releases the keyboard focus.
+ * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it,
+ * unless it [keepsText], and releases the keyboard focus.
  *
  * @param isSecret whether the text is hidden.
+ * @param keepsText whether the text is one to keep rather than a search.
  * @param isSelectedAtFirst whether what is typed first replaces the text.
  */
 @Composable
@@ -55,6 +56,7 @@ internal fun SearchField(
     modifier: Modifier = Modifier,
     icon: ImageVector = Icons.Search,
     isSecret: Boolean = false,
+    keepsText: Boolean = false,
     isSelectedAtFirst: Boolean = false,
     onChange: (String) -> Unit,
 ) {
@@ -75,7 +77,7 @@ internal fun SearchField(
             .onPreviewKeyEvent {
                 val leaves = it.type == KeyEventType.KeyDown && it.key == Key.Escape
                 if (leaves) {
-                    onChange("")
+                    if (!keepsText) onChange("")
                     focus.clearFocus()
                 }
                 leaves

@@ -75,6 +75,22 @@ class LayoutStoreSpec : FunSpec({
         started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe defaultBoard(one.view) }
     }
 
+    test("what was arranged a moment before another log is shown is on the disk, and a new formula stays") {
+        val home = tempdir().toPath()
+        val one = recordingOf(armBag(500), home.resolve("one.bag"))
+        val other = recordingOf(armBag(500), home.resolve("other.bag"))
+        started(home, home, one) { it.panels.change { Panels(topics = false) } }
+        hasArranged(home, home)?.graphs shouldBe null
+        started(home, home, one) { viewer ->
+            viewer.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Mode")))
+            viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Current"))
+            viewer.show(other)
+            viewer.board.kept.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
+        }
+        hasArranged(home, home)?.graphs?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
+        hasArranged(home, home)?.formulas shouldBe listOf("Twice = 2 * Arm/Current")
+    }
+
     test("the recording that was open is shown where it was left") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(500), home.resolve("one.bag"))

@@ -21,6 +21,9 @@ data class Viewport(
     /** Whether there is more to see. */
     val isZoomed: Boolean get() = visible != full
 
+    /** Whether the end of the whole range is visible; a sum of its width and its start may miss it by a rounding error. */
+    val isAtEnd: Boolean get() = full.to - visible.to <= visible.width * ROUNDING
+
     /** Whether [back] has an effect. */
     val canGoBack: Boolean get() = history.isNotEmpty()
 
@@ -104,7 +107,7 @@ data class Viewport(
     fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
 
-        visible.to >= full.to -> copy(full = grown).moved(grown.to - visible.width, grown.to)
+        isAtEnd -> copy(full = grown).moved(grown.to - visible.width, grown.to)
 
         // A program that restarts its log makes it shorter.
         else -> copy(full = grown).moved(visible.from, visible.to)
@@ -120,6 +123,7 @@ data class Viewport(
             return Viewport(Span(from - half, to + half))
         }
 
+        private const val ROUNDING = 1e-9
         private const val MAX_HISTORY = 100
 
         /** The factor by which a step of zooming out widens the visible range. */

@@ -1,0 +1,24 @@
+package badlog.viewer.session
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.double
+import io.kotest.property.checkAll
+
+class PlaceSpec : FunSpec({
+    test("whoever is at the end of a log that grows stays there, whatever the rounding of its times, and goes back to where they were") {
+        checkAll(Arb.double(1.0, 1000.0, false), Arb.double(0.001, 0.9, false), Arb.double(0.01, 5.0, false)) { end, share, step ->
+            var place = Place(Viewport(Span(0.0, end)).showing(end * share, end)).atEnd()
+            repeat(20) {
+                place.range.isAtEnd shouldBe true
+                place = place.copy(range = place.range.grown(Span(0.0, place.range.full.to + step))).movedToEnd()
+            }
+            place.range.isAtEnd shouldBe true
+            place.range.back().visible.from shouldBe (end * share plusOrMinus 1e-6)
+        }
+    }
+})
