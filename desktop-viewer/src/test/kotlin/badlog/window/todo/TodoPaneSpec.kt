@@ -57,7 +57,13 @@ class TodoPaneSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.scope.launch { viewer.todo.run() }
             viewer.library.open(folder)
-            waitFor { viewer.todo.state.list.open.isNotEmpty() && viewer.todo.state.lines.size > 1 }
+            // What is on the list changes with each log that the rules have examined.
+            waitFor {
+                val state = viewer.library.state
+                val logs = state.ofRobots.filter { !it.isGray }
+                val areExamined = state.hasLooked && state.entries.size == state.files.size && logs.all { it.found?.rules != null }
+                areExamined && viewer.todo.state.logs.size == logs.size && viewer.todo.state.lines.size > 1
+            }
             try {
                 steps(viewer, folder)
             } finally {
