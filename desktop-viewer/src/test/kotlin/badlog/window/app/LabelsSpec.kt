@@ -8,11 +8,14 @@ import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
+import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.width
 import badlog.catalog.folder.samples
 import badlog.files.UserFolders
+import badlog.window.bagOf
 import badlog.window.log.OpenRecording
+import badlog.window.recordingOf
 import badlog.window.sidebar.InspectorTab
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -25,10 +28,16 @@ import kotlinx.coroutines.MainScope
 class LabelsSpec : FunSpec({
     val match = OpenRecording.read(samples.resolve("qualification-42.bag").toAbsolutePath().normalize(), null)
 
-    fun inWindow(width: Int, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
+    /** One with a swerve drive, which has one more panel. */
+    val swerve by lazy {
+        val topics = List(3) { "Measured[$it]" }.flatMap { listOf("$it/speed", "$it/angle/value") }
+        recordingOf(bagOf(listOf("Time|xaxis") + topics, listOf("0,1,0,1,0,1,0", "1,1,0,1,0,1,0")))
+    }
+
+    fun inWindow(width: Int, log: OpenRecording = match, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        viewer.show(match)
+        viewer.show(log)
         runDesktopComposeUiTest(width, 1080) {
             setContent { ViewerScreen(viewer) }
             steps(viewer)
@@ -60,12 +69,31 @@ class LabelsSpec : FunSpec({
     test("in a wide window, each icon has a word beside it, and all of them fit") {
         inWindow(1920) {
             for ((button, word) in words) onNode(hasContentDescription(button) and hasText(word)).assertExists()
-            for (tab in InspectorTab.entries) onNodeWithText(tab.title, substring = true, useUnmergedTree = true).assertExists()
+            for (tab in InspectorTab.entries - InspectorTab.MODULES) {
+                onNodeWithText(tab.title, substring = true, useUnmergedTree = true).assertExists()
+            }
+            onNodeWithText(InspectorTab.MODULES.title, useUnmergedTree = true).assertDoesNotExist()
             onNodeWithContentDescription("Keys and gestures").getBoundsInRoot().run { right shouldBeLessThan 1920.dp }
             onNodeWithText(match.label).getBoundsInRoot().width shouldBeGreaterThan 260.dp
             onNodeWithContentDescription("Redo (Ctrl+Shift+Z)").getBoundsInRoot().top shouldBe
                 onNodeWithContentDescription("Zoom in (+)").getBoundsInRoot().top
         }
+    }
+
+    test("the words fit also with the modules of a swerve drive, in the narrowest window that has words") {
+        fun lastButton(width: Int): DpRect {
+            lateinit var bounds: DpRect
+            inWindow(width, swerve) {
+                for ((button, word) in words) onNode(hasContentDescription(button) and hasText(word)).assertExists()
+                for (tab in InspectorTab.entries) onNodeWithText(tab.title, substring = true, useUnmergedTree = true).assertExists()
+                bounds = onNodeWithContentDescription("Keys and gestures").getBoundsInRoot()
+                onNodeWithText(swerve.label).getBoundsInRoot().width shouldBeGreaterThan 60.dp
+            }
+            return bounds
+        }
+        val (wide, narrow) = lastButton(1920) to lastButton(1700)
+        narrow.width shouldBe wide.width
+        narrow.right shouldBeLessThan 1700.dp
     }
 
     test("on a laptop, there are only the icons, whose tooltips say the same") {
