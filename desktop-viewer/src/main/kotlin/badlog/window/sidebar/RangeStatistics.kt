@@ -82,7 +82,7 @@ internal fun rangeStatistics(
                 signal.hasFigures && signal.states == null -> cellsOf(signal, statistics, recording.view.xAxis.unit)
                 else -> cellsOf(recording, signal, statistics, parts)
             }
-            val histogram = if (name == opened) Histogram.of(recording.view, signal.line, parts) else null
+            val histogram = if (name == opened) Histogram.of(recording.view, signal.line, parts, statistics) else null
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells, histogram)
         }
     }

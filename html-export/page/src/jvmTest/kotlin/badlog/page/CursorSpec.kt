@@ -157,10 +157,20 @@ internal class CursorSpec : PageSpec({
             val painted = "const c = document.querySelector('.histogram'); const d = c.getContext('2d')" +
                 ".getImageData(0, 0, c.width, c.height).data; return d.reduce((n, v, i) => n + (i % 4 == 3 && v > 0 ? 1 : 0), 0)"
             number(painted) shouldBeGreaterThan 1000.0
+            element(".histogram").getAttribute("role") shouldBe "img"
+            element(".histogram").getAttribute("aria-label") shouldBe "Histogram of Row"
             keepScreenshot("histogram")
+            // The table stays, and the keyboard on its button, also when the statistics are those of another range.
+            script("document.querySelector('.statistics table').dataset.mark = 'same'")
             elements(".statistics tbody .icon-button").first().click()
             settle()
             elements(".histogram").size shouldBe 0
+            script("return document.querySelector('.statistics table').dataset.mark") shouldBe "same"
+            val isFocused = "return document.activeElement === document.querySelector('.statistics tbody .icon-button')"
+            script(isFocused) shouldBe true
+            press("+")
+            await("other statistics") { script("return document.querySelector('.statistics table').dataset.mark ?? null") == null }
+            script(isFocused) shouldBe true
         }
     }
 

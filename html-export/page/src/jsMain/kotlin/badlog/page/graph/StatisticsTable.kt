@@ -1,10 +1,12 @@
 package badlog.page.graph
 
 import badlog.core.analysis.Graph
+import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.core.analysis.statisticsOf
 import badlog.page.dom.Icon
+import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
@@ -44,6 +46,15 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
     private var histogram: Histogram? = null
     private var canvas: HTMLCanvasElement? = null
 
+    /** The place of the histogram, and what is in it. */
+    private var place: HTMLElement = element("div")
+    private var statistics = emptyList<SeriesStatistics>()
+    private var buttons = emptyList<HTMLElement>()
+
+    init {
+        ResizeObserver(::repaint).observe(element)
+    }
+
     private val wanted get() = scene.cursor.now.between ?: scene.range.now
 
     /** Whether the statistics are those of another range. */
@@ -53,7 +64,11 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
     fun update() {
         val now = wanted
         shown = now
+        // The keyboard stays on the button of a line.
+        val focused = buttons.indexOfFirst { it == document.activeElement }
         element.textContent = ""
+        statistics = if (graph.showsStates) emptyList() else graph.series.map { scene.view.statisticsOf(it, now.from, now.to) }
+        buttons = emptyList()
         element.add("table") {
             val name = if (scene.cursor.now.between == null) "" else "${Cursors.BETWEEN}: "
             val how = if (graph.showsStates) "" else " ${Statistic.BY_TIME}"
@@ -65,8 +80,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
             }
             val names = legendNames(graph)
             add("tbody") {
-                graph.series.forEachIndexed { index, series ->
-                    val statistics = scene.view.statisticsOf(series, now.from, now.to)
+                statistics.forEachIndexed { index, found ->
                     add("tr") {
                         add("th") {
                             setAttribute("scope", "row")
@@ -75,36 +89,45 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                             addHistogramButton(index, names[index])
                         }
                         for (statistic in Statistic.entries) {
-                            val value = statistic.of(statistics)
+                            val value = statistic.of(found)
                             add("td", "", if (statistic.isCount) countText(value.toInt()) else numberText(value)).title = exactText(value)
                         }
                     }
                 }
             }
         }
-        addHistogram()
+        buttons.getOrNull(focused)?.focus()
+        place = element.add("div")
+        showHistogram()
         addDifferences(now)
         if (graph.series.any { it.topic.name in scene.channels.topics }) addChannels(now)
     }
 
     private fun HTMLElement.addHistogramButton(index: Int, name: String) {
-        addIconButton("", Icon.BARS, "Histogram of $name: ${Histogram.HINT}") {
+        buttons += addIconButton("", Icon.BARS, "Histogram of $name: ${Histogram.HINT}") {
             opened = if (opened == index) -1 else index
-            update()
-        }.setAttribute("aria-pressed", (opened == index).toString())
+            showHistogram()
+        }
     }
 
-    /** Adds the histogram of the line whose button was pressed. */
-    private fun addHistogram() {
+    /** Shows the histogram of the line whose button was pressed, over the range of the statistics. */
+    private fun showHistogram() {
+        buttons.forEachIndexed { index, button -> button.setAttribute("aria-pressed", (opened == index).toString()) }
+        place.textContent = ""
         histogram = null
+        val range = shown ?: return
         val line = graph.series.getOrNull(opened) ?: return
-        val found = Histogram.of(scene.view, line, listOf(wanted))
+        val known = statistics.getOrNull(opened) ?: return
+        val found = Histogram.of(scene.view, line, listOf(range), known)
         if (found == null) {
-            element.add("p", "cursor-panel-hint", Histogram.NONE)
+            place.add("p", "cursor-panel-hint", Histogram.NONE)
             return
         }
         histogram = found
-        canvas = element.add("canvas", "histogram").unsafeCast<HTMLCanvasElement>()
+        canvas = place.add("canvas", "histogram").unsafeCast<HTMLCanvasElement>().apply {
+            setAttribute("role", "img")
+            setAttribute("aria-label", "Histogram of ${legendNames(graph)[opened]}")
+        }
         repaint()
     }
 

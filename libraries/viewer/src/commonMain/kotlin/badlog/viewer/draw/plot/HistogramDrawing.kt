@@ -26,7 +26,8 @@ fun Pen.drawHistogram(histogram: Histogram, unit: String, color: Int, width: Dou
     val most = histogram.shares.max()
     val bar = wide / histogram.shares.size
     histogram.shares.forEachIndexed { i, share ->
-        val high = share / most * (bottom - top)
+        // A value that hardly lasts is there nevertheless.
+        val high = if (share > 0) maxOf(1.0, share / most * (bottom - top)) else 0.0
         rectangle(left + i * bar, bottom - high, maxOf(1.0, bar - density), high, colors.line(color))
     }
     segments(Points().line(left, bottom, left + wide, bottom), colors[Shade.MUTED], density)

@@ -1,6 +1,9 @@
 package badlog.viewer.shown.statistics
 
+import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
+import badlog.core.analysis.statisticsOf
+import badlog.core.recording.Topic
 import badlog.viewer.bagView
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade
@@ -13,16 +16,22 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
 class HistogramSpec : FunSpec({
+    fun histogramOf(view: LogView, topic: Topic, parts: List<Span>): Histogram? {
+        val line = view.seriesOf(topic)
+        return Histogram.of(view, line, parts, view.statisticsOf(line, parts))
+    }
+
     fun histogramOf(samples: List<Pair<Double, Double>>, vararg parts: Span, others: List<Pair<Double, Double>> = emptyList()): Histogram? {
         val topics = listOf(timedTopic("A", *samples.toTypedArray()), timedTopic("B", *others.toTypedArray()))
         val view = timedView(*topics.toTypedArray())
-        return Histogram.of(view, view.seriesOf(topics[0]), parts.toList())
+        return histogramOf(view, topics[0], parts.toList())
     }
 
     val changes = listOf(0.0 to 1.0, 6.0 to 4.0, 8.0 to Double.NaN, 9.0 to 2.5)
@@ -47,7 +56,7 @@ class HistogramSpec : FunSpec({
         histogramOf(listOf(0.0 to 3.0, 1.0 to 3.0), Span(0.0, 1.0)).shouldBeNull()
         histogramOf(changes, Span(20.0, 30.0)).shouldBeNull()
         val view = bagView(listOf("Time|xaxis", "Mode"), listOf("0,auto", "1,teleop"))
-        Histogram.of(view, view.seriesOf(view.recording.topics[1]), listOf(Span(0.0, 1.0))).shouldBeNull()
+        histogramOf(view, view.recording.topics[1], listOf(Span(0.0, 1.0))).shouldBeNull()
     }
 
     test("the shares of any numbers are together 1, none of them negative") {
@@ -66,5 +75,12 @@ class HistogramSpec : FunSpec({
         drawn.filter { it.startsWith("path d=\"M12 16.5") } shouldBe listOf("""path d="M12 16.5h9v81.5h-9z" fill="#0b62c4"/>""")
         drawn.filter { it.startsWith("text") }.map { it.substringAfter('>') } shouldBe
             listOf("highest bar: 75.0 % of the time", "1", "2", "3", "4 V")
+    }
+
+    test("a value that hardly lasts has a bar nevertheless, a pixel high") {
+        val pen = SvgPen({ text, letters, _ -> text.length * letters / 2 })
+        val seldom = listOf(0.0 to 1.0, 5.0 to 4.0, 5.001 to 1.0)
+        pen.drawHistogram(histogramOf(seldom, Span(0.0, 1000.0), others = listOf(1000.0 to 0.0))!!, "V", 0, width = 324.0, PenColors.LIGHT)
+        pen.document(324.0, HISTOGRAM_HEIGHT.toDouble(), PenColors.LIGHT[Shade.SURFACE]) shouldContain """<path d="M302 97h9v1h-9z" fill="#0b62c4"/>"""
     }
 })
