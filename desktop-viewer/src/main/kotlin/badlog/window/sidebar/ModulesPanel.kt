@@ -18,6 +18,7 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.key
 import androidx.compose.runtime.produceState
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
@@ -57,37 +58,41 @@ import kotlinx.coroutines.withContext
 @Composable
 internal fun ModulesPanel(view: AxisView, open: OpenRecording, showGraphs: () -> Unit, modifier: Modifier) {
     val drive = open.drive ?: return PanelHint(SwerveDrive.NONE)
-    val picture by produceState<DrivePicture?>(null, open) {
-        value = withContext(Dispatchers.Default) { DrivePicture(drive, drive.errors) }
+    // Keyed, or the numbers of the log before would be shown until those of this one are known.
+    val made by key(open) {
+        produceState<ShownModules?>(null) {
+            val picture = withContext(Dispatchers.Default) { DrivePicture(drive, drive.errors).also { drive.fastest } }
+            snapshotFlow { view.viewport.visible }.conflate().map { visible ->
+                withContext(Dispatchers.Default) { ShownModules(picture, drive.errors, drive.errors?.within(visible).orEmpty()) }
+            }.collect { value = it }
+        }
     }
-    val errors by produceState(emptyList<ModuleError>(), open) {
-        snapshotFlow { view.viewport.visible }.conflate().map { visible ->
-            withContext(Dispatchers.Default) { drive.errors?.within(visible).orEmpty() }
-        }.collect { value = it }
-    }
-    val drawn = picture ?: return
+    val shown = made ?: return
     val palette = LocalPalette.current
     Column(modifier.verticalScroll(rememberScrollState()).padding(vertical = 8.dp)) {
         Text(
-            if (drive.errors == null) SwerveDrive.NO_TARGETS else worstModuleText(errors),
+            shown.errors?.let { worstModuleText(shown.sizes) } ?: drive.errorsLack.orEmpty(),
             Modifier.padding(horizontal = 12.dp),
             fontWeight = FontWeight.Medium,
         )
         Spacer(
-            Modifier.fillMaxWidth().height(drawn.height.dp).clipToBounds()
+            Modifier.fillMaxWidth().height(shown.picture.height.dp).clipToBounds()
                 .semantics { contentDescription = "Modules at the cursor" }
-                .drawBehind { drawn.draw(pen(), size.width.toDouble(), view.viewport.visible, view.cursors, palette.pen) },
+                .drawBehind { shown.picture.draw(pen(), size.width.toDouble(), view.viewport.visible, view.cursors, palette.pen) },
         )
         Note(SwerveDrive.ARROWS)
-        errors.forEachIndexed { i, error ->
+        shown.sizes.forEachIndexed { i, error ->
             ErrorLine(error, i, { withUnit(placeText(it, open.view.xAxis, view.viewport.visible.width), open.view.xAxis.unit) }) { x ->
                 view.go { at(x) }
                 showGraphs()
             }
         }
-        if (drive.errors != null) Note(DriveErrors.WHEN)
+        shown.errors?.let { Note(it.condition) }
     }
 }
+
+/** What the panel shows of a log: its [errors], null if they are not known, and their [sizes] over the visible range. */
+private class ShownModules(val picture: DrivePicture, val errors: DriveErrors?, val sizes: List<ModuleError>)
 
 @Composable
 private fun Note(text: String) =

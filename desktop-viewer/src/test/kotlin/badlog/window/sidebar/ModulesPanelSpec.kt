@@ -66,6 +66,11 @@ class ModulesPanelSpec : FunSpec({
             ofModule shouldBeGreaterThan 50
             viewer.view.change { showing(3.1, 3.4) }
             waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
+            // Another log never has the numbers of the one before.
+            runOnIdle { viewer.current.replace(drive(hasTargets = false)) }
+            waitForIdle()
+            onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
+            waitFor { onAllNodesWithText("This log has no targets", substring = true).fetchSemanticsNodes().isNotEmpty() }
         }
     }
 

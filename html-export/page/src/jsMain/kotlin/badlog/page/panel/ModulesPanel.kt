@@ -1,6 +1,8 @@
 package badlog.page.panel
 
+import badlog.core.analysis.Span
 import badlog.page.dom.Icon
+import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
@@ -13,7 +15,6 @@ import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.swerve.DrivePicture
 import badlog.viewer.input.Action
-import badlog.viewer.shown.swerve.DriveErrors
 import badlog.viewer.shown.swerve.ErrorSize
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.shown.swerve.worstModuleText
@@ -33,10 +34,12 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     private lateinit var worst: HTMLElement
     private lateinit var canvas: HTMLCanvasElement
     private lateinit var list: HTMLElement
-    private val frame = Frame(::update)
+    private lateinit var condition: HTMLElement
+    private val frame = Frame(::draw)
 
-    /** The numbers that [list] shows. */
-    private var listed = emptyList<List<Double>?>()
+    /** The range whose errors are listed; null for none. */
+    private var listed: Span? = null
+    private var listing: Int? = null
     private val picture by lazy { scene.drive?.let { DrivePicture(it, it.errors) } }
 
     val element: HTMLElement = element("aside", "cursor-panel modules-panel card") {
@@ -49,9 +52,11 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         add("div", "cursor-panel-rows") {
             worst = add("p", "modules-worst")
             canvas = add("canvas").unsafeCast<HTMLCanvasElement>()
+            canvas.setAttribute("role", "img")
+            canvas.setAttribute("aria-label", "Modules at the cursor")
             add("p", "cursor-panel-hint", SwerveDrive.ARROWS)
             list = add("div", "modules-errors")
-            add("p", "cursor-panel-hint", DriveErrors.WHEN)
+            condition = add("p", "cursor-panel-hint")
         }
         isHidden = true
     }
@@ -68,7 +73,11 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     init {
         scene.cursor.onChange(::ask)
         scene.range.onChange(::ask)
+        // Its parent, since drawing sets the size of the canvas itself.
+        ResizeObserver(::ask).observe(element)
     }
+
+    val isOpen: Boolean get() = !element.isHidden
 
     /** Opens or closes it. */
     fun toggle() {
@@ -90,11 +99,15 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     }
 
     private fun ask() {
-        if (!element.isHidden) frame.ask()
+        if (element.isHidden) return
+        frame.ask()
+        if (listed == scene.range.now) return
+        // The errors need all visible samples, which is too slow while the range moves.
+        listing?.let(window::clearTimeout)
+        listing = window.setTimeout(::listErrors, if (listed == null) 0 else AFTER_MOVING)
     }
 
-    private fun update() {
-        val drive = scene.drive ?: return
+    private fun draw() {
         val picture = picture ?: return
         val ratio = window.devicePixelRatio
         canvas.style.height = "${picture.height}px"
@@ -102,14 +115,18 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         canvas.height = round(picture.height * ratio).toInt()
         val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
         picture.draw(CanvasPen(context), canvas.width.toDouble(), scene.range.now, scene.cursor.now, scene.palette.colors)
-        val errors = drive.errors?.within(scene.range.now)
-        worst.showText(errors?.let(::worstModuleText) ?: SwerveDrive.NO_TARGETS)
-        // A button that is rebuilt while the cursor moves cannot be pressed.
-        val sizes = errors.orEmpty().flatMap { listOf(it.angle, it.speed) }.map { size -> size?.run { listOf(rms, largest, largestAt) } }
-        if (sizes == listed) return
-        listed = sizes
+    }
+
+    /** Lists the errors within the visible range. */
+    private fun listErrors() {
+        val drive = scene.drive ?: return
+        val range = scene.range.now
+        listed = range
+        val sizes = drive.errors?.within(range)
+        worst.showText(sizes?.let(::worstModuleText) ?: drive.errorsLack.orEmpty())
+        condition.showText(drive.errors?.condition.orEmpty())
         list.textContent = ""
-        errors.orEmpty().forEachIndexed { i, error ->
+        sizes.orEmpty().forEachIndexed { i, error ->
             list.add("div", "module-error") {
                 add("span", "swatch line-${i % LINE_COLORS}")
                 add("b", "", error.label)
@@ -123,5 +140,10 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         add("span", "", size.rmsText)
         val at = scene.xText(size.largestAt)
         addButton("text-button", size.largestText, "Go to the largest error, at $at") { scene.goTo(size.largestAt) }
+    }
+
+    private companion object {
+        /** How long the range has to rest before its errors are listed, in ms. */
+        const val AFTER_MOVING = 150
     }
 }

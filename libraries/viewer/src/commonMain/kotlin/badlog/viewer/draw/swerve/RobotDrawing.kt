@@ -12,7 +12,8 @@ import kotlin.math.hypot
 
 /**
  * Draws the robot of [drive] from above, its front up, in the middle of [width] by [height]: an outlined arrow for the target of each
- * module at [time], and a solid one for what it does. The longest arrow of the whole log just fits.
+ * module at [time], and a solid one for what it does. The arrow of the drive's fastest speed just fits; none is
+ * longer.
  */
 internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, height: Double, colors: PenColors) {
     val side = minOf(width, height)
@@ -29,14 +30,17 @@ internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, heig
     val front = Points().add(middleX - letters / 2, below).add(middleX + letters / 2, below).add(middleX, top + letters / 4)
     shapes(front, corners = 3, colors[Shade.MUTED])
     text("front", middleX, below + letters, letters, colors[Shade.MUTED], TextSide.CENTER)
-    val scale = if (drive.fastest > 0) side * LONGEST / drive.fastest else 0.0
+    val longest = side * LONGEST
+    val scale = if (drive.fastest > 0) longest / drive.fastest else 0.0
+    fun arrowOf(x: Double, y: Double, vector: WheelVector, most: Double) =
+        arrow(x, y, -vector.left * scale, -vector.ahead * scale, longest, most)
     drive.modules.forEachIndexed { i, module ->
         val place = module.place
         val x = middleX - place.left * half
         val y = middleY - place.ahead * half
         val color = colors.line(i)
-        module.targetAt(time)?.let { arrow(x, y, it, scale, TARGET * density) }?.let { chain(it, isClosed = true, color, LINE * density) }
-        module.actualAt(time)?.let { arrow(x, y, it, scale, ACTUAL * density) }?.let { shapes(it, CORNERS, color) }
+        module.targetAt(time)?.let { arrowOf(x, y, it, TARGET * density) }?.let { chain(it, isClosed = true, color, LINE * density) }
+        module.actualAt(time)?.let { arrowOf(x, y, it, ACTUAL * density) }?.let { shapes(it, CORNERS, color) }
         dots(Points().add(x, y), DOT * density, color)
         // Toward the middle, where fewer arrows are.
         val inside = INSIDE * density
@@ -47,15 +51,17 @@ internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, heig
     if (time.isNaN()) text("Point at a graph.", middleX, middleY, letters, colors[Shade.MUTED], TextSide.CENTER)
 }
 
-/** Returns the corners of an arrow from ([x], [y]) along [vector]; its shaft is twice [most] wide, or less if it is short. Null for none. */
-private fun arrow(x: Double, y: Double, vector: WheelVector, scale: Double, most: Double): Points? {
-    val toX = -vector.left * scale
-    val toY = -vector.ahead * scale
-    val length = hypot(toX, toY)
-    if (length < most) return null
+/**
+ * Returns the corners of an arrow from ([x], [y]) by [toX] and [toY], but not longer than [longest]; its shaft is twice [most] wide, or less
+ * if it is short. Null for none.
+ */
+private fun arrow(x: Double, y: Double, toX: Double, toY: Double, longest: Double, most: Double): Points? {
+    val whole = hypot(toX, toY)
+    if (whole < most) return null
+    val length = minOf(whole, longest)
     val half = minOf(most, length / HEAD)
-    val alongX = toX / length
-    val alongY = toY / length
+    val alongX = toX / whole
+    val alongY = toY / whole
     val head = HEAD * half
     val points = Points()
     fun corner(along: Double, aside: Double) = points.add(x + along * alongX - aside * alongY, y + along * alongY + aside * alongX)

@@ -4,6 +4,7 @@ import badlog.core.analysis.GraphSeries
 import badlog.viewer.shown.cursor.indexAt
 import kotlin.math.abs
 import kotlin.math.cos
+import kotlin.math.roundToInt
 import kotlin.math.sin
 
 /**
@@ -40,8 +41,11 @@ internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, privat
     /** Whether its samples are in the order of x. */
     val isOrdered: Boolean get() = speed.data.isOrdered && angle.data.isOrdered
 
-    /** The highest speed, in m/s; 0 without any. */
-    val fastest: Double by lazy { speed.data.y.maxOfOrNull { if (it.isFinite()) abs(it) else 0.0 }.let { (it ?: 0.0) * abs(meters) } }
+    /** The highest speed, in m/s, apart from the few samples that are higher still, since these may be wrong; 0 if it never turned. */
+    val fastest: Double by lazy {
+        val turning = speed.data.y.filter { it.isFinite() && it != 0.0 }.map { abs(it) }.sorted()
+        if (turning.isEmpty()) 0.0 else turning[(turning.lastIndex * HIGH).roundToInt()] * abs(meters)
+    }
 
     fun vectorAt(time: Double): WheelVector? {
         val speed = speedOf(speed.indexAt(time))
@@ -52,4 +56,9 @@ internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, privat
     fun speedOf(sample: Int): Double = if (sample < 0) Double.NaN else speed.data.y[sample] * meters
 
     fun angleOf(sample: Int): Double = if (sample < 0) Double.NaN else angle.data.y[sample] * radians
+
+    private companion object {
+        /** The share of samples that are not higher than [fastest]. */
+        const val HIGH = 0.995
+    }
 }

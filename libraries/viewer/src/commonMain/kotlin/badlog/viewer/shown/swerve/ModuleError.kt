@@ -10,10 +10,10 @@ import kotlin.math.sqrt
  * How far a module was from its target over a part of x.
  *
  * @property label the module's name for people.
- * @property angle the error of its angle; null if it did not drive.
- * @property speed the error of its speed; null if it did not drive.
+ * @property angle the error of its angle; null if it did not drive, or its angle is not known.
+ * @property speed the error of its speed; null if it did not drive, or its speed is not known.
  */
-class ModuleError internal constructor(val label: String, val angle: ErrorSize?, val speed: ErrorSize?)
+class ModuleError internal constructor(val label: String, val angle: ErrorSize?, val speed: ErrorSize?, internal val target: Turning)
 
 /** What an error is measured in, with as many decimals as anybody reads. */
 internal enum class ErrorUnit(private val text: String, private val decimals: Int) {
@@ -34,10 +34,19 @@ internal enum class ErrorUnit(private val text: String, private val decimals: In
  * The size of an error over a part of x.
  *
  * @property rms its root mean square by time.
+ * @property mean its mean by time.
+ * @property meanSize the mean of its absolute values by time.
  * @property largest the error that is farthest from 0.
  * @property largestAt the x at which that begins.
  */
-class ErrorSize private constructor(val rms: Double, val largest: Double, val largestAt: Double, private val unit: ErrorUnit) {
+class ErrorSize private constructor(
+    val rms: Double,
+    internal val mean: Double,
+    internal val meanSize: Double,
+    val largest: Double,
+    val largestAt: Double,
+    private val unit: ErrorUnit,
+) {
     /** [rms] for people: `1.2° RMS`. */
     val rmsText: String get() = "${unit.textOf(rms)} RMS"
 
@@ -51,6 +60,8 @@ class ErrorSize private constructor(val rms: Double, val largest: Double, val la
         fun of(error: Series, part: Span, unit: ErrorUnit): ErrorSize? {
             var time = 0.0
             var squares = 0.0
+            var sum = 0.0
+            var sizes = 0.0
             var largest = 0.0
             var largestAt = Double.NaN
             var i = maxOf(0, error.firstAfter(part.from) - 1)
@@ -61,6 +72,8 @@ class ErrorSize private constructor(val rms: Double, val largest: Double, val la
                 if (width > 0 && value.isFinite()) {
                     time += width
                     squares += width * value * value
+                    sum += width * value
+                    sizes += width * abs(value)
                     if (largestAt.isNaN() || abs(value) > abs(largest) * BEYOND_ROUNDING) {
                         largest = value
                         largestAt = from
@@ -68,7 +81,7 @@ class ErrorSize private constructor(val rms: Double, val largest: Double, val la
                 }
                 i++
             }
-            return if (time > 0) ErrorSize(sqrt(squares / time), largest, largestAt, unit) else null
+            return if (time > 0) ErrorSize(sqrt(squares / time), sum / time, sizes / time, largest, largestAt, unit) else null
         }
     }
 }

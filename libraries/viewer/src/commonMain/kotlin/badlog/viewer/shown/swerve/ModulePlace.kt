@@ -1,9 +1,9 @@
 package badlog.viewer.shown.swerve
 
 import kotlin.math.PI
+import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
-import kotlin.math.sqrt
 
 /**
  * Where a module is on its robot, as multiples of half the robot's length and width.
@@ -22,9 +22,11 @@ internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
 
     CORNER_PLACES.size -> CORNER_PLACES
 
-    else -> List(count) { module ->
-        val turn = PI / 4 - 2 * PI * module / count
-        ModulePlace(sqrt(2.0) * cos(turn), sqrt(2.0) * sin(turn))
+    else -> {
+        val turns = List(count) { PI / 4 - 2 * PI * it / count }
+        // The outermost ones are on the robot's edge, as the corners are: beyond it, their arrows would leave the picture.
+        val outermost = turns.maxOf { maxOf(abs(cos(it)), abs(sin(it))) }
+        turns.map { ModulePlace(cos(it) / outermost, sin(it) / outermost) }
     }
 }
 

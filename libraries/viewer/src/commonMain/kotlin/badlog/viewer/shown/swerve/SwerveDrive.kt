@@ -10,26 +10,31 @@ import badlog.core.analysis.knowsEnabled
  *
  * @property modules its three to six modules, in the order of the log, or front before back, left before right.
  */
-class SwerveDrive private constructor(private val view: LogView, val modules: List<DriveModule>) {
-    /** Whether the log has what the modules should do. */
-    val hasTargets: Boolean get() = modules.all { it.target != null }
+class SwerveDrive private constructor(private val view: LogView, val modules: List<DriveModule>, private val withoutTarget: List<String>) {
+    private val isOrdered get() = modules.all { module -> listOfNotNull(module.actual, module.target).all { it.isOrdered } }
 
-    /** The highest speed of a wheel, actual or target, in m/s; 0 if none turned. */
+    /** Why there are no [errors], in a sentence for people; null if there are. */
+    val errorsLack: String? by lazy {
+        when {
+            withoutTarget.size == modules.size -> "This log has no targets of its modules, so their errors are not known."
+            withoutTarget.isNotEmpty() -> "This log has no target of ${withoutTarget.joinToString(" and ")}, so the errors are not known."
+            !isOrdered -> "${view.xAxis.title} goes backwards in this log, so the errors are not known."
+            else -> null
+        }
+    }
+
+    /** The highest speed of a wheel, actual or target, in m/s, apart from a few samples that are higher still; 0 if none turned. */
     val fastest: Double by lazy { modules.maxOf { maxOf(it.actual.fastest, it.target?.fastest ?: 0.0) } }
 
-    /** How well the modules followed their targets; null without targets, or if x goes backwards. The first use reads all samples. */
+    /** How well the modules followed their targets; null if that is not known, see [errorsLack]. The first use reads all samples. */
     val errors: DriveErrors? by lazy {
-        val lines = modules.flatMap { listOfNotNull(it.actual, it.target) }
         val enabled = if (view.knowsEnabled) view.enabledSpans().map { it.span } else null
-        if (hasTargets && lines.all { it.isOrdered }) DriveErrors.of(modules, enabled) else null
+        if (errorsLack == null) DriveErrors.of(modules, enabled, view.xAxis.range?.endInclusive ?: Double.NaN) else null
     }
 
     companion object {
         /** The sentence for a log without modules. */
         const val NONE: String = "This log has no swerve modules that are known by their names: structs, or speed and angle of each."
-
-        /** The sentence for modules without [errors]. */
-        const val NO_TARGETS: String = "This log has no targets of its modules, so their errors are not known."
 
         /** What the arrows mean. */
         const val ARROWS: String = "Solid: actual. Outline: target."
@@ -46,13 +51,15 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
             }
             val all = swerveModulesOf(view.recording.topics)
             val actual = all.firstOrNull { !it.isTarget } ?: return null
-            val targets = all.filter { it.isTarget && it.labels.containsAll(actual.labels) }
-            val target = targets.maxByOrNull { "optimized" in it.speeds[0].lowercase() }
+            val targets = all.filter { it.isTarget }
+            val whole = targets.filter { it.labels.containsAll(actual.labels) }
+            val target = whole.maxByOrNull { "optimized" in it.speeds[0].lowercase() }
             val wanted = target?.let { it.labels.zip(wheels(it)).toMap() }.orEmpty()
             val modules = wheels(actual).mapIndexed { i, wheel ->
                 DriveModule(actual.labels[i], actual.places[i], wheel, wanted[actual.labels[i]])
             }
-            return SwerveDrive(view, modules)
+            val lacking = targets.map { actual.labels - it.labels.toSet() }.minByOrNull { it.size } ?: actual.labels
+            return SwerveDrive(view, modules, lacking)
         }
     }
 }

@@ -1,35 +1,68 @@
 package badlog.viewer.shown.swerve
 
+import kotlin.math.abs
+
 /**
  * Returns which of [modules] is worse than the others, in sentences for people; that they are alike, if none is. Only a module that is
- * clearly worse is named: always naming one would send people to healthy ones.
+ * clearly worse is named: always naming one would send people to healthy ones. A module whose target turns farther than that of the others
+ * has larger errors without being worse.
  */
 fun worstModuleText(modules: List<ModuleError>): String {
-    val angles = modules.mapNotNull { module -> module.angle?.let { Named(module.label, it.rms) } }
-    val speeds = modules.mapNotNull { module -> module.speed?.let { Named(module.label, it.rms) } }
-    if (angles.isEmpty()) return "No module drives in the visible range."
-    if (angles.size < modules.size) return "Not every module drives in the visible range."
-    val angle = sentenceOf(angles, "angle", ErrorUnit.DEGREES, CLEAR_DEGREES)
-    val speed = if (speeds.size == modules.size) sentenceOf(speeds, "speed", ErrorUnit.SPEED, CLEAR_SPEED) else null
+    lackingText(modules)?.let { return it }
+    val angle = sentenceOf(modules, "angle", ErrorUnit.DEGREES, CLEAR_DEGREES, ModuleError::angle) { it.isWorseThan(modules - it) }
+    val speed = sentenceOf(modules, "speed", ErrorUnit.SPEED, CLEAR_SPEED, ModuleError::speed) { true }
     return listOfNotNull(angle, speed).joinToString(" ").ifEmpty {
-        val least = angles.minOf { it.rms }
-        val most = angles.maxOf { it.rms }
-        val range = ErrorUnit.DEGREES.textOf(least, most)
-        val areAlike = most < least * ALIKE || most - least < CLEAR_DEGREES
-        if (areAlike) "The modules are alike: $range RMS." else "No module stands out: $range RMS."
+        val sizes = modules.mapNotNull { it.angle?.rms }
+        val range = ErrorUnit.DEGREES.textOf(sizes.min(), sizes.max())
+        val areAlike = sizes.max() < sizes.min() * ALIKE || sizes.max() - sizes.min() < CLEAR_DEGREES
+        if (areAlike) "The angle errors of the modules are alike: $range RMS." else "No module stands out: angle errors of $range RMS."
     }
 }
 
-private class Named(val label: String, val rms: Double)
-
-/** Returns the sentence about the worst of [modules]; null unless it is clearly worse than the second worst, by at least [clear]. */
-private fun sentenceOf(modules: List<Named>, quantity: String, unit: ErrorUnit, clear: Double): String? {
-    val (worst, second) = modules.sortedByDescending { it.rms }
-    if (worst.rms < second.rms * WORSE || worst.rms - second.rms < clear) return null
-    val others = modules.filter { it !== worst }
-    val range = unit.textOf(others.minOf { it.rms }, second.rms)
-    return "${worst.label} has the largest $quantity error: ${unit.textOf(worst.rms)} RMS, the others $range."
+/** Returns why [modules] cannot be compared; null if they can. */
+private fun lackingText(modules: List<ModuleError>): String? {
+    val uncounted = modules.filter { it.target.time <= 0 }
+    val withoutAngle = modules.filter { it.target.time > 0 && it.angle == null }
+    val withoutSpeed = modules.filter { it.angle != null && it.speed == null }
+    fun names(some: List<ModuleError>) = some.joinToString(" and ") { it.label }
+    return when {
+        uncounted.size == modules.size -> "No errors count in the visible range."
+        withoutAngle.isNotEmpty() -> "The measured angle of ${names(withoutAngle)} is missing in the visible range."
+        withoutSpeed.isNotEmpty() -> "The measured speed of ${names(withoutSpeed)} is missing in the visible range."
+        uncounted.isNotEmpty() -> "No errors of ${names(uncounted)} count in the visible range."
+        else -> null
+    }
 }
+
+/**
+ * Returns the sentence about the worst of [modules] by their [error]; null unless it is clearly worse than the second worst, by at least
+ * [clear], and [isBad].
+ */
+private fun sentenceOf(
+    modules: List<ModuleError>,
+    quantity: String,
+    unit: ErrorUnit,
+    clear: Double,
+    error: (ModuleError) -> ErrorSize?,
+    isBad: (ModuleError) -> Boolean,
+): String? {
+    fun rms(module: ModuleError) = error(module)?.rms ?: 0.0
+    val (worst, second) = modules.sortedByDescending(::rms)
+    if (rms(worst) < rms(second) * WORSE || rms(worst) - rms(second) < clear || !isBad(worst)) return null
+    val range = unit.textOf(modules.filter { it !== worst }.minOf(::rms), rms(second))
+    return "${worst.label} has the largest $quantity error: ${unit.textOf(rms(worst))} RMS, the others $range."
+}
+
+/** Whether the angle error of this module is larger than that of [others] for another reason than that its target turns farther. */
+private fun ModuleError.isWorseThan(others: List<ModuleError>): Boolean = isSteady || lag >= WORSE * others.maxOf { it.lag }
+
+/** How far its angle is behind its target for how far that turns, in s; infinite if that does not turn. */
+private val ModuleError.lag: Double
+    get() = (checkNotNull(angle).meanSize + RESOLUTION) * target.time / target.turned
+
+/** Whether its angle is always off in the same direction, more than one that is behind a target which turns in one direction. */
+private val ModuleError.isSteady: Boolean
+    get() = with(checkNotNull(angle)) { abs(mean) >= STEADY * rms && abs(mean) * target.time >= SLOW * abs(target.net) }
 
 private const val WORSE = 1.5
 private const val ALIKE = 1.5
@@ -39,3 +72,12 @@ private const val CLEAR_DEGREES = 1.0
 
 /** The same in m/s. */
 private const val CLEAR_SPEED = 0.1
+
+/** What no sensor resolves is not a lag, in degrees. The same as for findings. */
+private const val RESOLUTION = 0.2
+
+/** The mean of a steady error is at least this part of its root mean square. */
+private const val STEADY = 0.8
+
+/** No healthy module is further behind its target, in s. */
+private const val SLOW = 0.2

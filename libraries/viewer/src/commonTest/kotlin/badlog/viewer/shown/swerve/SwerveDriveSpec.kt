@@ -69,7 +69,7 @@ class SwerveDriveSpec : FunSpec({
         val (backward, ahead) = drive.modules[1].actualAt(1.0)!! to drive.modules[0].actualAt(1.0)!!
         backward.ahead shouldBe (ahead.ahead plusOrMinus 1e-9)
         backward.left shouldBe (ahead.left plusOrMinus 1e-9)
-        worstModuleText(drive.within()) shouldBe "The modules are alike: 0.0° RMS."
+        worstModuleText(drive.within()) shouldBe "The angle errors of the modules are alike: 0.0° RMS."
     }
 
     test("a module that is reversed for good has twice its speed as the error") {
@@ -80,8 +80,8 @@ class SwerveDriveSpec : FunSpec({
 
     test("errors without a module that is clearly worse name none") {
         fun textOf(vararg degrees: Double) = worstModuleText(driveOf(angle = { module, time -> wanted(time) + degrees[module] * degree }).within())
-        textOf(1.2, 1.3, 1.6, 1.4) shouldBe "The modules are alike: 1.2 to 1.6° RMS."
-        textOf(1.0, 4.0, 5.0, 1.0) shouldBe "No module stands out: 1.0 to 5.0° RMS."
+        textOf(1.2, 1.3, 1.6, 1.4) shouldBe "The angle errors of the modules are alike: 1.2 to 1.6° RMS."
+        textOf(1.0, 4.0, 5.0, 1.0) shouldBe "No module stands out: angle errors of 1.0 to 5.0° RMS."
     }
 
     test("the visible range is all that counts") {
@@ -90,7 +90,7 @@ class SwerveDriveSpec : FunSpec({
         drive.within(from = 6.0)[0].angle!!.rms shouldBe (0.0 plusOrMinus 1e-9)
         drive.within(from = 4.0, to = 8.0)[0].angle!!.rms shouldBe (5.0 plusOrMinus 1e-9)
         drive.within(from = 20.0, to = 30.0)[0].angle.shouldBeNull()
-        worstModuleText(drive.within(from = 20.0, to = 30.0)) shouldBe "No module drives in the visible range."
+        worstModuleText(drive.within(from = 20.0, to = 30.0)) shouldBe "No errors count in the visible range."
     }
 
     test("errors count only while the robot is enabled and drives") {
@@ -99,7 +99,7 @@ class SwerveDriveSpec : FunSpec({
         val errors = drive.within()
         errors[0].angle!!.largest shouldBe (3.0 plusOrMinus 1e-9)
         drive.within(from = 5.0)[0].angle.shouldBeNull()
-        worstModuleText(driveOf(targetSpeed = 0.1).within()) shouldBe "No module drives in the visible range."
+        worstModuleText(driveOf(targetSpeed = 0.1).within()) shouldBe "No errors count in the visible range."
     }
 
     test("a log of changes, in which an angle is stuck, counts as long as its target goes on") {
@@ -122,7 +122,7 @@ class SwerveDriveSpec : FunSpec({
         val drive = driveOf(angle = { module, time -> if (module == 0 && time in 2.0..4.0) Double.NaN else wanted(time) + degree })
         drive.within()[0].angle!!.rms shouldBe (1.0 plusOrMinus 1e-9)
         drive.within(from = 2.5, to = 3.0)[0].angle.shouldBeNull()
-        worstModuleText(drive.within(from = 2.5, to = 3.0)) shouldBe "Not every module drives in the visible range."
+        worstModuleText(drive.within(from = 2.5, to = 3.0)) shouldBe "The measured angle of Module 0 is missing in the visible range."
         drive.modules[0].actualAt(3.0).shouldBeNull()
         drive.modules[0].targetAt(3.0).shouldNotBeNull()
         drive.modules[0].actualAt(Double.NaN).shouldBeNull()
@@ -132,6 +132,9 @@ class SwerveDriveSpec : FunSpec({
         val actual = states("Measured", 4, { _, _ -> 3.0 }, { _, _ -> PI / 2 })
         val drive = SwerveDrive.of(timedView(*(actual + states("Target", 3, { _, _ -> 9.0 }, { _, _ -> 0.0 })).toTypedArray()))!!
         drive.errors.shouldBeNull()
+        drive.errorsLack shouldBe "This log has no target of Module 3, so the errors are not known."
+        SwerveDrive.of(timedView(*actual.toTypedArray()))!!.errorsLack shouldBe
+            "This log has no targets of its modules, so their errors are not known."
         drive.modules[0].targetAt(1.0).shouldBeNull()
         drive.modules[0].actualAt(1.0)!!.left shouldBe (3.0 plusOrMinus 1e-9)
         drive.fastest shouldBe 3.0
@@ -150,7 +153,7 @@ class SwerveDriveSpec : FunSpec({
         with(SwerveDrive.of(timedView(*lacking.toTypedArray()))!!) {
             modules.map { it.sign } shouldBe listOf("FL", "FR", "BR")
             modules.map { it.place.ahead to it.place.left } shouldBe listOf(1.0 to 1.0, 1.0 to -1.0, -1.0 to -1.0)
-            hasTargets shouldBe true
+            errorsLack.shouldBeNull()
         }
     }
 })

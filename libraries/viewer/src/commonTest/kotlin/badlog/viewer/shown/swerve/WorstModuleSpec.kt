@@ -1,0 +1,101 @@
+package badlog.viewer.shown.swerve
+
+import badlog.core.analysis.Span
+import badlog.core.recording.Topic
+import badlog.viewer.timedTopic
+import badlog.viewer.timedView
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.shouldBe
+import kotlin.math.PI
+import kotlin.math.sin
+
+/** Which module is named as the worst, and which healthy ones are not. */
+class WorstModuleSpec : FunSpec({
+    val times = List(501) { it / 50.0 }
+    val degree = PI / 180
+
+    fun line(name: String, late: Double = 0.0, value: (Double) -> Double): Topic = timedTopic(name, *times.map { it + late to value(it) }.toTypedArray())
+
+    /** Returns the errors of four modules with the target [wanted], which they follow [behind] seconds later, and [off] degrees aside. */
+    fun errorsOf(
+        wanted: (Int, Double) -> Double,
+        behind: (Int) -> Double = { 0.06 },
+        off: (Int) -> Double = { 0.0 },
+        late: (measured: Boolean) -> Double = { 0.0 },
+    ): List<ModuleError> {
+        val topics = (0..3).flatMap { i ->
+            listOf(
+                line("Measured[$i]/speed", late(true)) { 2.0 },
+                line("Measured[$i]/angle/value", late(true)) { wanted(i, it - behind(i)) + off(i) * degree },
+                line("Setpoint[$i]/speed", late(false)) { 2.0 },
+                line("Setpoint[$i]/angle/value", late(false)) { wanted(i, it) },
+            )
+        }
+        return SwerveDrive.of(timedView(*topics.toTypedArray()))!!.errors!!.within(Span(0.0, 10.0))
+    }
+
+    /** The robot turns around a place near module 0, whose target turns four times as far as the others, to and fro. */
+    fun pivot(module: Int, time: Double) = sin(3 * time) * if (module == 0) 1.6 else 0.4
+
+    /** The same, but always in one direction. */
+    fun spin(module: Int, time: Double) = time * if (module == 0) 1.6 else 0.4
+
+    test("a healthy module whose target turns farther than the others is not named") {
+        for (wanted in listOf(::pivot, ::spin)) {
+            val errors = errorsOf(wanted)
+            (errors[0].angle!!.rms > 2.5 * errors[1].angle!!.rms) shouldBe true
+            worstModuleText(errors).startsWith("No module stands out: angle errors of") shouldBe true
+        }
+    }
+
+    test("a module that points 10° aside is named, whatever it turns") {
+        for (module in listOf(0, 2)) {
+            for (wanted in listOf(::pivot, ::spin)) {
+                val text = worstModuleText(errorsOf(wanted, behind = { 0.02 }, off = { if (it == module) 10.0 else 0.0 }))
+                text.startsWith("Module $module has the largest angle error: ") shouldBe true
+            }
+        }
+    }
+
+    test("a module that lags is named, among modules that turn alike and among others") {
+        fun textOf(wanted: (Int, Double) -> Double) = worstModuleText(errorsOf(wanted, behind = { if (it == 0) 0.15 else 0.05 }))
+        textOf { _, time -> sin(2 * time) }.startsWith("Module 0 has the largest angle error: ") shouldBe true
+        textOf(::pivot).startsWith("Module 0 has the largest angle error: ") shouldBe true
+    }
+
+    test("the moment after a target jumps does not count") {
+        val jumping = errorsOf({ module, time -> if (module == 1 && time >= 5) PI / 2.2 else 0.0 })
+        jumping[1].angle!!.largest shouldBe (0.0 plusOrMinus 1e-9)
+        worstModuleText(jumping) shouldBe "The angle errors of the modules are alike: 0.0° RMS."
+        val stuck = errorsOf({ module, time -> if (module == 1 && time >= 5) PI / 2.2 else 0.0 }, behind = { if (it == 1) 99.0 else 0.0 })
+        worstModuleText(stuck).startsWith("Module 1 has the largest angle error: ") shouldBe true
+    }
+
+    test("samples of a loop that come one after the other are one moment, in either order") {
+        for (order in listOf(true, false)) {
+            val errors = errorsOf({ _, time -> sin(2 * time) }, behind = { 0.0 }, late = { isMeasured -> if (isMeasured == order) 0.0003 else 0.0 })
+            for (error in errors) error.angle!!.largest shouldBe (0.0 plusOrMinus 1e-9)
+        }
+    }
+
+    test("the last values hold to the end of the log") {
+        val wheels = (0..2).flatMap { listOf("A[$it]/speed" to 2.0, "A[$it]/angle/value" to 0.1, "Goal[$it]/speed" to 2.0, "Goal[$it]/angle/value" to 0.0) }
+        val topics = wheels.map { (name, value) -> timedTopic(name, 0.0 to value) } + timedTopic("Battery", 0.0 to 12.0, 8.0 to 12.0)
+        val errors = SwerveDrive.of(timedView(*topics.toTypedArray()))!!.errors!!
+        errors.within(Span(6.0, 7.0))[0].angle!!.rms shouldBe (0.1 / degree plusOrMinus 1e-9)
+        errors.condition shouldBe "Errors count while the target of a module is 0.3 m/s or more, and not just after that jumps to another angle. " +
+            "The log does not say when the robot was enabled."
+    }
+
+    test("one wrong sample of the speed does not make all arrows small") {
+        val wrong = (0..2).flatMap { i ->
+            listOf(line("A[$i]/speed") { if (it == 5.0 && i == 1) 1e6 else 3.0 }, line("A[$i]/angle/value") { 0.0 })
+        }
+        SwerveDrive.of(timedView(*wrong.toTypedArray()))!!.fastest shouldBe 3.0
+    }
+
+    test("five and six modules stay within the robot, on its edge") {
+        for (count in 3..6) modulePlacesOf(count).maxOf { maxOf(it.ahead, it.left, -it.ahead, -it.left) } shouldBe (1.0 plusOrMinus 1e-9)
+    }
+})
