@@ -50,14 +50,33 @@ internal class ModulesPanelSpec : PageSpec({
         onPage(page) {
             click("#modules-button")
             graph("Measured[0]/speed").drag(0.25, 0.4)
-            settle()
-            element(".modules-worst").text shouldNotBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+            await("the errors of the range") { element(".modules-worst").text != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." }
             press("v")
             element("#modules").isDisplayed shouldBe false
             element("#cursor-values").isDisplayed shouldBe true
             press("w")
             element("#modules").isDisplayed shouldBe true
             element("#cursor-values").isDisplayed shouldBe false
+        }
+    }
+
+    browserTest("moving the cursor leaves the list alone, a picture that gets another size is drawn again, and links open the modules") {
+        onPage(page) {
+            script("location.hash = '#open=modules'")
+            settle()
+            element("#modules").isDisplayed shouldBe true
+            element("#modules canvas").getAttribute("role") shouldBe "img"
+            element("#modules canvas").getAttribute("aria-label") shouldBe "Modules at the cursor"
+            script("document.querySelector('.module-error').dataset.mark = 'same'")
+            val before = picture()
+            graph("Measured[0]/speed").click(0.7)
+            settle()
+            picture() shouldNotBe before
+            script("return document.querySelector('.module-error').dataset.mark") shouldBe "same"
+            script("document.querySelector('#modules').style.width = '240px'")
+            val isWhole = "return Number(document.querySelector('#modules canvas').clientWidth < 240 && " +
+                "Math.abs(document.querySelector('#modules canvas').width / devicePixelRatio - document.querySelector('#modules canvas').clientWidth) < 1)"
+            await("the picture in its new size") { script(isWhole) == 1L }
         }
     }
 

@@ -147,7 +147,7 @@ internal class LogPage(
     private val compareBar = CompareBar(comparison, scene.notice)
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
-    private val opened = ReaderParts(search, values, boardSection)
+    private val opened = ReaderParts(search, values, modules, boardSection)
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")

@@ -35,7 +35,7 @@ class PageAddressSpec : FunSpec({
             finding = arbitrary { FindingName(name.bind(), name.orNull().bind()) }.orNull().bind(),
             video = number.orNull().bind()?.let(::VideoAlignment),
             second = number.orNull().bind()?.plus(0.0),
-            opened = OpenedParts(name.bind(), Arb.boolean().bind(), Arb.list(Arb.int(1..20), 0..3).bind().distinct()),
+            opened = OpenedParts(name.bind(), Arb.boolean().bind(), Arb.boolean().bind(), Arb.list(Arb.int(1..20), 0..3).bind().distinct()),
         )
     }
 
@@ -72,7 +72,7 @@ class PageAddressSpec : FunSpec({
         PageAddress(93.0, finding = FindingName("Loop stood still", "Loop time")).toText() shouldBe "#t=93&finding=Loop+stood+still;Loop+time"
         PageAddress(93.0, finding = FindingName("Restart", null)).toText() shouldBe "#t=93&finding=Restart"
         PageAddress(video = VideoAlignment(-3.5)).toText() shouldBe "#v=-3.5"
-        PageAddress(93.0, second = 95.5, opened = OpenedParts("battery", hasValues = true, listOf(1, 3))).toText() shouldBe
+        PageAddress(93.0, second = 95.5, opened = OpenedParts("battery", hasValues = true, statistics = listOf(1, 3))).toText() shouldBe
             "#t=93&b=95.5&q=battery&open=values;1;3"
         PageAddress().toText() shouldBe ""
     }
