@@ -2,8 +2,8 @@ package badlog.rules
 
 import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
-import badlog.core.recording.Severity
 import badlog.signals.json.JsonFields
+import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonList
 import badlog.signals.json.jsonObject
 
@@ -23,17 +23,22 @@ internal fun comparisonJson(comparison: Comparison): String = with(comparison) {
 /** Returns the comparison that [comparisonJson] wrote. */
 internal fun comparisonOf(value: JsonValue): Comparison {
     val json = JsonFields(value.members)
-    val (deviations, percent, findings, others) = json.list("limits") { it.json.toDouble() }
+    val limits = json.list("limits", ::limitOf)
+    if (limits.size != Comparison.LIMITS.size) throw UnreadableJsonException()
+    val (deviations, percent, findings, others) = limits
     return Comparison(
         name = json.string("name"),
-        severity = Severity.valueOf(json.string("severity")),
+        severity = severityOf(json.string("severity")),
         group = json.string("group"),
         next = json.string("next"),
-        text = RuleText.parse(json.string("text"), Comparison.PLACES),
+        text = textOf(json.string("text"), Comparison.PLACES),
         signals = json.strings("of"),
         deviations = deviations,
         percent = percent,
         findings = findings.toInt(),
-        others = others.toInt(),
+        others = others.toInt().coerceAtLeast(Comparison.FEWEST_OTHERS),
     )
 }
+
+private fun limitOf(value: JsonValue): Double =
+    value.json.toDoubleOrNull()?.takeIf { it >= 0 } ?: throw UnreadableJsonException()

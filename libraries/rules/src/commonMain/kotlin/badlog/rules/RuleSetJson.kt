@@ -76,11 +76,10 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
 
 private fun ruleOf(value: JsonValue): Rule {
     val json = JsonFields(value.members)
-    val severity = json.string("severity")
     val condition = json.string("when")
     return Rule(
         name = json.string("name"),
-        severity = Severity.entries.find { it.name.lowercase() == severity } ?: throw UnreadableJsonException(),
+        severity = severityOf(json.string("severity")),
         condition = condition,
         text = textOf(json.string("text")),
         only = json.strings("only"),
@@ -95,8 +94,13 @@ private fun ruleOf(value: JsonValue): Rule {
     )
 }
 
-private fun textOf(source: String): RuleText = try {
-    RuleText.parse(source)
+/** Returns the severity with this [name], in whatever case. */
+internal fun severityOf(name: String): Severity =
+    Severity.entries.find { it.name.equals(name, ignoreCase = true) } ?: throw UnreadableJsonException()
+
+/** Returns the text that [source] is, with none but these [places]. */
+internal fun textOf(source: String, places: List<String> = RuleText.PLACES): RuleText = try {
+    RuleText.parse(source, places)
 } catch (_: RuleText.Mistake) {
     throw UnreadableJsonException()
 }

@@ -1,11 +1,14 @@
 package badlog.rules
 
+import badlog.rules.cause.CauseGraph
+import badlog.signals.vocabulary.SignalVocabulary
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
@@ -23,6 +26,22 @@ class RulesReaderSpec : FunSpec({
     test("the built-in rules as the build made JSON of them are those of their file") {
         RuleSet.BUILT_IN.toJson(haveChecklist = true) shouldBe builtInRulesFromToml().toJson(haveChecklist = true)
         RuleSet.BUILT_IN.comparisons.size shouldBe builtInRulesFromToml().comparisons.size
+    }
+
+    test("comparisons of a page that were damaged anywhere are read, or are none; nothing else is thrown") {
+        val whole = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE, RuleSet.BUILT_IN.comparisons).toJson()
+        checkNotNull(RuleSet.fromJson(whole)).toJson() shouldBe whole
+        fun damaged(part: Regex, by: String) = RuleSet.fromJson(whole.replaceFirst(part, by).also { check(it != whole) })
+        damaged(Regex("\"severity\":\"[A-Z]+\""), "\"severity\":\"FATAL\"") shouldBe null
+        damaged(Regex("\\{topic}"), "{subject}") shouldBe null
+        damaged(Regex("\\{topic}"), "{topic") shouldBe null
+        for (limits in listOf("[]", "[1,2,3]", "[1,2,3,4,5]", "[1,2,3,\"x\"]", "[1,2,3,-4]")) {
+            damaged(Regex("\"limits\":\\[[^]]*]"), "\"limits\":$limits") shouldBe null
+        }
+        // Even rules over too few logs can be run.
+        checkNotNull(damaged(Regex("\"limits\":\\[[^]]*]"), "\"limits\":[0,0,1,0]")).comparisons.first().others shouldBe 5
+        val bytes = Arb.element("", "{", "}", "[", "]", ",", ":", "\"", "-", "e", "9", "x")
+        checkAll(2000, Arb.int(whole.indices), bytes) { at, byte -> RuleSet.fromJson(whole.replaceRange(at, at + 1, byte)) }
     }
 
     test("lines of the checklist come from the rules, each once, and are not in pages") {
