@@ -59,5 +59,5 @@ internal fun ChangesList(changes: Changes<LogEntry>, findings: LogFindings, comp
 
 private fun drawOver(difference: Finding, changes: Changes<LogEntry>, findings: LogFindings, compared: ComparedRecordings) {
     findings.showEvidence(difference)
-    changes.previous?.file?.takeIf { it !in compared.state.checked }?.let(compared::add)
+    changes.previous[difference]?.file?.takeIf { it !in compared.state.checked }?.let(compared::add)
 }

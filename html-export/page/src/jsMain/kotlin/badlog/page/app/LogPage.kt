@@ -366,7 +366,7 @@ internal class LogPage(
         val changes = opening.changes()
         return changesList(changes.differences) { difference ->
             pinEvidence(difference, null)
-            changes.previous?.files?.takeIf { it.intersect(comparison.files).isEmpty() }?.let(compareBar::open)
+            changes.previous[difference]?.files?.takeIf { it.intersect(comparison.files).isEmpty() }?.let(compareBar::open)
             boardSection.bringIntoSight()
         }
     }

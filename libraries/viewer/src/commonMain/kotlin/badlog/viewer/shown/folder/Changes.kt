@@ -10,9 +10,9 @@ import badlog.viewer.catalog.ListedLog
  * How a log differs from the matches before it in its folder.
  *
  * @property differences what is unusual, as the comparisons of the rules say it, the largest first.
- * @property previous the log of the match before it; null if there is none.
+ * @property previous the last match before it that shows the same, for each of [differences].
  */
-data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList(), val previous: E? = null)
+data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList(), val previous: Map<Finding, E> = emptyMap())
 
 /** Returns those of [logs] that are of matches before that of [log], in the order of time; only as many of the last as may be needed. */
 fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
@@ -22,11 +22,15 @@ fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
 /** Returns how [log] differs from those of the [earlier] ones that are of the same kind, by [rules], for which [figuresOf] returns figures. */
 fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, figuresOf: (E) -> LogFigures): Changes<E> {
     val own = figuresOf(log)
-    if (own.keys.isEmpty()) return Changes()
+    val keys = own.keys.toSet()
+    // The Driver Station logs the same matches, but nothing that the robot does.
     val alike = earlier.map {
         it to figuresOf(it)
-    }.filter { (_, figures) -> figures.kind == own.kind && figures.keys.isNotEmpty() }.takeLast(MOST)
-    return Changes(rules.compared(alike.map { it.second } + own).last().findings, alike.lastOrNull()?.first)
+    }.filter { (_, figures) -> figures.kind == own.kind && figures.keys.any(keys::contains) }.takeLast(MOST)
+    if (alike.isEmpty()) return Changes()
+    val compared = rules.compared(alike.map { it.second } + own).last()
+    val previous = compared.findings.zip(compared.figures) { difference, key -> difference to alike.last { key in it.second.keys }.first }
+    return Changes(compared.findings, previous.toMap())
 }
 
 /** A robot changes over a season. */

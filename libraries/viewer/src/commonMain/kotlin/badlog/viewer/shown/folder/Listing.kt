@@ -5,6 +5,7 @@ import badlog.signals.match.NaturalOrder
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countText
 import badlog.viewer.text.dateText
 import badlog.viewer.text.isoText
 
@@ -50,8 +51,19 @@ data class Listing<E : ListedLog>(
     val emptiness: String
         get() = when {
             filter.isNotBlank() -> "No log matches “${filter.trim()}”."
-            onlyErrors -> "Rules found no error in any of these logs."
+            onlyErrors -> noErrors
             else -> "All of these logs are idle."
+        }
+
+    private val noErrors: String
+        get() {
+            val examined = entries.filter { it.isReadable && !it.isGray }
+            val open = examined.count { it.found?.rules == null }
+            return when (open) {
+                0 -> "Rules found no error in any of these logs."
+                examined.size -> "Rules have not run over any of these logs."
+                else -> "Rules found no error, but have not run over ${countText(open)} of these logs."
+            }
         }
 
     /** Sorted by [column]; the other way round when that is so already. */

@@ -93,6 +93,10 @@ class ListingSpec : FunSpec({
         listing.copy(filter = " nothing ", onlyErrors = true).emptiness shouldBe "No log matches “nothing”."
         listing.copy(onlyErrors = true, hidesEmpty = true).emptiness shouldBe "Rules found no error in any of these logs."
         listing.copy(hidesEmpty = true).emptiness shouldBe "All of these logs are idle."
+        val onlyErrors = Listing(listOf(bench, match9.copy(found = null), bench.copy(found = LogFound(0, null)), match10), onlyErrors = true)
+        onlyErrors.emptiness shouldBe "Rules found no error, but have not run over 2 of these logs."
+        onlyErrors.copy(entries = onlyErrors.entries.map { it.copy(found = null) }).emptiness shouldBe
+            "Rules have not run over any of these logs."
     }
 
     test("sorting loses and adds nothing, puts what is missing last, and a column has a text where it has something") {

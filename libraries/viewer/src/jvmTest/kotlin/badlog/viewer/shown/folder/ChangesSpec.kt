@@ -24,9 +24,9 @@ class ChangesSpec : FunSpec({
     fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
 
     /** A log whose motor was as hot as [celsius]. */
-    fun figures(celsius: Double, kind: MatchKind = MatchKind.MATCH): LogFigures = FigureReader().read(
+    fun figures(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogFigures = FigureReader().read(
         FigureText(
-            "motor temperature\tArm/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
+            "motor temperature\t$motor/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
             "${kind.ordinal};NaN;false;false;$celsius",
         ),
     )
@@ -39,7 +39,7 @@ class ChangesSpec : FunSpec({
         val temperatures = listOf(41.0, 40.0, 42.0, 39.5, 41.5, 40.5, 95.0)
         val changes = changesOf(logs[6], logs.take(6), rules) { figures(temperatures[logs.indexOf(it)]) }
         changes.differences.single().text shouldContain "Arm/Temperature at its highest was 95 °C"
-        changes.previous shouldBe logs[5]
+        changes.previous[changes.differences.single()] shouldBe logs[5]
     }
 
     test("a log like the others, or with too few before it, says nothing") {
@@ -47,6 +47,17 @@ class ChangesSpec : FunSpec({
         changesOf(logs[3], logs.take(3), rules) { figures(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
         changesOf(logs[0], emptyList(), rules) { figures(95.0) } shouldBe Changes()
         changesOf(logs[6], logs.take(6), rules) { LogFigures.NONE } shouldBe Changes()
+    }
+
+    test("logs that show nothing of the same, such as those of the Driver Station, neither count nor are drawn over it") {
+        val many = List(50) { log("$it.bag", it.toLong()) }
+        val changes = changesOf(many[49], many.take(49), rules) {
+            val place = many.indexOf(it)
+            if (place % 2 == 0) figures(30.0, motor = "Other") else figures(if (place == 49) 95.0 else 40.0 + place % 3)
+        }
+        val difference = changes.differences.single()
+        difference.text shouldContain "your 20 other matches"
+        changes.previous shouldBe mapOf(difference to many[47])
     }
 
     test("only matches before count, neither practice nor another log of the same match, and of them the last 20") {
@@ -62,6 +73,6 @@ class ChangesSpec : FunSpec({
             if (it === many[38]) figures(40.0, MatchKind.PRACTICE) else figures(if (it === many[39]) 95.0 else 40.0 + read % 3)
         }
         changes.differences.single().text shouldContain "your 20 other matches"
-        changes.previous shouldBe many[37]
+        changes.previous[changes.differences.single()] shouldBe many[37]
     }
 })
