@@ -40,5 +40,4 @@ internal fun comparisonOf(value: JsonValue): Comparison {
     )
 }
 
-private fun limitOf(value: JsonValue): Double =
-    value.json.toDoubleOrNull()?.takeIf { it >= 0 } ?: throw UnreadableJsonException()
+private fun limitOf(value: JsonValue): Double = value.json.toDoubleOrNull()?.takeIf { it >= 0 } ?: throw UnreadableJsonException()
