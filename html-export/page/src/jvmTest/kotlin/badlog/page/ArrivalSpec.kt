@@ -1,6 +1,5 @@
 package badlog.page
 
-import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -40,6 +39,8 @@ internal class ArrivalSpec : PageSpec({
     fun OpenPage.openListed(file: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", file)
 
     fun OpenPage.news() = texts(".arrival p").singleOrNull().orEmpty()
+
+    fun OpenPage.focused() = script("return document.activeElement.id") as String
 
     fun OpenPage.isWithinScreen() = number("return document.documentElement.scrollWidth - innerWidth") <= 0
 
@@ -81,6 +82,7 @@ internal class ArrivalSpec : PageSpec({
             await("the news") { news() != "" }
             element("#leave-arrival").click()
             news() shouldBe ""
+            focused() shouldBe "go-back"
             texts("[data-column='FILE']").size shouldBe 3
             script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
             await("the next") { "arrived" in news() }
@@ -96,6 +98,25 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
+    browserTest("while something in the folder cannot be read that could be, no log is taken for gone; then, a new one is announced over a check box") {
+        onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
+            openFolder()
+            script(
+                "window.folder = {get 'new.bag'() { window.looks = (window.looks ?? 0) + 1; return Promise.reject(new Error('locked')) }}",
+            )
+            await("two looks") { number("return window.looks ?? 0") >= 2 }
+            texts("[data-column='FILE']").size shouldBe 2
+            script(putIntoFolder(after))
+            await("the news") { news() != "" }
+            element("#only-errors").click()
+            number("return parseFloat(getComputedStyle(document.documentElement).scrollPaddingBottom)") shouldBe
+                number("return document.querySelector('.arrival').offsetHeight")
+            focused() shouldBe "only-errors"
+            press("a")
+            awaitLog("Qualification 42")
+        }
+    }
+
     browserTest("the pit view shows the last match in large letters, what to do next, batteries and the ones before, and goes on by itself") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
@@ -105,6 +126,7 @@ internal class ArrivalSpec : PageSpec({
             script(putIntoFolder(samples("qualification-42.bag") + ("practice.bag" to before.getValue("practice.bag"))))
             await("the next match") { texts(".pit h2").singleOrNull()?.contains("42") == true && "Browned out at" in texts("#pit-last strong").single() }
             news() shouldBe ""
+            (script("return document.querySelector('.pit [role=status]').textContent") as String) shouldStartWith "Qualification 42 arrived: 4 errors"
             texts("#pit-last b").single() shouldStartWith "Next: "
             texts("#pit-last span").shouldNotBeEmpty()
             texts(".pit-battery").first() shouldStartWith "Battery: use "
@@ -129,27 +151,14 @@ internal class ArrivalSpec : PageSpec({
             await("its evidence") { elements(".evidence").any { it.isDisplayed } }
             element("#go-back").click()
             await("the pit view") { elements(".pit").any { it.isDisplayed } }
+            focused() shouldBe "pit-last"
             press("i")
             element(".log-table").isDisplayed shouldBe true
         }
     }
 
-    /** A minute in which the robot drives, and its arm draws [amps] amperes. */
-    fun match(number: Int, amps: Double): ByteArray {
-        val topics = listOf(TIME, BagTopic("Enabled", "ul"), BagTopic("Arm/Current", "A"))
-        val values = mapOf("Match Type" to "Qualification", "Match Number" to "$number", "Start Time" to "2026-03-07T10:1$number:00")
-        return bagOf(topics, rows = 600, values) { row, column ->
-            when (column) {
-                0 -> row / 10.0
-                1 -> "${row > 20}"
-                else -> amps + row % 2
-            }
-        }
-    }
-
     browserTest("above the findings is how a match is unlike those before it in the folder; a click draws it over the last of them") {
-        val matches = (1..7).associate { "Q$it.bag" to match(it, 10 + it / 10.0) } + ("Q8.bag" to match(8, 21.0))
-        onPage(page, laptop, state = "empty", script = watchedFolder(matches)) {
+        onPage(page, laptop, state = "empty", script = watchedFolder(UNLIKE_MATCHES)) {
             openFolder()
             openListed("Q7")
             awaitLog("Qualification 7")
@@ -174,7 +183,7 @@ internal class ArrivalSpec : PageSpec({
             settle()
             texts("[data-column='FILE']").joinToString() shouldContain "qualification-42.bag"
             elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
-            script(putIntoFolder(mapOf("Q1.bag" to match(1, 10.0))))
+            script(putIntoFolder(mapOf("Q1.bag" to matchBag(1, 10.0))))
             await("no log") { "Rules found no error in any of these logs." in text }
         }
     }

@@ -136,6 +136,31 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
+    browserTest("a match that is compared with the one before it has that fetched, if only what is in it is known") {
+        val logs = folder("compared/logs") { for ((name, bytes) in UNLIKE_MATCHES) (it / name).writeBytes(bytes) }
+        withRobot(logs) { address ->
+            onServedPage(address) {
+                awaitList()
+                press("i")
+                texts("#pit-last strong") shouldContainExactly listOf("Not read yet")
+                press("i")
+                for (name in UNLIKE_MATCHES.keys) element("[aria-label='Compare $name']").click()
+                element("#compare-logs").click()
+                awaitState("ready")
+                element("#go-back").click()
+                awaitList()
+                await("all of them to be read") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
+                script("location.reload()")
+                awaitList()
+                await("what was in them") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
+                elements("[data-column='FILE'] button").first { it.text == "Q8.bag" }.click()
+                awaitLog("Qualification 8")
+                element(".changes button").click()
+                await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
+            }
+        }
+    }
+
     browserTest("a log that the robot has finished is fetched, and announced with the worst in it") {
         val logs = folder("arriving/logs") { (it / "bench.bag").writeBytes(bag) }
         withRobot(logs) { address ->

@@ -44,3 +44,21 @@ internal fun stepBag(graphs: Int, stepAt: Double = 3.0): ByteArray {
         }
     }
 }
+
+/** Returns the log of a minute in which the robot drives, and its arm draws [amps] amperes. */
+internal fun matchBag(number: Int, amps: Double): ByteArray {
+    val topics = listOf(TIME, BagTopic("Enabled", "ul"), BagTopic("Arm/Current", "A"))
+    val values = mapOf("Match Type" to "Qualification", "Match Number" to "$number", "Start Time" to "2026-03-07T10:1$number:00")
+    return bagOf(topics, rows = 600, values) { row, column ->
+        when (column) {
+            0 -> row / 10.0
+            1 -> "${row > 20}"
+            else -> amps + row % 2
+        }
+    }
+}
+
+/** Seven matches whose arms draw what they draw in any match, and an eighth whose arm draws twice as much. */
+internal val UNLIKE_MATCHES: Map<String, ByteArray> by lazy {
+    (1..7).associate { "Q$it.bag" to matchBag(it, 10 + it / 10.0) } + ("Q8.bag" to matchBag(8, 21.0))
+}

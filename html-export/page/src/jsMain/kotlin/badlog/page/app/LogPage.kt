@@ -136,8 +136,9 @@ internal class LogPage(
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
+    private val changes = element("div")
     private val findings =
-        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), changes(), ::showEvidence, ::pinEvidence)
+        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), changes, ::showEvidence, ::pinEvidence)
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
@@ -204,6 +205,8 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
+        showChanges()
+        opening.onRead(::showChanges)
         board.onChange(values::refresh)
         board.onChange(comparison::followFormulas)
         comparison.onChange {
@@ -362,13 +365,23 @@ internal class LogPage(
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 
-    private fun changes(): HTMLElement? {
-        val changes = opening.changes()
-        return changesList(changes.differences) { difference ->
+    private fun showChanges() {
+        val found = opening.changes()
+        changes.textContent = ""
+        val list = changesList(found.differences) { difference ->
             pinEvidence(difference, null)
-            changes.previous[difference]?.files?.takeIf { it.intersect(comparison.files).isEmpty() }?.let(compareBar::open)
+            found.previous[difference]?.let(::compareWith)
             boardSection.bringIntoSight()
         }
+        list?.let(changes::appendChild)
+    }
+
+    private fun compareWith(listed: OpenedLog) {
+        if (!listed.isHere) scene.notice.say("Fetching ${listed.fileName}…")
+        opening.withBytes(listed).then({ log ->
+            val isCompared = log.files.any { it in comparison.files + compareBar.waiting }
+            if (element.isConnected && !isCompared) compareBar.open(log.files)
+        }, { if (element.isConnected) scene.notice.say("${listed.fileName} cannot be fetched. ${it.message}") })
     }
 
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {

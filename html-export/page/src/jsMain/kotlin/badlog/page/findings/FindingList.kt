@@ -32,14 +32,14 @@ import org.w3c.dom.HTMLElement
  * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
  *
  * @param signals asks which topics are the signals that rules lack.
- * @param changes what is shown above all findings; null for nothing.
+ * @param changes what is shown above all findings.
  * @param onVisit called when a person goes to a place, with the incident if it is part of one, and whether all of that was meant.
  * @param onPin called when a person wants to keep the graphs that show a finding.
  */
 internal class FindingList(
     private val scene: Scene,
     private val signals: SignalChoice,
-    changes: HTMLElement?,
+    changes: HTMLElement,
     private val onVisit: (FindingPlace<Finding>, Incident?, isWhole: Boolean) -> Unit,
     private val onPin: (Finding, Incident?) -> Unit,
 ) {
@@ -82,7 +82,7 @@ internal class FindingList(
             add("h2", "findings-title", "Findings")
             count = add("span", "unit") { setAttribute("role", "status") }
         }
-        changes?.let(::appendChild)
+        appendChild(changes)
         mistakes = add("ul", "problem-list")
         incidentList = add("ol", "incidents") { setAttribute("aria-label", "Incidents") }
         hiddenNote = add("p", "findings-hidden") {

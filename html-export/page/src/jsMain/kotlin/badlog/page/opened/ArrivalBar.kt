@@ -1,16 +1,17 @@
 package badlog.page.opened
 
 import badlog.core.recording.Severity
+import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isPlain
-import badlog.page.dom.showText
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.arrivalText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
+import org.w3c.dom.events.FocusEvent
 import org.w3c.dom.events.KeyboardEvent
 
 /**
@@ -26,19 +27,32 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         // Screen readers speak what appears in an element that was there before.
         text = add("p") { setAttribute("role", "status") }
         addButton("", "Show", "Show the new log and the worst in it (A)", onShow).id = "show-arrival"
-        addButton("", "Later", "Hide this; the log stays in the list", onLater).id = "leave-arrival"
+        addButton("", "Later", "Hide this; the log stays in the list") {
+            onLater()
+            // The button is gone, and the keyboard's focus with it.
+            (before?.takeIf { it.isConnected } ?: document.getElementById("go-back"))?.unsafeCast<HTMLElement>()?.focus()
+        }.id = "leave-arrival"
+        addEventListener("focusin", {
+            val from = it.unsafeCast<FocusEvent>().relatedTarget?.unsafeCast<HTMLElement>()
+            if (from?.closest(".arrival") == null) before = from
+        })
     }
+    private var before: HTMLElement? = null
+    private val size = ResizeObserver { page.style.setProperty(HEIGHT, "${element.offsetHeight}px") }
     private val press = { event: Event -> press(event.unsafeCast<KeyboardEvent>()) }
 
     /** Puts it on the page; nothing is seen of it yet. */
     fun start() {
         document.body?.appendChild(element)
+        size.observe(element)
         document.addEventListener("keydown", press)
     }
 
     /** Takes it from the page. */
     fun stop() {
         element.remove()
+        size.disconnect()
+        page.style.removeProperty(HEIGHT)
         document.removeEventListener("keydown", press)
     }
 
@@ -48,12 +62,26 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         val log = match?.worst
         val severity = log?.found?.verdict?.severity ?: Severity.NOTE
         element.className = if (log == null) "arrival is-empty" else "arrival is-${severity.name.lowercase()}"
-        text.showText(if (match == null || log == null) "" else arrivalText(log, arrivals.waiting.size - match.logs.size))
+        say(log?.title.orEmpty(), if (match == null || log == null) "" else arrivalText(log, arrivals.waiting.size - match.logs.size))
+    }
+
+    /** Says [sentence], which begins with [title]; that may be written from right to left. */
+    private fun say(title: String, sentence: String) {
+        if (text.textContent == sentence) return
+        text.textContent = ""
+        text.add("bdi", "", title)
+        text.add("span", "", sentence.removePrefix(title))
     }
 
     private fun press(event: KeyboardEvent) {
         if (!event.isPlain("a") || element.classList.contains("is-empty")) return
         event.preventDefault()
         onShow()
+    }
+
+    private companion object {
+        /** The height of the bar, for which the rest of the page leaves room. */
+        const val HEIGHT = "--arrival"
+        val page: HTMLElement get() = document.documentElement.unsafeCast<HTMLElement>()
     }
 }

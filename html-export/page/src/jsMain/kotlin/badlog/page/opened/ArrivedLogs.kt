@@ -28,19 +28,35 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         val started = Download(log.files) {}
         download = started
         started.start().then({ fetched ->
+            if (download !== started) return@then
             download = null
             if (waiting[log.path] === log) {
                 waiting.remove(log.path)
                 onFetched(log.with(fetched))
             }
             fetch()
-        }, { download = null })
+        }, {
+            if (download !== started) return@then
+            download = null
+            // It must not keep those behind it from coming.
+            if (waiting[log.path] === log) {
+                waiting.remove(log.path)
+                waiting[log.path] = log
+            }
+        })
+    }
+
+    /** Leaves the network to what a person opens, until the next [fetch]. */
+    fun pause() {
+        val started = download ?: return
+        download = null
+        started.cancel()
     }
 
     /** Ends it. */
     fun stop() {
         waiting.clear()
-        download?.cancel()
+        pause()
     }
 
     private companion object {

@@ -33,6 +33,7 @@ import org.w3c.dom.events.KeyboardEvent
  * @param settings returns what can be changed on every page.
  * @param again the same folder; null if the page can look into it once.
  * @param onLeave called when a person wants something else.
+ * @param onRead called with each log when the rules have run over it.
  * @param onOpen called with the log to open, those to compare with it, and whether to show the worst that was found.
  */
 internal class FolderScreen(
@@ -42,6 +43,7 @@ internal class FolderScreen(
     again: FolderAgain?,
     private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
+    private val onRead: (OpenedLog) -> Unit,
     private val onOpen: (OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) -> Unit,
 ) {
     private val known = logs.associateByTo(LinkedHashMap()) { it.path }
@@ -52,7 +54,7 @@ internal class FolderScreen(
     private val reading = FolderReading(rules, cache, ::nextToRead, ::take) { unread += it.path }
     private val statistics = LogStatistics()
     private val batteries = BatteryTable()
-    private val pit = PitView { onOpen(it, emptyList(), true) }
+    private val pit = PitView { openWorst(it) }
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
@@ -60,7 +62,9 @@ internal class FolderScreen(
 
     /** The logs that have changed since the folder was opened. */
     private val fresh = HashSet<String>()
-    private var seen = ""
+
+    /** Logs that a person has seen since the list was shown, before they arrived. */
+    private val seen = HashSet<String>()
     private val arrived = ArrivedLogs {
         keep(it)
         reading.start()
@@ -74,7 +78,7 @@ internal class FolderScreen(
     private lateinit var groups: HTMLElement
     private lateinit var nothing: HTMLElement
     private val table =
-        LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(log, emptyList(), showsWorst) }
+        LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(latest(log), emptyList(), showsWorst) }
 
     val element: HTMLElement = element("div", "start folder-logs") {
         add("header", "page-head") {
@@ -131,40 +135,53 @@ internal class FolderScreen(
     fun resume() {
         tools.appendChild(settings())
         isShown = true
+        seen.clear()
         change(arrivals)
         watch?.start()
+        arrived.fetch()
         if (isCacheRead) reading.start()
         PageEvents.on(document, "keydown") {
             if (it.unsafeCast<KeyboardEvent>().isPlain("i")) togglePit()
         }
     }
 
+    /** Gives the keyboard's focus to [log]. */
+    fun focus(log: OpenedLog) {
+        if (isPit) pit.focus(log) else document.getElementById("open:${log.path}")?.unsafeCast<HTMLElement>()?.focus()
+    }
+
     /** Returns whether [log] is one of its logs. */
     fun has(log: OpenedLog): Boolean = log.path in known
+
+    /** Returns [log] as it is now: it may have grown, or its bytes may be here, since it was listed. */
+    fun latest(log: OpenedLog): OpenedLog = known[log.path] ?: log
 
     /** Takes over that the bytes of [log] are here now, so that it can be read, too. */
     fun keep(log: OpenedLog) {
         known[log.path] = log
+        arrived.remove(log.path)
         if (log.isUnread) unread += log.path
         listing = listing.copy(entries = known.values.toList())
     }
 
     /** Returns how [log] differs from the matches before it, as far as they have been read. */
     fun changesOf(log: OpenedLog): Changes<OpenedLog> {
-        val examined = logsOfRobots(known.values.toList(), OpenedLog::isOnlyOfLogs).filter { !it.isGray && it.found?.rules != null }
-        return changesOf(known[log.path] ?: log, earlierThan(log, examined), rules) { it.figures }
+        val own = latest(log)
+        val others = logsOfRobots(known.values.toList(), OpenedLog::isOnlyOfLogs).filter { !it.isGray && it.found?.rules != null }
+        return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.figures }
     }
 
     /** Remembers that a person sees [log], which is no news even if rules have not run over it. */
     fun see(log: OpenedLog) {
-        seen = log.path
-        change(arrivals)
+        if (arrivals.isNew(latest(log))) seen += log.path
+        change(arrivals.without(log.path))
     }
 
     /** Stops reading, because a log is being read that a person wants to see. Logs that arrive are read when that is shown. */
     fun pause() {
         isShown = false
         reading.stop()
+        arrived.pause()
         for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
     }
 
@@ -217,7 +234,8 @@ internal class FolderScreen(
 
     private fun change(changed: Arrivals<OpenedLog>) {
         // The pit view shows new logs by itself.
-        arrivals = if (isPit && isShown) changed.dealtWith() else changed.without(seen)
+        if (isPit && isShown) changed.latest?.worst?.let(pit::tell)
+        arrivals = if (isPit && isShown) changed.dealtWith() else seen.fold(changed, Arrivals<OpenedLog>::without)
         bar.show(arrivals)
     }
 
@@ -234,8 +252,10 @@ internal class FolderScreen(
     private fun showArrival() {
         val log = arrivals.latest?.worst ?: return
         change(arrivals.dealtWith())
-        onOpen(log, emptyList(), true)
+        openWorst(log)
     }
+
+    private fun openWorst(log: OpenedLog) = onOpen(latest(log), emptyList(), true)
 
     /** What is seen first is read first. */
     private fun nextToRead(): OpenedLog? {
@@ -253,6 +273,7 @@ internal class FolderScreen(
         known[log.path] = log
         if (!log.isReadable) checked -= log.path
         if (arrivals.hasBegun) follow()
+        if (log.found != null) onRead(log)
         showLater()
     }
 
@@ -282,7 +303,7 @@ internal class FolderScreen(
     }
 
     private fun show() {
-        if (isPit) pit.show(listing.entries, isReading = listing.entries.any { it.isUnread })
+        if (isPit) pit.show(listing.entries, willRead = { it.isUnread && watch?.isGrowing(it.path) != true })
         table.show(listing, checked)
         val left = listing.entries.count { it.isUnread }
         val all = countText(listing.size, "log")

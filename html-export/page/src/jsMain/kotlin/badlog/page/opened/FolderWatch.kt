@@ -21,15 +21,20 @@ internal class FolderWatch(
     private var timer = 0
     private var isOver = false
 
-    /** Starts, or goes on. */
+    /** Starts, unless it has been started. */
     fun start() {
-        window.clearTimeout(timer)
+        if (timer == 0) lookIn(folder.pause)
+    }
+
+    private fun lookIn(pause: Int) {
         timer = window.setTimeout({
             // A log that a person waits for comes first.
-            if (isPageBusy) return@setTimeout start()
+            if (isPageBusy) return@setTimeout lookIn(BUSY_PAUSE)
             // What cannot be listed now is looked for again later.
-            folder.files().then({ if (!isOver) onLook(compare(OpenedLog.logsIn(it))) }, {}).then { if (!isOver) start() }
-        }, folder.pause)
+            folder.files().then({ if (!isOver) onLook(compare(OpenedLog.logsIn(it))) }, {})
+                .catch { console.error(it) }
+                .then { if (!isOver) lookIn(folder.pause) }
+        }, pause)
     }
 
     /** Returns whether the log at [path] had changed when the folder was last looked into. */
@@ -49,6 +54,11 @@ internal class FolderWatch(
         growing.clear()
         changed.mapTo(growing) { it.path }
         return FolderLook(changed, gone, complete)
+    }
+
+    private companion object {
+        /** Milliseconds until a page may no longer be busy. */
+        const val BUSY_PAUSE = 1000
     }
 }
 

@@ -53,6 +53,10 @@ internal class LogOpening(
     /** How often a person asked for something: what was asked for before is not shown any more. */
     private var request = 0
 
+    /** Ends what was begun for the last request. */
+    private var cancelLast = {}
+    private var onRead = {}
+
     /** Opens the only log in [files], or lists those that there are. */
     fun open(files: List<File>) {
         val only = files.singleOrNull()
@@ -81,7 +85,8 @@ internal class LogOpening(
     /** Lists the logs of the page's server. */
     fun openServer() {
         val asked = wait("the robot’s list of logs") {}
-        ServedFolder().files().then({ files ->
+        val server = ServedFolder()
+        server.files().then({ files ->
             val logs = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
             when {
                 !asked.isLatest -> Unit
@@ -91,21 +96,36 @@ internal class LogOpening(
                     "It writes one when a driver station is connected: look again then.",
                 )
 
-                else -> list(logs, ServedFolder.NAME, FolderAgain(SERVER_PAUSE, ::serverFiles))
+                else -> list(logs, ServedFolder.NAME, FolderAgain(SERVER_PAUSE) { filesNow(server) })
             }
         }, {
             if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
+    /** Calls [work] when the rules have run over the shown log in the list, too, until something else is shown. */
+    fun onRead(work: () -> Unit) {
+        onRead = work
+        PageEvents.onEnd { onRead = {} }
+    }
+
     /** How the shown log differs from the matches before it in its folder. */
     fun changes(): Changes<OpenedLog> = log?.let { folder?.changesOf(it) } ?: Changes()
 
-    /** Promises what the page's server has now; a page that is not seen asks for nothing. */
-    private fun serverFiles(): Promise<List<File>> = if (document.asDynamic().hidden == true) {
+    /** Promises [listed], a log of the list, with its bytes, which the page's server may have; rejected with a sentence. */
+    fun withBytes(listed: OpenedLog): Promise<OpenedLog> {
+        val log = folder?.latest(listed) ?: listed
+        if (log.isHere) return Promise.resolve(log)
+        val download = Download(log.files.filter { it.served != null }) {}
+        PageEvents.onEnd(download::cancel)
+        return download.start().then { fetched -> log.with(fetched).also { folder?.keep(it) } }
+    }
+
+    /** Promises what [server] has now; a page that is not seen asks for nothing. */
+    private fun filesNow(server: ServedFolder): Promise<List<File>> = if (document.asDynamic().hidden == true) {
         Promise.reject(Throwable())
     } else {
-        ServedFolder().files().then { it.filter(OpenedLog::isNamedLikeLog) }
+        server.files().then { it.filter(OpenedLog::isNamedLikeLog) }
     }
 
     /** The buttons of the shown log's page that lead to others; null for the log that is part of the page. */
@@ -242,6 +262,8 @@ internal class LogOpening(
     private fun wait(name: String, cancel: () -> Unit): Asked {
         following?.stop()
         folder?.pause()
+        cancelLast()
+        cancelLast = cancel
         val asked = Asked(
             LoadingScreen(name) {
                 cancel()
@@ -272,7 +294,7 @@ internal class LogOpening(
 
     private fun list(logs: List<OpenedLog>, name: String, again: FolderAgain?) {
         endFolder()
-        folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, ::open)
+        folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, { if (it.path == log?.path) onRead() }, ::open)
         goBack()
     }
 
@@ -298,7 +320,7 @@ internal class LogOpening(
         document.title = "badlog"
         setPageState("empty")
         listed.resume()
-        left?.let { document.getElementById("open:${it.path}") }?.unsafeCast<HTMLElement>()?.focus()
+        left?.let(listed::focus)
     }
 
     private fun back() = element("div", "page-tools") { addBack() }

@@ -3,17 +3,20 @@ package badlog.page.opened
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.showText
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatterySeason
 import badlog.viewer.shown.battery.BatteryStep
+import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.PitLogs
+import badlog.viewer.shown.folder.arrivalText
 import badlog.viewer.shown.folder.batteryText
 import badlog.viewer.shown.folder.durationText
 import badlog.viewer.shown.folder.logsOfRobots
 import badlog.viewer.shown.folder.verdictText
-import badlog.viewer.text.dateText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
+import org.w3c.dom.asList
 
 /**
  * What a pit wants to know between two matches, in letters that are read from two meters: the last log, batteries, and the logs before it.
@@ -21,39 +24,66 @@ import org.w3c.dom.HTMLElement
  * @param onOpen called with a log of which a person wants to see what was found.
  */
 internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
-    val element: HTMLElement = element("section", "pit") { setAttribute("aria-label", "Pit view") }
+    private lateinit var news: HTMLElement
+    private var shown = element("div")
+
+    val element: HTMLElement = element("section", "pit") {
+        setAttribute("aria-label", "Pit view")
+        // Screen readers speak what appears in an element that was there before.
+        news = add("p", "spoken") { setAttribute("role", "status") }
+        appendChild(shown)
+    }
+
+    private var isReading: (OpenedLog) -> Boolean = { false }
 
     /** Whether somebody is just pressing something in it. */
     val isPressed: Boolean get() = element.matches(":active")
 
-    /** Shows the last of [logs], of which some are still to be read if [isReading]. */
-    fun show(logs: List<OpenedLog>, isReading: Boolean) {
+    /**
+     * Shows the last of [logs].
+     *
+     * @param willRead returns whether a log is read without being opened. Others, and one that is being written, must not hide the last match.
+     */
+    fun show(logs: List<OpenedLog>, willRead: (OpenedLog) -> Boolean) {
         val now = element("div", "pit-logs") {
-            val pit = PitLogs.of(logsOfRobots(logs, OpenedLog::isOnlyOfLogs))
+            val ofRobots = logsOfRobots(logs, OpenedLog::isOnlyOfLogs)
+            val pit = PitLogs.of(ofRobots.filter { it.found != null || willRead(it) }) ?: PitLogs.of(ofRobots)
             if (pit == null) {
-                add("p", "", if (isReading) "Reading the first logs…" else "No log yet.")
+                add("p", "", if (logs.any(willRead)) "Reading the first logs…" else "No log yet.")
             } else {
+                isReading = willRead
                 addLast(pit.last)
                 for (line in BatteryAdvice.of(BatterySeason.of(logs)).inPit) add("p", "pit-battery ${lookOf(line.step)}", line.pitText)
                 add("div", "pit-before") { pit.before.forEachIndexed { i, log -> addEarlier(log, "pit-$i") } }
             }
         }
         // Somebody may be at one of its buttons while more logs are read.
-        if (now.innerHTML == element.firstElementChild?.innerHTML) return
+        if (now.innerHTML == shown.innerHTML) return
         val focused = document.activeElement?.takeIf { element.contains(it) }?.id
-        element.textContent = ""
-        element.appendChild(now)
+        element.replaceChild(now, shown)
+        shown = now
         focused?.let { document.getElementById(it) }?.unsafeCast<HTMLElement>()?.focus()
+    }
+
+    /** Tells those who hear the page that [log] has arrived. */
+    fun tell(log: OpenedLog) = news.showText(arrivalText(log))
+
+    /** Gives the keyboard's focus to the button of [log], or else of the last one. */
+    fun focus(log: OpenedLog) {
+        val buttons = element.querySelectorAll("button").asList()
+        val button = buttons.find { it.unsafeCast<HTMLElement>().getAttribute("data-path") == log.path } ?: buttons.firstOrNull()
+        button?.unsafeCast<HTMLElement>()?.focus()
     }
 
     private fun HTMLElement.addLast(log: OpenedLog) {
         add("header", "pit-head") {
             add("h2", "", log.title)
-            add("p", "unit", listOfNotNull(dateText(log.summary.date.second), durationText(log), batteryText(log)).joinToString(" · "))
+            add("p", "unit", listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · "))
         }
         addLog(log, "pit-last") {
             val verdict = log.found?.verdict
-            add("strong", "", verdictText(log.found))
+            add("strong", "", verdictOf(log))
+            if (log.found == null && !isReading(log)) add("span", "", "Open it to see what is in it.")
             for (sentence in verdict?.sentences.orEmpty()) add("span", "", sentence)
             verdict?.next?.takeIf { it.isNotEmpty() }?.let { add("b", "", "Next: $it") }
         }
@@ -61,13 +91,16 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
 
     private fun HTMLElement.addEarlier(log: OpenedLog, id: String) = addLog(log, id) {
         add("b", "", log.title)
-        add("strong", "", verdictText(log.found))
+        add("strong", "", verdictOf(log))
     }
+
+    private fun verdictOf(log: OpenedLog) = if (log.found == null && !isReading(log)) "Not read yet" else verdictText(log.found)
 
     private fun HTMLElement.addLog(log: OpenedLog, id: String, build: HTMLElement.() -> Unit) {
         val severity = log.found?.verdict?.severity?.name?.lowercase()
         addButton("pit-log has-$severity", "", "Show what was found in ${log.title}") { onOpen(log) }.apply {
             this.id = id
+            setAttribute("data-path", log.path)
             build()
         }
     }

@@ -12,8 +12,19 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
     /** The same folder, later. */
     val again: FolderAgain get() = FolderAgain(PAUSE, ::files)
 
-    /** Promises the files in it now that are named like logs, and those in its folders, of which some may not be readable; rejected if it cannot be listed. */
-    fun files(): Promise<List<File>> = filesIn(handle, name)
+    private var hasListed = false
+
+    /** What could not be read at first. */
+    private val closed = HashSet<String>()
+
+    /**
+     * Promises the files in it now that are named like logs, and those in its folders, of which some may not be readable; rejected if it
+     * cannot be listed, or something in it that could be read at first: logs that are not listed would seem to be gone.
+     */
+    fun files(): Promise<List<File>> = filesIn(handle, name).then {
+        hasListed = true
+        it
+    }
 
     private fun filesIn(folder: dynamic, path: String): Promise<List<File>> = Promise { resolve, reject ->
         val entries = folder.values()
@@ -23,10 +34,15 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
                 if (step.done as Boolean) {
                     resolve(found)
                 } else {
-                    filesOf(step.value, "$path/${step.value.name}").then({ more ->
+                    val place = "$path/${step.value.name}"
+                    filesOf(step.value, place).then({ more ->
                         found += more
                         next()
-                    }, { next() })
+                    }, { problem ->
+                        if (hasListed && place !in closed) return@then reject(problem)
+                        closed += place
+                        next()
+                    })
                 }
             }, { problem: dynamic -> reject(problem.unsafeCast<Throwable>()) })
         }

@@ -10,9 +10,28 @@ import kotlin.js.Promise
  */
 internal class ServedFolder {
     private var foldersLeft = MAX_FOLDERS
+    private var hasListed = false
 
-    /** Asks for all of them; rejected with a sentence if the server lists nothing where the page is. */
-    fun files(): Promise<List<File>> = list("./", NAME, MAX_DEPTH)
+    /** The folders that the server did not list at first. */
+    private val closed = HashSet<String>()
+
+    /**
+     * Asks for all of them; rejected with a sentence if the server lists nothing where the page is, or not all that it listed at first:
+     * logs that are not listed would seem to be gone.
+     */
+    fun files(): Promise<List<File>> {
+        foldersLeft = MAX_FOLDERS
+        return list("./", NAME, MAX_DEPTH).then {
+            hasListed = true
+            it
+        }
+    }
+
+    private fun without(place: String, problem: Throwable): List<File> {
+        if (hasListed && place !in closed) throw problem
+        closed += place
+        return emptyList()
+    }
 
     private fun list(folder: String, place: String, depth: Int): Promise<List<File>> =
         ask("$folder?format=json").then { it.text() }.then { text ->
@@ -22,7 +41,10 @@ internal class ServedFolder {
                 fileFor(served, it.name, "$place/${it.name}", it.modified ?: 0.0)
             }
             val below = listing.dirs.orEmpty().filter { depth > 0 && isVisible(it) && foldersLeft-- > 0 }
-                .map { list("$folder${encodeURIComponent(it.name)}/", "$place/${it.name}", depth - 1).catch { emptyList<File>() } }
+                .map { below ->
+                    val inside = "$place/${below.name}"
+                    list("$folder${encodeURIComponent(below.name)}/", inside, depth - 1).catch { without(inside, it) }
+                }
             Promise.all(below.toTypedArray()).then { files + it.toList().flatten() }
         }.unsafeCast<Promise<List<File>>>()
 
