@@ -45,7 +45,7 @@ class SinceLastMatchSpec : FunSpec({
             waitForIdle()
             onAllNodesWithContentDescription("Unlike the matches before").assertCountEquals(0)
             val hot = Finding("Unlike other matches", Severity.WARNING, "Arm/Angle", "The arm was hot.", Double.NaN, emptyList(), 1, "")
-            viewer.since.change { Changes(listOf(hot), before) }
+            viewer.since.change { Changes(listOf(hot), mapOf(hot to before)) }
             onNodeWithText("The arm was hot.").performClick()
             waitFor { viewer.compared.state.loaded.isNotEmpty() }
             viewer.compared.state.checked shouldBe listOf(before.file)
