@@ -110,7 +110,7 @@ internal class LayoutStore(
 
     /** Remembers what was arranged a moment ago, before another log is shown. */
     fun keepArranged() {
-        saved = change()?.second ?: return
+        saved = change()?.second ?: stored ?: return
     }
 
     /**
@@ -240,7 +240,11 @@ internal class LayoutStore(
     )
 
     private suspend fun save() {
-        val (place, layout) = change() ?: return
+        val (place, layout) = change() ?: run {
+            // What could not be stored may have been taken back.
+            saved = stored
+            return
+        }
         val written = written(place, layout)
         val known = layout.copy(formulas = written.formulas)
         saved = known

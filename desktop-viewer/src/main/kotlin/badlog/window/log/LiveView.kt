@@ -2,6 +2,7 @@ package badlog.window.log
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import badlog.core.analysis.Span
 import badlog.viewer.session.Place
 import badlog.window.state.StateHolder
 import java.nio.file.Path
@@ -11,8 +12,9 @@ import java.nio.file.Path
  *
  * @property growing the file that another program was writing when it was looked at last; null for none.
  * @property place where a person who wanted to stay at the end was put last; null for one who does not.
+ * @property held the visible range that a person wants to keep, though it ends where the log ended; null for none.
  */
-internal data class Live(val growing: Path? = null, val place: Place? = null)
+internal data class Live(val growing: Path? = null, val place: Place? = null, val held: Span? = null)
 
 /**
  * Stays at the newest moment of the open log while its file grows: the cursor is there, and the visible range moves along, until a person
@@ -44,7 +46,7 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     }
 
     /** Stays where it is from now on, though the log grows. */
-    fun pause() = change { copy(place = null) }
+    fun pause() = change { copy(place = null, held = view.viewport.visible.takeIf { view.viewport.isZoomed }) }
 
     /** Begins with [log] as soon as it is open. */
     fun await(log: Path) {
@@ -65,13 +67,19 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     /** Calls [show], which shows the open log as it was read or calculated anew, and stays at its end if the person was there. */
     fun staying(show: () -> Unit) {
         val isThere = isStaying
+        val held = state.held?.takeIf { it == view.viewport.visible }
+        val begin = view.viewport.full.from
         show()
-        if (!isThere) return pause()
-        view.go { movedToEnd() }
-        stayHere()
+        if (isThere) {
+            view.go { movedToEnd() }
+            return stayHere()
+        }
+        val isHeld = held != null && view.viewport.full.from == begin
+        if (held != null && isHeld) view.change { moved(held.from, held.to) }
+        change { copy(place = null, held = view.viewport.visible.takeIf { isHeld }) }
     }
 
-    private fun stayHere() = change { copy(place = view.place) }
+    private fun stayHere() = change { copy(place = view.place, held = null) }
 
     /** Zooming and looking at what is beside the end do not go elsewhere. */
     private fun isAt(place: Place): Boolean {

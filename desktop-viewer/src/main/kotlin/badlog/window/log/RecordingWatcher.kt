@@ -47,13 +47,18 @@ internal class RecordingWatcher(
             known = now
             isSettled = !hasChanged
             val began = TimeSource.Monotonic.markNow()
-            shown = try {
-                readAgain(shown, isGrowing = hasChanged) ?: continue
+            val again = try {
+                readAgain(shown, isGrowing = hasChanged)
             } catch (_: OutOfMemoryError) {
                 val name = shown.file.fileName
                 notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
                 return ended()
             }
+            if (again == null) {
+                isSettled = false
+                continue
+            }
+            shown = again
             update(shown, hasChanged)
             // Reading a large file repeatedly must not slow down the program that writes it.
             delay(began.elapsedNow())

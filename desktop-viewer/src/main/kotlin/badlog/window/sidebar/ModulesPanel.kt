@@ -58,9 +58,9 @@ import kotlinx.coroutines.withContext
 @Composable
 internal fun ModulesPanel(view: AxisView, open: OpenRecording, showGraphs: () -> Unit, modifier: Modifier) {
     val drive = open.drive ?: return PanelHint(SwerveDrive.NONE)
-    // Keyed, or the numbers of the log before would be shown until those of this one are known.
-    val made by key(open) {
-        produceState<ShownModules?>(null) {
+    // Of another log, the numbers of the one before must not be shown; of one that grows, those of a moment ago are.
+    val made by key(open.file) {
+        produceState<ShownModules?>(null, open) {
             val picture = withContext(Dispatchers.Default) { DrivePicture(drive, drive.errors).also { drive.fastest } }
             snapshotFlow { view.viewport.visible }.conflate().map { visible ->
                 withContext(Dispatchers.Default) { ShownModules(picture, drive.errors, drive.errors?.within(visible).orEmpty()) }

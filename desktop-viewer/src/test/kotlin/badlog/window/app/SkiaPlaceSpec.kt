@@ -17,6 +17,8 @@ class SkiaPlaceSpec : FunSpec({
         val program = ProcessBuilder(listOf(java) + options + listOf("-cp", System.getProperty("java.class.path"), "badlog.window.app.SkiaPlaceSpecKt"))
         val output = program.redirectErrorStream(true).start().inputStream.reader().use { it.readText() }
         output.trim() shouldBe "drawn"
+        // Windows deletes no library that is loaded.
+        if (System.getProperty("os.name").startsWith("Windows")) return@test
         Files.list(temporary).use { files -> files.filter { it.fileName.toString().startsWith("badlog") }.count() } shouldBe 0
     }
 })

@@ -44,7 +44,7 @@ class ModulesPanelSpec : FunSpec({
             }
             (listOf(time) + numbers).joinToString(",")
         }
-        return recordingOf(bagOf(listOf("Time|xaxis") + topics, rows))
+        return recordingOf(bagOf(listOf("Time|xaxis") + topics, rows), "targets-$hasTargets.bag")
     }
 
     fun viewerOf(recording: OpenRecording) = Viewer(MainScope(), UserFolders(home, home)).apply {
@@ -66,6 +66,10 @@ class ModulesPanelSpec : FunSpec({
             ofModule shouldBeGreaterThan 50
             viewer.view.change { showing(3.1, 3.4) }
             waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
+            // A log that has grown has the numbers of before until its own are known.
+            runOnIdle { viewer.current.replace(drive(hasTargets = true)) }
+            waitForIdle()
+            (onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size > 0) shouldBe true
             // Another log never has the numbers of the one before.
             runOnIdle { viewer.current.replace(drive(hasTargets = false)) }
             waitForIdle()

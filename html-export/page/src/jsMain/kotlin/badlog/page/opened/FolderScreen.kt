@@ -220,7 +220,8 @@ internal class FolderScreen(
         }
         val (here, elsewhere) = look.complete.mapNotNull(known::get).partition { it.isHere }
         here.mapTo(unread) { it.path }
-        elsewhere.filter(arrivals::isNew).forEach(arrived::add)
+        // WPILib's server, which lists no times, sends at full speed, whether the robot is enabled or not: there, only a person asks for a log.
+        elsewhere.filter { it.modified > 0 && arrivals.isNew(it) }.forEach(arrived::add)
         fresh += look.complete
         arrived.fetch()
         reading.start()

@@ -1,0 +1,53 @@
+package badlog.window.log
+
+import badlog.window.bagOf
+import badlog.window.graph.viewerOf
+import badlog.window.recordingOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class LiveViewSpec : FunSpec({
+    fun log(seconds: Int) = recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage"), List(seconds * 10 + 1) { "${it / 10.0},$it" }))
+
+    fun growing() = viewerOf(log(10)).apply {
+        live.grows(current.recording?.file)
+        view.change { showing(5.0, 10.0) }
+        live.begin()
+    }
+
+    test("whoever follows a log sees its newest moment, as wide as they look at it, and goes back to where they were") {
+        val viewer = growing()
+        for (seconds in 11..20) viewer.shown.show(log(seconds))
+        viewer.live.isStaying shouldBe true
+        viewer.view.cursors.pinned shouldBe 20.0
+        (viewer.view.viewport.visible.from to viewer.view.viewport.visible.to) shouldBe (15.0 to 20.0)
+        viewer.live.newest shouldBe 20.0
+    }
+
+    test("whoever stops following stays where they are, though the log grows and their range ended at its end") {
+        val viewer = growing()
+        viewer.live.pause()
+        for (seconds in 11..20) viewer.shown.show(log(seconds))
+        viewer.live.isStaying shouldBe false
+        (viewer.view.viewport.visible.from to viewer.view.viewport.visible.to) shouldBe (5.0 to 10.0)
+        viewer.view.cursors.pinned shouldBe 10.0
+        viewer.live.newest shouldBe 20.0
+    }
+
+    test("whoever goes elsewhere and back to the old end is not taken to the new one") {
+        val viewer = growing()
+        viewer.view.change { showing(1.0, 3.0) }
+        viewer.shown.show(log(12))
+        viewer.view.change { showing(8.0, 12.0) }
+        viewer.shown.show(log(13))
+        viewer.view.cursors.pinned shouldBe 10.0
+        viewer.live.isStaying shouldBe false
+    }
+
+    test("a log that no longer grows has no newest moment") {
+        val viewer = growing()
+        viewer.live.grows(null)
+        viewer.live.newest shouldBe null
+        viewer.live.isGrowing shouldBe false
+    }
+})
