@@ -44,6 +44,9 @@ internal class ServedPageSpec : PageSpec({
 
     fun OpenPage.column(name: String) = texts("[data-column='$name']")
 
+    /** By a script: rows are made anew while logs are read. */
+    fun OpenPage.openRow(row: Int) = script("document.querySelectorAll(\"[data-column='FILE'] button\")[arguments[0]].click()", row)
+
     fun OpenPage.awaitLog(title: String) {
         await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
         awaitState("ready")
@@ -63,8 +66,10 @@ internal class ServedPageSpec : PageSpec({
     }
 
     browserTest("a phone in the robot's network lists its logs, newest first, and opens one with a tap, findings and all") {
-        withRobot(logs("robot")) { address ->
-            for (screen in listOf(Screen.PHONE, Screen.WIDE, Screen.WIDE.copy(isDark = true))) {
+        val robot = logs("robot")
+        for (screen in listOf(Screen.PHONE, Screen.WIDE, Screen.WIDE.copy(isDark = true))) {
+            // Each at an address of its own: the browser knows from the first time when Qualification 42 really was, and sorts it elsewhere.
+            withRobot(robot) { address ->
                 onServedPage(address, screen) {
                     awaitList()
                     texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
@@ -78,7 +83,7 @@ internal class ServedPageSpec : PageSpec({
                     (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
                     keepScreenshot("served-${screen.width}-${if (screen.isDark) "dark" else "light"}")
                     if (!screen.isPhone) return@onServedPage
-                    elements("[data-column='FILE'] button")[1].click()
+                    openRow(1)
                     awaitLog("Qualification 42")
                     text shouldContain "Likely cause: the robot drew more than its battery gives."
                     saved("FRC_20260307_140212_OHCL_Q42.bag") { element("#download").click() } shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
@@ -120,7 +125,7 @@ internal class ServedPageSpec : PageSpec({
             onServedPage(address, says = listOf("503")) {
                 awaitList()
                 options.isEnabled = BooleanSupplier { true }
-                elements("[data-column='FILE'] button")[0].click()
+                openRow(0)
                 awaitState("failed")
                 text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
                 text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
@@ -169,7 +174,7 @@ internal class ServedPageSpec : PageSpec({
                 // The list is asked for again every 15 s, from the moment when it is shown.
                 script("const set = window.setTimeout; window.keepsTime = true; window.setTimeout = (work, delay, ...more) => set(work, Math.min(delay, 200), ...more)")
                 for (isShown in listOf(false, true)) {
-                    elements("[data-column='FILE'] button")[0].click()
+                    openRow(0)
                     awaitLog("bench.bag")
                     if (isShown) continue
                     element("#go-back").click()
@@ -201,7 +206,7 @@ internal class ServedPageSpec : PageSpec({
         withRobot(folder, options) { address ->
             onServedPage(address, says = listOf("503", "ERR_")) {
                 awaitList()
-                elements("[data-column='FILE'] button")[0].click()
+                openRow(0)
                 await("a part") { script("return parseFloat(document.querySelector('.progress-bar')?.style.width || '0') > 0") as Boolean }
                 options.isEnabled = BooleanSupplier { true }
                 awaitState("failed")
@@ -219,7 +224,7 @@ internal class ServedPageSpec : PageSpec({
             onServedPage(address, says = listOf("ERR_")) {
                 awaitList()
                 script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
-                elements("[data-column='FILE'] button")[0].click()
+                openRow(0)
                 awaitState("failed")
                 text shouldContain "The robot does not answer: stay in its Wi-Fi, and try again."
             }
