@@ -16,6 +16,8 @@ import badlog.record.RecordedFile
 import badlog.record.RecordedServer
 import badlog.record.Recorder
 import badlog.record.ServerAddress
+import badlog.record.connectedText
+import badlog.record.lostText
 import badlog.terminal.StatusLine
 import kotlinx.serialization.Serializable
 import java.util.concurrent.CountDownLatch
@@ -114,11 +116,11 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     @Synchronized
     override fun connected(name: String, address: ServerAddress) {
         isConnected = true
-        tell("Connected to the $name at $address.")
+        tell(connectedText(name, address))
     }
 
     @Synchronized
-    override fun disconnected(name: String, reason: String) = tell("The connection to the $name was lost ($reason); looking for it.")
+    override fun disconnected(name: String, reason: String) = tell(lostText(name, reason))
 
     @Synchronized
     override fun noted(message: String) = tell(message)

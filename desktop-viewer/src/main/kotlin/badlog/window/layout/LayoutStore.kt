@@ -6,7 +6,6 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FittedBoard
 import badlog.viewer.choices.board.FolderLayout
-import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.choices.formula.joined
 import badlog.window.choice.AxisChoice
 import badlog.window.compare.ComparedRecordings
@@ -155,7 +154,7 @@ internal class LayoutStore(
         layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
         formulas.replaceAll(joined(formulas.definitions, layout.formulas))
         layout.overTime?.let(axis::choose)
-        restoreComparison(layout.compared)
+        compared.restore(layout.compared, library.state.folder)
         // The range is one of the axis that was chosen above, and graphs may draw the formulas.
         whenStillOpen { open ->
             applyGraphs(layout)
@@ -285,24 +284,13 @@ internal class LayoutStore(
     private fun restore(layout: Layout) {
         layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
         if (layout.compared.files.isNotEmpty()) {
-            restoreComparison(layout.compared)
+            compared.restore(layout.compared, library.state.folder)
             restoredChecks = compared.state.checked
         }
         whenShown {
             val open = current.recording?.takeIf { isInFolder(it.file) }
             if (open != null && board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
         }
-    }
-
-    /** Compares the open recording with those in [layout], as they were aligned; files that are gone are skipped. */
-    private fun restoreComparison(layout: LayoutComparison) {
-        val folder = library.state.folder
-        fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
-        val files = layout.files.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
-        val offsets = layout.offsets.entries.mapNotNull { (text, offset) -> fileOf(text)?.let { it to offset } }
-        compared.state.checked.filter { it !in files }.forEach(compared::remove)
-        files.filter { it !in compared.state.checked }.forEach(compared::add)
-        compared.change { copy(offsets = LogOffsets(alignmentOf(layout), offsets.toMap())) }
     }
 
     private fun applyGraphs(layout: Layout) {

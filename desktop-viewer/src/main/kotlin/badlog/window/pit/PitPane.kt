@@ -32,10 +32,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.shown.folder.PitLogs
-import badlog.viewer.shown.folder.batteryText
-import badlog.viewer.shown.folder.durationText
+import badlog.viewer.shown.folder.pitEmptiness
+import badlog.viewer.shown.folder.pitFacts
 import badlog.viewer.shown.folder.verdictText
-import badlog.viewer.text.dateText
 import badlog.window.battery.Batteries
 import badlog.window.battery.FolderSeason
 import badlog.window.battery.PitBatteries
@@ -64,7 +63,7 @@ internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, a
         ReadingLine(library)
         if (logs == null) {
             val isReading = library.state.folder != null && (!library.state.hasLooked || library.state.reading != null)
-            Large(if (isReading) "Reading the first logs…" else "No log yet. The next one is shown here.", Modifier.padding(24.dp))
+            Large(pitEmptiness(entries, isReading), Modifier.padding(24.dp))
         } else {
             BoxWithConstraints(Modifier.fillMaxSize()) { PitLogsPane(logs, season.state, todo, isNarrow = maxWidth < NARROW, actions) }
         }
@@ -95,8 +94,7 @@ private fun LastLog(log: LogEntry, onOpen: () -> Unit) {
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
         FlowRow(Modifier.fillMaxWidth(), Arrangement.SpaceBetween, itemVerticalAlignment = Alignment.Bottom) {
             Large(log.title, Modifier.padding(end = 24.dp), TITLE, weight = FontWeight.SemiBold)
-            val facts = listOfNotNull(dateText(log.summary.date.second), durationText(log), batteryText(log))
-            Large(facts.joinToString(" · "), Modifier, SMALL, palette.muted)
+            Large(pitFacts(log), Modifier, SMALL, palette.muted)
         }
         Column(
             Modifier

@@ -9,6 +9,8 @@ import badlog.record.RecordProgress
 import badlog.record.RecordedFile
 import badlog.record.Recorder
 import badlog.record.ServerAddress
+import badlog.record.connectedText
+import badlog.record.lostText
 import badlog.record.robotServers
 import badlog.viewer.text.bytesText
 import badlog.viewer.text.countText
@@ -116,10 +118,9 @@ internal class RobotRecording(
 
     /** Reports on the window's thread what happens on the recorder's; of connections, that to the [robot]. */
     private inner class Listener(private val robot: String) : RecordListener {
-        override fun connected(name: String, address: ServerAddress) = say(name, "Connected to the robot at $address.")
+        override fun connected(name: String, address: ServerAddress) = say(name, connectedText(name, address))
 
-        override fun disconnected(name: String, reason: String) =
-            say(name, "The connection to the robot was lost ($reason); looking for it.")
+        override fun disconnected(name: String, reason: String) = say(name, lostText(name, reason))
 
         override fun noted(message: String) {
             scope.launch { notices.complain(message) }

@@ -37,11 +37,11 @@ internal fun ChangesList(changes: Changes<LogEntry>, findings: LogFindings, comp
             .padding(horizontal = 8.dp, vertical = 4.dp)
             .background(palette.accentSoft, RoundedCornerShape(4.dp))
             .padding(horizontal = 6.dp, vertical = 4.dp)
-            .semantics { contentDescription = "Unlike the matches before" },
+            .semantics { contentDescription = Changes.TITLE },
     ) {
-        Text("Unlike the matches before", fontWeight = FontWeight.Medium)
+        Text(Changes.TITLE, fontWeight = FontWeight.Medium)
         for (difference in changes.differences) {
-            Tip("Draw it over the match before. ${difference.next}") {
+            Tip(Changes.hintOf(difference)) {
                 Text(
                     difference.text,
                     Modifier

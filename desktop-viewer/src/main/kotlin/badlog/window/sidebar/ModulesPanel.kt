@@ -106,7 +106,7 @@ private fun ErrorLine(error: ModuleError, index: Int, placeOf: (Double) -> Strin
         NameText(error.label, Modifier.width(NAME.dp), fontWeight = FontWeight.Medium)
         Column(Modifier.weight(1f)) {
             for (size in listOfNotNull(error.angle, error.speed)) {
-                SizeLine(size, "Go to the largest error, at ${placeOf(size.largestAt)}", onGo)
+                SizeLine(size, size.goText(placeOf(size.largestAt)), onGo)
             }
         }
     }

@@ -17,6 +17,12 @@ interface RecordListener {
     fun noted(message: String) {}
 }
 
+/** Returns that the server [name] answers at [address], as a sentence. */
+fun connectedText(name: String, address: ServerAddress): String = "Connected to the $name at $address."
+
+/** Returns that the connection to the server [name] ended because of [reason], as a sentence. */
+fun lostText(name: String, reason: String): String = "The connection to the $name was lost ($reason); looking for it."
+
 /**
  * A log that was recorded.
  *

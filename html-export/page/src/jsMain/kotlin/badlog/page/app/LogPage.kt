@@ -21,7 +21,6 @@ import badlog.page.export.sendMoment
 import badlog.page.findings.EvidenceSection
 import badlog.page.findings.FindingList
 import badlog.page.findings.SignalChoice
-import badlog.page.findings.changesList
 import badlog.page.folder.EventsLink
 import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
@@ -136,16 +135,25 @@ internal class LogPage(
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
-    private val changes = element("div")
+    private val comparison = PageComparison(formulas, about.name)
+    private val compareBar = CompareBar(comparison, scene.notice)
+    private val changes = LogChanges(opening, comparison, compareBar, scene.notice) { difference ->
+        pinEvidence(difference, null)
+        boardSection.bringIntoSight()
+    }
     private val findings =
-        FindingList(scene, SignalChoice(formulas.given, signals, scene.notice, onOtherSignals), changes, ::showEvidence, ::pinEvidence)
+        FindingList(
+            scene,
+            SignalChoice(formulas.given, signals, scene.notice, onOtherSignals),
+            changes.element,
+            ::showEvidence,
+            ::pinEvidence,
+        )
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
     private val layouts =
         PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
-    private val comparison = PageComparison(formulas, about.name)
-    private val compareBar = CompareBar(comparison, scene.notice)
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
     private val opened = ReaderParts(search, values, modules, boardSection)
@@ -205,8 +213,7 @@ internal class LogPage(
 
     init {
         nothingFound.isHidden = true
-        showChanges()
-        opening.onRead(::showChanges)
+        changes.start()
         board.onChange(values::refresh)
         board.onChange(comparison::followFormulas)
         comparison.onChange {
@@ -239,7 +246,7 @@ internal class LogPage(
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
-        if (left != null) scene.place.change { atEnd() }
+        if (left != null) scene.place.change { movedToEnd() }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -363,25 +370,6 @@ internal class LogPage(
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
         board.change { withGraphs(shown) }
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
-    }
-
-    private fun showChanges() {
-        val found = opening.changes()
-        changes.textContent = ""
-        val list = changesList(found.differences) { difference ->
-            pinEvidence(difference, null)
-            found.previous[difference]?.let(::compareWith)
-            boardSection.bringIntoSight()
-        }
-        list?.let(changes::appendChild)
-    }
-
-    private fun compareWith(listed: OpenedLog) {
-        if (!listed.isHere) scene.notice.say("Fetching ${listed.fileName}…")
-        opening.withBytes(listed).then({ log ->
-            val isCompared = log.files.any { it in comparison.files + compareBar.waiting }
-            if (element.isConnected && !isCompared) compareBar.open(log.files)
-        }, { if (element.isConnected) scene.notice.say("${listed.fileName} cannot be fetched. ${it.message}") })
     }
 
     private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {

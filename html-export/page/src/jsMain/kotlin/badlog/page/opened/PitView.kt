@@ -7,12 +7,11 @@ import badlog.page.dom.showText
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatterySeason
 import badlog.viewer.shown.battery.BatteryStep
-import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.PitLogs
 import badlog.viewer.shown.folder.arrivalText
-import badlog.viewer.shown.folder.batteryText
-import badlog.viewer.shown.folder.durationText
 import badlog.viewer.shown.folder.logsOfRobots
+import badlog.viewer.shown.folder.pitEmptiness
+import badlog.viewer.shown.folder.pitFacts
 import badlog.viewer.shown.folder.verdictText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -49,7 +48,7 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
             val ofRobots = logsOfRobots(logs, OpenedLog::isOnlyOfLogs)
             val pit = PitLogs.of(ofRobots.filter { it.found != null || willRead(it) }) ?: PitLogs.of(ofRobots)
             if (pit == null) {
-                add("p", "", if (logs.any(willRead)) "Reading the first logs…" else "No log yet.")
+                add("p", "", pitEmptiness(logs, isReading = logs.any(willRead)))
             } else {
                 isReading = willRead
                 addLast(pit.last)
@@ -78,7 +77,7 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
     private fun HTMLElement.addLast(log: OpenedLog) {
         add("header", "pit-head") {
             add("h2", "", log.title)
-            add("p", "unit", listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · "))
+            add("p", "unit", pitFacts(log))
         }
         addLog(log, "pit-last") {
             val verdict = log.found?.verdict

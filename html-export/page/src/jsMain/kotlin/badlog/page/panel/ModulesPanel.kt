@@ -138,8 +138,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
 
     private fun HTMLElement.size(size: ErrorSize) {
         add("span", "", size.rmsText)
-        val at = scene.xText(size.largestAt)
-        addButton("text-button", size.largestText, "Go to the largest error, at $at") { scene.goTo(size.largestAt) }
+        addButton("text-button", size.largestText, size.goText(scene.xText(size.largestAt))) { scene.goTo(size.largestAt) }
     }
 
     private companion object {

@@ -12,7 +12,15 @@ import badlog.viewer.catalog.ListedLog
  * @property differences what is unusual, as the comparisons of the rules say it, the largest first.
  * @property previous the last match before it that shows the same, for each of [differences].
  */
-data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList(), val previous: Map<Finding, E> = emptyMap())
+data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList(), val previous: Map<Finding, E> = emptyMap()) {
+    companion object {
+        /** The heading of [differences]. */
+        const val TITLE: String = "Unlike the matches before"
+
+        /** Returns what a click on [difference] does, and what to look at next. */
+        fun hintOf(difference: Finding): String = "Draw it over the match before. ${difference.next}".trim()
+    }
+}
 
 /** Returns those of [logs] that are of matches before that of [log], in the order of time; only as many of the last as may be needed. */
 fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
@@ -24,9 +32,9 @@ fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, figuresO
     val own = figuresOf(log)
     val keys = own.keys.toSet()
     // The Driver Station logs the same matches, but nothing that the robot does.
-    val alike = earlier.map {
-        it to figuresOf(it)
-    }.filter { (_, figures) -> figures.kind == own.kind && figures.keys.any(keys::contains) }.takeLast(MOST)
+    val alike = earlier.map { it to figuresOf(it) }
+        .filter { (_, figures) -> figures.kind == own.kind && figures.keys.any(keys::contains) }
+        .takeLast(MOST)
     if (alike.isEmpty()) return Changes()
     val compared = rules.compared(alike.map { it.second } + own).last()
     val previous = compared.findings.zip(compared.figures) { difference, key -> difference to alike.last { key in it.second.keys }.first }

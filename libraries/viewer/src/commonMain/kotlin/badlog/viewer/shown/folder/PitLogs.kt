@@ -29,6 +29,16 @@ fun verdictText(found: LogFound?): String = when {
     else -> found.verdict?.headline ?: "No errors, no warnings"
 }
 
+/** Returns why a pit view of [logs] shows none, as a sentence; [isReading] if some may still be read. */
+fun pitEmptiness(logs: List<ListedLog>, isReading: Boolean): String = when {
+    isReading -> "Reading the first logs…"
+    logs.any { it.isReadable } -> "No log of an enabled robot yet."
+    else -> "No log yet."
+}
+
+/** Returns when [log] was recorded, how long it is, and its lowest battery voltage, as far as that is known: `16 Mar 2024, 10:41 · 2:36 · 6.73 V`. */
+fun pitFacts(log: ListedLog): String = listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · ")
+
 /** Returns the paths of those of [logs] of whose run there are others: the match alone does not tell them apart. */
 fun sameMatches(logs: List<ListedLog>): Set<String> =
     runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }

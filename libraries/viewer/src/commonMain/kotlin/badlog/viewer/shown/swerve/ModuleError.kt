@@ -53,6 +53,9 @@ class ErrorSize private constructor(
     /** [largest] for people: `largest -9.8°`. */
     val largestText: String get() = "largest ${unit.textOf(largest)}"
 
+    /** Returns what a click on that does; [place] is its place for people. */
+    fun goText(place: String): String = "Go to the largest error, at $place"
+
     internal companion object {
         private const val BEYOND_ROUNDING = 1 + 1e-9
 

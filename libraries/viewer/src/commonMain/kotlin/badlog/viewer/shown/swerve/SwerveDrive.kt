@@ -34,7 +34,8 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
 
     companion object {
         /** The sentence for a log without modules. */
-        const val NONE: String = "This log has no swerve modules that are known by their names: structs, or speed and angle of each."
+        const val NONE: String =
+            "This log has no swerve modules that badlog knows; log SwerveModuleState, or speed and angle of each module."
 
         /** What the arrows mean. */
         const val ARROWS: String = "Solid: actual. Outline: target."

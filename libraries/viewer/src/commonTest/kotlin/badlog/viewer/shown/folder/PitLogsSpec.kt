@@ -55,6 +55,12 @@ class PitLogsSpec : FunSpec({
         robots(log("b.csv", 2), unreadable) shouldBe listOf("b.csv")
     }
 
+    test("a pit that sees no log says whether there is none, none of an enabled robot, or none yet") {
+        pitEmptiness(emptyList(), isReading = false) shouldBe "No log yet."
+        pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = false) shouldBe "No log of an enabled robot yet."
+        pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = true) shouldBe "Reading the first logs…"
+    }
+
     test("a log in a few words") {
         verdictText(null) shouldBe "The rules are still running"
         verdictText(LogFound(0, null)) shouldBe "The rules could not be run"
