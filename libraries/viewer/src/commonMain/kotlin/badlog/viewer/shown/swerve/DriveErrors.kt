@@ -22,7 +22,8 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
     class Lines internal constructor(val label: String, val angle: Series, val speed: Series, internal val course: TargetCourse)
 
     /** When errors count, for people. */
-    val condition: String get() = if (knowsEnabled) "Errors count while the robot is enabled, $WHEN" else "Errors count $WHEN $ANY_TIME"
+    val condition: String
+        get() = if (knowsEnabled) "Errors count while the robot is enabled and $WHEN" else "Errors count while $WHEN $ANY_TIME"
 
     /** Returns the sizes of the errors of each module within [part] of x. */
     fun within(part: Span): List<ModuleError> = modules.map {
@@ -35,7 +36,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
     }
 
     companion object {
-        private const val WHEN = "while the target of a module is 0.3 m/s or more, and not just after that jumps to another angle."
+        private const val WHEN = "the target of a module is 0.3 m/s or more, but not in the 0.2 s after its angle jumps."
         private const val ANY_TIME = "The log does not say when the robot was enabled."
 
         /** In m/s: of a slower module, the direction says little. The same as for findings. */
