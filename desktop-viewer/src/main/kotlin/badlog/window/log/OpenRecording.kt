@@ -13,7 +13,6 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
 import badlog.signals.clock.FoundStation
-import badlog.signals.clock.RobotBesideStation
 import badlog.signals.clock.secondsPerX
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchOf
@@ -25,14 +24,11 @@ import badlog.signals.signalTopicsOf
 import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.withSignals
-import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.board.standardBoard
 import badlog.viewer.choices.formula.Formula
-import badlog.viewer.choices.formula.formulasOf
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
@@ -60,6 +56,7 @@ import java.nio.file.Path
  * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
+ * @param before the stages of the same file for other choices; null for none.
  */
 internal class OpenRecording(
     val file: Path,
@@ -69,6 +66,7 @@ internal class OpenRecording(
     val layout: FolderLayout = FolderLayout.NONE,
     private val rows: LogView? = null,
     val field: FieldFile = FieldFile.NONE,
+    before: LogStages? = null,
 ) {
     /** The definitions of the formulas calculated in it. */
     val definitions: List<String> get() = choices.definitions
@@ -76,28 +74,25 @@ internal class OpenRecording(
     /** The Driver Station's log of the same match that is shown with it; null for none. */
     val station: FoundStation<LogFile>? get() = choices.station
 
-    private val own = read.withSignals(vocabulary)
-    private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
+    private val stages = LogStages(read, vocabulary, station, definitions, before)
 
     /** The content of the file, and of its [station]'s. */
-    val logged: LogView = beside?.both ?: own
+    val logged: LogView get() = stages.logged
 
     /** The view on which rules run. */
-    val forRules: LogView get() = beside?.forRules ?: own
+    val forRules: LogView get() = stages.forRules
 
     /** The names of the topics from its [station]. */
-    val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
+    val stationTopics: Set<String> get() = stages.stationTopics
 
     /** What match it is of. */
     val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording) }
 
-    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
-
     /** The content of the file, and the topics of formulas. */
-    val view: LogView = calculated?.view ?: logged
+    val view: LogView get() = stages.view
 
     /** The result of each of [definitions], in order. */
-    val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+    val formulas: List<Formula> get() = stages.formulas
 
     /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
     val signals: List<Signal> = signalsOf(view, formulas)
@@ -202,18 +197,24 @@ internal class OpenRecording(
         }
         val isSameField = wanted.field == choices.field && wanted.fieldSelections == choices.fieldSelections
         val itsField = if (isSameField) field else fieldOf(file, wanted.field, library)
-        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField).also { it.prepare() }
+        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField, stages).also { it.prepare() }
     }
 
-    /** Calculates in advance what the first frame needs, so that the window's thread does not have to. */
+    /** Calculates in advance what graphs, panels and keys ask for, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
         forRules
         modes
+        clocks
         events
         standardGraphs
         timeColumn
+        signalTopics
+        poses
+        modules
         drive
+        match
+        fieldPicture
     }
 
     companion object {
