@@ -102,9 +102,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         val signals = signalsBeside(robot.file)
         val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals) }
         val fit = motorFit(own, others, signals)
-        if (fit == null &&
-            alignsEnabled
-        ) {
+        if (fit == null && alignsEnabled) {
             throw Failure("Nothing in ${part.file} matches ${robot.file}; use --offset ${part.file}=SECONDS instead.")
         }
         return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }

@@ -67,9 +67,7 @@ internal class OpenTask(
         val search = Search(null, isWithoutRules = false, emptyList(), emptyList())
         val code = ExportTask(listOf(log), plan, emptyList(), emptyList(), null, search, isJson = false).run(console.withoutResults())
         // The page itself reports lost data.
-        if (code == ExitCode.NOTHING ||
-            code == ExitCode.USAGE
-        ) {
+        if (code == ExitCode.NOTHING || code == ExitCode.USAGE) {
             return outcomes.failed(log, "The page of $log was not made, so it cannot be opened.")
         }
         val address = page.toAbsolutePath().toUri().toString()

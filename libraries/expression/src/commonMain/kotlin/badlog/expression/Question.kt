@@ -163,9 +163,7 @@ sealed class Question : ParsedQuestion {
             val parsed = Expression.parse(body, vocabulary) as Expression
             val places = ArrayList<Node>()
             fun collect(node: Node) {
-                if (node is Node.Call &&
-                    node.arguments.firstOrNull()?.type?.isOverTime == true
-                ) {
+                if (node is Node.Call && node.arguments.firstOrNull()?.type?.isOverTime == true) {
                     places += node.arguments
                 } else {
                     node.children.forEach(::collect)

@@ -160,9 +160,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             val currents = drive?.map { motion.valuesOf(it, BusSignal.CURRENT) }?.takeIf { it.all(::hasDirection) }
             val full = currents?.let(::fullCurrentOf)
             val sides = drive?.mapIndexed { at, side ->
-                val output = if (currents != null &&
-                    full != null
-                ) {
+                val output = if (currents != null && full != null) {
                     scaled(currents[at], 1 / full)
                 } else {
                     motion.valuesOf(side, BusSignal.OUTPUT)

@@ -91,12 +91,8 @@ internal class PageLink(
     /** What a link ends with: the log, if a link named it, and what is shown of it. */
     private fun textNow(): String {
         val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith("url=") }
-        return listOfNotNull(
-            named,
-            now.toText().removePrefix("#").ifEmpty {
-                null
-            },
-        ).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
+        val shown = now.toText().removePrefix("#").ifEmpty { null }
+        return listOfNotNull(named, shown).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
     }
 
     /** The address of what is shown. */

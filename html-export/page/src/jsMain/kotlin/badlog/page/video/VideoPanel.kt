@@ -119,9 +119,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         video.addEventListener("error", { if (name.isNotEmpty()) fail() })
         // For some files, a browser plays only the sound.
         video.addEventListener("loadedmetadata", { if (video.videoWidth == 0) fail() })
-        if (beside != null &&
-            secondsOfX != null
-        ) {
+        if (beside != null && secondsOfX != null) {
             show(beside.substringAfterLast('/'), beside.split('/').joinToString("/", transform = ::encodeURIComponent))
         }
     }

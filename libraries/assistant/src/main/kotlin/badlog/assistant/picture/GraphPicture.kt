@@ -101,9 +101,7 @@ internal class GraphPicture(
         graphHead(
             shown.joinToString { it.name },
             axis.unit,
-            if (shown.size <
-                2
-            ) {
+            if (shown.size < 2) {
                 emptyList()
             } else {
                 shown.map { LegendEntry(it.name, it.color) }

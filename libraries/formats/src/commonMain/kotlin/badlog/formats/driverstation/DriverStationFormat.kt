@@ -25,9 +25,7 @@ public object DriverStationFormat : LogFormat {
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
     /** Returns when a log with the first [HEAD_SIZE] bytes [head] began, in s since 1970; null if those are not the start of such a log. */
-    public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE ||
-        !isHeader(head, 0)
-    ) {
+    public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE || !isHeader(head, 0)) {
         null
     } else {
         secondsAt(head, Int.SIZE_BYTES) + fractionAt(head, Int.SIZE_BYTES) - SECONDS_TO_1970

@@ -90,9 +90,7 @@ public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boo
         )
     }
 
-    private fun extraHeader() = if (entries.extraHeader.isBlank() ||
-        entries.extraHeader == OWN_HEADER
-    ) {
+    private fun extraHeader() = if (entries.extraHeader.isBlank() || entries.extraHeader == OWN_HEADER) {
         emptyList()
     } else {
         listOf(Value("Extra Header", entries.extraHeader))

@@ -46,9 +46,7 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
      */
     fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
         val index = all.indexOfFirst { step ->
-            if (step.incident ==
-                null
-            ) {
+            if (step.incident == null) {
                 isAt(step, current, x)
             } else {
                 current != null && current in step.incident
