@@ -92,7 +92,7 @@ internal class FindingList(
         list = add("div", "findings-list") { body = add("ol") }
         add("div", "findings-more") {
             more = addButton("text-button", "") { list(listed + PAGE) }
-            fewer = addButton("text-button", "Show fewer") { list(FEW) }
+            fewer = addButton("text-button", "Show fewer") { fold() }
         }
         skipped = add("details", "findings-skipped")
         appendChild(signals.chosen)
@@ -167,7 +167,7 @@ internal class FindingList(
 
     /** Lists more on paper, where nothing can be unfolded, than on the screen. */
     fun print(isOnPaper: Boolean) {
-        list(if (isOnPaper) PAGE else FEW)
+        if (isOnPaper) list(PAGE) else fold()
     }
 
     /** Goes to the worst incident; without one, to the worst of [found], which a folder's list names: the first of its severity. */
@@ -226,32 +226,37 @@ internal class FindingList(
         hiddenNote.isHidden = hidden.isEmpty()
         hiddenCount.showText("$hidden ")
         element.isHidden = all.isEmpty() && !isSearching && !haveRun && mistakes.isHidden
-        list(FEW)
+        fold()
     }
 
-    private fun list(wanted: Int) {
-        val most = if (wanted == FEW) outside else unmentioned.size
+    /** Lists a few, as at first: on a phone the worst incident alone, so that its first screen has a graph. */
+    private fun fold() {
+        body.textContent = ""
+        rows.clear()
+        listed = 0
+        val few = if (!isNarrow) FEW else if (incidentRows.isEmpty()) 1 else 0
         // Nobody unfolds a list for two more lines.
-        val until = if (most <= wanted + 2) most else wanted
-        if (until < listed || wanted == FEW) {
-            body.textContent = ""
-            rows.clear()
-            listed = 0
-        }
+        val slack = if (isNarrow && few == 0) 0 else SLACK
+        list(if (outside <= few + slack) outside else few, isFolded = true)
+    }
+
+    private fun list(wanted: Int, isFolded: Boolean = false) {
+        val until = minOf(maxOf(wanted, listed), unmentioned.size)
         for (finding in unmentioned.subList(listed, until)) {
             val row = findingRow(finding, decimals, { onPin(it, incidentOf(it)) }) { visit(firstPlaceOf(it)) }
             rows[finding] = row
             body.appendChild(row)
         }
         listed = until
-        more.isHidden = listed == unmentioned.size
-        val left = unmentioned.size - listed
+        val others = incidentRows.values.drop(1)
+        for (row in others) row.isHidden = isFolded && isNarrow
+        val left = unmentioned.size - listed + others.count { it.isHidden }
+        more.isHidden = left == 0
         more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show ${countText(left)} more")
-        val isLong = listed > minOf(FEW + 2, outside)
-        fewer.isHidden = !isLong
+        fewer.isHidden = isFolded
         // Anything that scrolls must react to keys.
-        if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
-        list.classList.toggle("is-long", isLong)
+        if (isFolded) list.removeAttribute("tabindex") else list.setAttribute("tabindex", "0")
+        list.classList.toggle("is-long", !isFolded)
         mark()
     }
 
@@ -267,7 +272,7 @@ internal class FindingList(
     /** Shows the row of [place], to which the reader has gone; of its [incident] if that [isWhole]. */
     fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val index = unmentioned.indexOf(place.finding)
-        if (index >= listed) list(index + 1)
+        if (index >= listed || incidentRows[incident]?.isHidden == true) list(maxOf(index + 1, listed))
         mark()
         onVisit(place, incident, isWhole)
     }
@@ -285,8 +290,11 @@ internal class FindingList(
     }
 
     private companion object {
-        /** The number of findings shown until a person asks for more. */
-        val FEW = if (isNarrow) 3 else 5
+        /** The number of findings shown until a person asks for more, on a screen that is not narrow. */
+        const val FEW = 5
+
+        /** The number of further ones that are shown, too, if these are all. */
+        const val SLACK = 2
 
         /** The number of rows created at a time. */
         const val PAGE = 300

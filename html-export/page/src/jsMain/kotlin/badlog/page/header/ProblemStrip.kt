@@ -8,6 +8,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
 import badlog.viewer.text.countText
 import badlog.viewer.text.placeTextOf
 import org.w3c.dom.HTMLElement
@@ -46,7 +47,8 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     }
 
     init {
-        open(additions.isNotEmpty() || errors in 1..MAX_OPENED)
+        // On a phone it would push all graphs off the first screen.
+        open(!isNarrow && (additions.isNotEmpty() || errors in 1..MAX_OPENED))
     }
 
     private fun summary(): String {
