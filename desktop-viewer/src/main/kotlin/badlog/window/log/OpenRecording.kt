@@ -146,9 +146,6 @@ internal class OpenRecording(
     /** Its name for people: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
-    /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
-    fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
-
     /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
 

@@ -2,7 +2,7 @@ package badlog.window.sidebar
 
 import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.matchTitle
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.PathName
 import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query
@@ -64,7 +64,7 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
         label = recording.label,
         date = date,
         path = recording.file,
-        statistics = signals.associate { it.name to recording.view.statisticsOf(it.line) },
+        statistics = signals.associate { it.name to it.line.statistics() },
         units = signals.associate { it.name to it.unit },
         xUnit = recording.view.xAxis.unit,
     )

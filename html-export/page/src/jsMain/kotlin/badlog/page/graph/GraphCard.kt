@@ -228,7 +228,7 @@ internal class GraphCard(
     }
 
     private fun newContent() = if (graph.showsStates) {
-        LaneContent(drawn.graph, drawn.isShown, scene.range.full.to)
+        LaneContent(drawn.graph, drawn.isShown)
     } else {
         LineContent(drawn.graph, drawn.colors, scene, drawn.isShown) { look }
     }

@@ -3,7 +3,7 @@ package badlog.page.graph
 import badlog.core.analysis.Graph
 import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.draw.lane.LaneBlocks
 import badlog.viewer.draw.lane.LaneLook
 import badlog.viewer.draw.plot.Plot
@@ -16,10 +16,9 @@ import kotlin.math.ceil
  * States as lanes: one below the other, each a sequence of blocks.
  *
  * @param isShown for each series, whether its lane is drawn; the legend changes it.
- * @param end where the last state ends on x.
  */
-internal class LaneContent(private val graph: Graph, private val isShown: BooleanArray, end: Double) : PlotContent {
-    private val runs = graph.series.map { StateRuns(it.data, end) }
+internal class LaneContent(private val graph: Graph, private val isShown: BooleanArray) : PlotContent {
+    private val runs = graph.series.map { it.stateRuns() }
     private val blocks = runs.map { LaneBlocks() }
 
     override val height: Int get() = heightOf(graph)

@@ -6,6 +6,7 @@ import badlog.core.analysis.Span
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.range.holdsUntil
 import badlog.viewer.draw.axis.GraphAxis
 import badlog.viewer.draw.axis.SeenOfUnit
 import badlog.viewer.draw.axis.axisLimits
@@ -34,7 +35,7 @@ internal class LineContent(
     private val isShown: BooleanArray,
     private val look: () -> BoardGraph,
 ) : PlotContent {
-    private val curves = graph.series.map { Curve(it.data, if (it.holds) scene.range.full.to else null) }
+    private val curves = graph.series.map { Curve(it.data, it.holdsUntil) }
     private val strokes = curves.map { Strokes() }
     private val axisOf = IntArray(curves.size)
 

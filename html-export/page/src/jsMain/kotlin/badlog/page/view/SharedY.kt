@@ -5,6 +5,7 @@ import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.range.holdsUntil
 import badlog.viewer.draw.axis.SeenOfUnit
 import badlog.viewer.draw.axis.seenTogether
 import badlog.viewer.draw.curve.Curve
@@ -39,7 +40,7 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
 
     private fun see(line: GraphSeries?): SeenOfUnit? {
         if (line == null || line.states != null) return null
-        val curve = curves.getOrPut(line) { Curve(line.data, if (line.holds) range.full.to else null) }
+        val curve = curves.getOrPut(line) { Curve(line.data, line.holdsUntil) }
         curve.draw(range.now.from, range.now.to, columns)
         return SeenOfUnit(unitText(line.unit), curve.min, curve.max)
     }

@@ -3,7 +3,7 @@ package badlog.season.lake
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.analysis.sampleRateOf
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.text.UniqueNames
@@ -72,7 +72,7 @@ internal class LogRecords(
 
     private fun statisticsRecord(topic: Topic): List<Any?>? {
         if (isOfTexts(topic) || topic.samples.isEmpty()) return null
-        return view.statisticsOf(view.seriesOf(topic)).run {
+        return view.seriesOf(topic).statistics().run {
             listOf(
                 log, topic.name, unitOf(topic), count.toLong(), gaps.toLong(), min, max, mean, standardDeviation, percentile5, median,
                 percentile95, first, last,

@@ -4,7 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.PathName
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
@@ -125,7 +125,7 @@ data class TopicSummary(
 
 private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     val line = view.seriesOf(topic)
-    val statistics = view.statisticsOf(line)
+    val statistics = line.statistics()
     val held = if (line.holds) view.xAxis.range else null
     return TopicSummary(
         topic.name,
