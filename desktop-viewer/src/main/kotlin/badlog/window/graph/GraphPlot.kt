@@ -60,7 +60,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .onSizeChanged { state.size = it }
                 .pointerHoverIcon(PointerIcon.Crosshair)
-                .semantics { contentDescription = "Plot ${spec.title}" }
+                .semantics { contentDescription = "Plot ${scene.board.titleOf(spec)}" }
                 .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
         ) {
             CursorOverlay(scene, spec.id, state)

@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardHistory
+import badlog.viewer.choices.board.titleOf
 
 /** The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread. */
 internal class GraphBoard {
@@ -52,6 +53,9 @@ internal class GraphBoard {
         get() = state.graphs.find { it.id == moved } ?: state.graphs.find { it.id == pointed }
             ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
             ?: state.graphs.firstOrNull()
+
+    /** Returns the title of [graph], which no other graph has. */
+    fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
     /** Changes the graphs by [transition]; [undo] restores the previous ones. */
     fun change(transition: Board.() -> Board) = take(history.changed(state.transition()))

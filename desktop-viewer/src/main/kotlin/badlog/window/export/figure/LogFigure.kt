@@ -2,7 +2,9 @@ package badlog.window.export.figure
 
 import badlog.core.analysis.Span
 import badlog.rules.Finding
+import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.titleOf
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.figure.FigureNotes
 import badlog.viewer.draw.figure.LegendEntry
@@ -86,7 +88,7 @@ internal class LogFigure(
         val density = sheet.pen.density
         val frame = PlotMargins.frameOf(sheet.width, height, x, density)
         val picture = pictureOf(graph, frame, density)
-        sheet.graphHead(graph.title, unit = "", legendOf(graph, shown))
+        sheet.graphHead(Board(board).titleOf(graph), unit = "", legendOf(graph, shown))
         sheet.part(height.toDouble()) { pen ->
             val marks = PlotMarks(open.modes, events, findings, notes)
             pen.drawPlot(frame, picture.plot, marks, colors, PlotMargins.BOTTOM * density)
@@ -140,7 +142,7 @@ internal class LogFigure(
                 LegendEntry("$name $place".trim(), xy.colorOf(trace))
             }
         }
-        sheet.graphHead(graph.title, unit = "", legend)
+        sheet.graphHead(Board(board).titleOf(graph), unit = "", legend)
         sheet.part(height.toDouble()) { pen ->
             pen.moved(frame.left, frame.top) {
                 val (wide, high) = frame.width.toFloat() to frame.height.toFloat()

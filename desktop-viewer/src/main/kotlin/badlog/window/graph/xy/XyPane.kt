@@ -63,7 +63,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
         Box(
             frame
                 .pointerHoverIcon(PointerIcon.Crosshair)
-                .semantics { contentDescription = "Plot ${spec.title}" }
+                .semantics { contentDescription = "Plot ${scene.board.titleOf(spec)}" }
                 .xyPointer(scene, spec.id, xys, ::planeOn, drag),
         ) {
             Spacer(

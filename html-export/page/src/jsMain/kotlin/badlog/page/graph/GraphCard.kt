@@ -21,6 +21,7 @@ import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.draw.figure.Sheet
 import badlog.viewer.draw.figure.graphHead
 import badlog.viewer.shown.search.Query
@@ -140,10 +141,11 @@ internal class GraphCard(
     /** Offers the graphs of the board, so that this one can be added to one of them. */
     private fun addToGraph() {
         val button = addButton ?: return
-        val graphs = scene.board.now.graphs.filterNot { it.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
+        val titled = scene.board.now.run { graphs.zip(shortTitles) }
+        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
         if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
-        val entries = graphs.map { other ->
-            MenuEntry("Add to “${other.title}”") { scene.board.change { withLines(other.id, look.lines) } }
+        val entries = graphs.map { (other, title) ->
+            MenuEntry("Add to “$title”") { scene.board.change { withLines(other.id, look.lines) } }
         }
         openMenu(button, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
