@@ -141,7 +141,7 @@ internal fun TableRow(
                 val text = cellText(entry, column, folder)
                 val place = width.padding(horizontal = 8.dp)
                 val weight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal
-                if (column == LogColumn.FILE) {
+                if (column == LogColumn.FILE || column == LogColumn.EVENT) {
                     NameText(text, place, color, fontWeight = weight, cut = NameCut.MIDDLE)
                 } else {
                     Text(

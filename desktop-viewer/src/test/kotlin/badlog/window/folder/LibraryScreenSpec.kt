@@ -10,6 +10,7 @@ import androidx.compose.ui.test.click
 import androidx.compose.ui.test.doubleClick
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -68,6 +69,15 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithContentDescription("Log practice.bag").performClick()
             waitFor { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()
+        }
+    }
+
+    test("the match of a log is whole in the list; its event has the room that is left") {
+        onFolder(sampleFolder()) {
+            val match = onAllNodesWithText("Qualification 42").onFirst().fetchSemanticsNode().boundsInRoot
+            val event = onAllNodesWithText("Mill Creek Regional").onFirst().fetchSemanticsNode().boundsInRoot
+            val row = onNodeWithContentDescription("Log qualification-42.bag").fetchSemanticsNode().boundsInRoot
+            (event.left >= match.right && event.right <= row.right) shouldBe true
         }
     }
 

@@ -60,7 +60,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         id = "video"
         setAttribute("aria-label", "Video")
         add("header", "graph-head") {
-            heading = add("h2", "findings-title", "Video")
+            heading = add("h2", "findings-title cut-name").add("bdi", "", "Video")
             add("div", "graph-tools") {
                 addIconButton("", Icon.FOLDER, "Open a video") { input.click() }
                 addIconButton("", Icon.CLOSE, "Close") { close() }.id = "close-video"
