@@ -86,7 +86,7 @@ internal class LiveSpec : PageSpec({
         awaitReady()
     }
 
-    browserTest("a log that is being written is followed at its newest moment; a touch pauses, so that one can look back, and live again") {
+    browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
         val robot = Robot(logs("follow") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address, Screen.PHONE) {
@@ -99,18 +99,55 @@ internal class LiveSpec : PageSpec({
                 graph("Count").value("Count") shouldBe "749"
                 keepScreenshot("live-phone")
                 isLive() shouldBe true
-                script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))")
+                // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
+                for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
+                graph("Count").scrollTo().hover(0.5)
+                script("scrollTo(0, 0)")
+                settle()
+                element("#values-button").click()
+                robot.write(50)
+                await("16 s") { visibleRange.endInclusive > 15.9 }
+                awaitReady()
+                isLive() shouldBe true
+                element("#cursor-values").isDisplayed shouldBe true
+                element("#values-button").click()
+                press(Keys.ARROW_LEFT)
                 isLive() shouldBe false
                 robot.write(250)
                 settle()
-                visibleRange.endInclusive shouldBe (14.98 plusOrMinus 0.02)
+                visibleRange.endInclusive shouldBe (15.98 plusOrMinus 0.02)
                 graph("Count").scrollTo()
                 press("+")
                 element("#live").click()
-                await("20 s") { visibleRange.endInclusive > 19.9 }
+                await("21 s") { visibleRange.endInclusive > 20.9 }
                 awaitReady()
                 // As far in as before.
                 visibleRange.start shouldBeGreaterThan 5.0
+            }
+        }
+    }
+
+    browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
+        val robot = Robot(logs("begun") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                for (begin in listOf("#add-formula", "#help-button")) {
+                    element("#live").click()
+                    isLive() shouldBe true
+                    element(begin).click()
+                    isLive() shouldBe false
+                    robot.write(50)
+                    settle()
+                    elements("dialog[open]").size shouldBe 1
+                    press(Keys.ESCAPE)
+                    settle()
+                }
+                element("#live").click()
+                press("f")
+                robot.write(50)
+                await("a pause") { !isLive() }
+                elements("dialog[open]").size shouldBe 1
             }
         }
     }

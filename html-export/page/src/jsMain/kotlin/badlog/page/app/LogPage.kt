@@ -8,6 +8,7 @@ import badlog.page.board.TopicDialog
 import badlog.page.compare.CompareBar
 import badlog.page.compare.PageComparison
 import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
@@ -247,6 +248,8 @@ internal class LogPage(
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
         if (left != null) scene.place.change { movedToEnd() }
+        opening.place = scene.place
+        PageEvents.onEnd { opening.place = null }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }

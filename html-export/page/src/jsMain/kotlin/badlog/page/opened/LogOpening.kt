@@ -19,6 +19,7 @@ import badlog.page.screen.setPageState
 import badlog.page.served.Download
 import badlog.page.served.ServedFolder
 import badlog.page.served.served
+import badlog.page.view.PagePlace
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
 import badlog.viewer.shown.folder.Changes
@@ -49,6 +50,13 @@ internal class LogOpening(
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
     private var following: Following? = null
+
+    /** Where the reader is in the shown log; null if no log is shown. Whoever follows it stays at the end of each that is shown. */
+    var place: PagePlace? = null
+        set(value) {
+            field = value
+            if (value != null) following?.stayAt(value)
+        }
 
     /** How often a person asked for something: what was asked for before is not shown any more. */
     private var request = 0
@@ -151,7 +159,7 @@ internal class LogOpening(
     }
 
     private fun HTMLElement.addLive(address: String) =
-        addButton("", "Live", "Follow the log while the robot writes it; touching the page pauses") { follow(address) }.apply {
+        addButton("", "Live", "Follow the log while the robot writes it; going elsewhere in it pauses") { follow(address) }.apply {
             id = "live"
             setAttribute("aria-pressed", (following != null).toString())
         }
@@ -159,6 +167,7 @@ internal class LogOpening(
     private fun follow(address: String) {
         following?.let { return it.stop() }
         val open = log ?: return
+        val from = place ?: return
         following = Following(open, address, { grown, read ->
             log = grown
             showGrown(grown, read)
@@ -173,7 +182,7 @@ internal class LogOpening(
             // Not what was wrong the last time.
             textContent = "Live"
         }
-        following?.start()
+        following?.start(from)
     }
 
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
