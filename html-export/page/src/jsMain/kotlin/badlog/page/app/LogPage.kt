@@ -51,8 +51,6 @@ import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.panel.ModulesPanel
-import badlog.page.rules.RuleSearch
-import badlog.page.screen.setRulesState
 import badlog.page.video.VideoPanel
 import badlog.page.view.Hits
 import badlog.page.view.PageBoard
@@ -64,7 +62,6 @@ import badlog.rules.LogFindings
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
-import badlog.rules.incident.incidentsIn
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
@@ -150,6 +147,7 @@ internal class LogPage(
             ::showEvidence,
             ::pinEvidence,
         )
+    private val rules = PageRules(this.additions, embeddedFindings, about.name, scene, findings) { element.isConnected }
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
@@ -163,10 +161,6 @@ internal class LogPage(
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
-
-    /** What the rules found so far. */
-    private var found: LogFindings? = null
-    private var ranAt = 0.0
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -234,22 +228,22 @@ internal class LogPage(
     }
 
     /** What stays of it when the log has grown. */
-    val left: LeftPage get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, found, ranAt)
+    val left: LeftPage
+        get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
      * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address, and then draws what is
      * on the screen. Call it when [element] is on the page.
      */
     fun start(left: LeftPage? = null) {
-        left?.found?.let(::take)
-        ranAt = left?.ranAt ?: 0.0
+        left?.let(rules::continueFrom)
         link.start(left?.place) { asked ->
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
         if (left != null) scene.place.change { movedToEnd() }
-        opening.place = scene.place
-        PageEvents.onEnd { opening.place = null }
+        opening.live.place = scene.place
+        PageEvents.onEnd { opening.live.place = null }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -264,44 +258,18 @@ internal class LogPage(
     fun complete(logged: LogView, compared: Promise<List<File>>, showsWorst: Boolean) {
         folders.layOut(Int.MAX_VALUE)
         compared.then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
-        if (additions.rules.rules.isEmpty()) return setRulesState("done")
-        if (found == null) findings.wait()
-        // A log that is followed is drawn more often than rules run over it.
-        val pause = if (found == null) 0.0 else ranAt + RULES_PAUSE - window.performance.now()
-        if (pause <= 0) return runRules(logged, showsWorst)
-        setRulesState("done")
-        window.setTimeout({ if (element.isConnected) runRules(logged, showsWorst) }, pause.toInt())
+        rules.start(logged) { found, incidents -> showFound(found, incidents, showsWorst) }
     }
 
-    private fun runRules(logged: LogView, showsWorst: Boolean) {
-        RuleSearch(logged, additions.rules, about.name).start(
-            onFindings = onFindings@{ found ->
-                if (!element.isConnected) return@onFindings
-                val incidents = take(found)
-                ranAt = window.performance.now()
-                if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
-                // `has:finding` now finds more.
-                search.followFindings()
-                // The place in the address is known only now.
-                link.followAgain()
-                if (showsWorst) findings.goToWorst(found.findings)
-                // Draws into the existing graphs, since somebody may be dragging over one.
-                if (found.findings.isNotEmpty()) redraw()
-                setRulesState("done")
-            },
-            onFailure = onFailure@{ reason ->
-                if (!element.isConnected) return@onFailure
-                findings.fail(reason)
-                setRulesState("failed")
-            },
-        )
-    }
-
-    /** Lists what the rules [found], and returns the incidents in it. */
-    private fun take(found: LogFindings): List<Incident> {
-        this.found = found
-        scene.findings = timelineOf(found.findings + embeddedFindings)
-        return additions.rules.incidentsIn(found.findings, additions.differences).also { findings.show(found.ran, found.skipped, it) }
+    private fun showFound(found: LogFindings, incidents: List<Incident>, showsWorst: Boolean) {
+        if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
+        // `has:finding` now finds more.
+        search.followFindings()
+        // The place in the address is known only now.
+        link.followAgain()
+        if (showsWorst) findings.goToWorst(found.findings)
+        // Draws into the existing graphs, since somebody may be dragging over one.
+        if (found.findings.isNotEmpty()) redraw()
     }
 
     private fun redraw() {
@@ -382,9 +350,6 @@ internal class LogPage(
     }
 
     private companion object {
-        /** Milliseconds between two runs of the rules over a log that is followed. */
-        const val RULES_PAUSE = 400
-
         /** Hardly any graph is lower than this, in pixels. */
         const val LOWEST = 100
     }

@@ -19,7 +19,6 @@ import badlog.page.screen.setPageState
 import badlog.page.served.Download
 import badlog.page.served.ServedFolder
 import badlog.page.served.served
-import badlog.page.view.PagePlace
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
 import badlog.viewer.shown.folder.Changes
@@ -49,14 +48,12 @@ internal class LogOpening(
 ) {
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
-    private var following: Following? = null
 
-    /** Where the reader is in the shown log; null if no log is shown. Whoever follows it stays at the end of each that is shown. */
-    var place: PagePlace? = null
-        set(value) {
-            field = value
-            if (value != null) following?.stayAt(value)
-        }
+    /** Follows the shown log while it grows. */
+    val live: LiveButton = LiveButton({ log }) { grown, read ->
+        log = grown
+        showGrown(grown, read)
+    }
 
     /** How often a person asked for something: what was asked for before is not shown any more. */
     private var request = 0
@@ -141,7 +138,7 @@ internal class LogOpening(
         val open = log ?: return null
         return element("div", "downloads") {
             addBack()
-            open.origin?.let { if (open.files.size == 1 && !open.fileName.endsWith(".gz")) addLive(it.address) }
+            open.origin?.let { if (open.files.size == 1 && !open.fileName.endsWith(".gz")) live.addTo(this, it.address) }
             val logs = folder?.visible?.filter { it.isReadable }.orEmpty()
             val at = logs.indexOfFirst { it.path == open.path }
             if (at < 0) return@element
@@ -156,33 +153,6 @@ internal class LogOpening(
                 if (key.altKey && key.key == "PageDown") next()
             }
         }
-    }
-
-    private fun HTMLElement.addLive(address: String) =
-        addButton("", "Live", "Follow the log while the robot writes it; going elsewhere in it pauses") { follow(address) }.apply {
-            id = "live"
-            setAttribute("aria-pressed", (following != null).toString())
-        }
-
-    private fun follow(address: String) {
-        following?.let { return it.stop() }
-        val open = log ?: return
-        val from = place ?: return
-        following = Following(open, address, { grown, read ->
-            log = grown
-            showGrown(grown, read)
-        }) { why ->
-            following = null
-            val button = document.getElementById("live") ?: return@Following
-            button.setAttribute("aria-pressed", "false")
-            if (why != null) button.textContent = "Live: $why"
-        }
-        document.getElementById("live")?.apply {
-            setAttribute("aria-pressed", "true")
-            // Not what was wrong the last time.
-            textContent = "Live"
-        }
-        following?.start(from)
     }
 
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
@@ -269,7 +239,7 @@ internal class LogOpening(
 
     /** Shows that the file [name] is being read; [cancel] ends that. */
     private fun wait(name: String, cancel: () -> Unit): Asked {
-        following?.stop()
+        live.stop()
         folder?.pause()
         cancelLast()
         cancelLast = cancel
@@ -319,7 +289,7 @@ internal class LogOpening(
 
     /** Shows the list from which the log was opened, or else what was there before. */
     private fun goBack() {
-        following?.stop()
+        live.stop()
         request++
         val left = log
         log = null
