@@ -21,6 +21,7 @@ import badlog.signals.overItsTime
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
+import badlog.signals.swerve.swerveModulesOf
 import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
@@ -39,7 +40,6 @@ import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive
-import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
 import java.awt.EventQueue

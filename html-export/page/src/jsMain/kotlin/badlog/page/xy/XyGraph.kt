@@ -8,6 +8,7 @@ import badlog.page.dom.showText
 import badlog.page.pen.PageImage
 import badlog.page.view.Scene
 import badlog.signals.clock.secondsPerX
+import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.draw.color.LINE_COLORS
@@ -23,7 +24,6 @@ import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
-import badlog.viewer.shown.swerve.swerveModulesOf
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement

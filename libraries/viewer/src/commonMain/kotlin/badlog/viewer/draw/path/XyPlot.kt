@@ -10,8 +10,8 @@ import badlog.signals.pose.PoseRole
 import badlog.signals.pose.planDistance
 import badlog.signals.pose.planSpans
 import badlog.signals.pose.trailOf
+import badlog.signals.swerve.SwerveModules
 import badlog.viewer.draw.axis.limitsFor
-import badlog.viewer.shown.swerve.SwerveModules
 import badlog.viewer.text.shortNames
 
 /**

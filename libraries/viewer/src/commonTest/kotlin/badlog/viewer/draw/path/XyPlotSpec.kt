@@ -6,9 +6,8 @@ import badlog.core.recording.Topic
 import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.posesOf
+import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.bagView
-import badlog.viewer.shown.swerve.SwerveModules
-import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
@@ -99,36 +98,6 @@ class XyPlotSpec : FunSpec({
             view.recording.topics.find { it.name == name }?.let(view::seriesOf)
         }!!
         plot.arrowsAt(0.0)[2].places.take(4).zip(listOf(2.0, 2.7, 2.0, 3.7)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
-    }
-
-    test("modules with a topic of their own for speed and for angle are arrows, however their corners are named") {
-        fun found(vararg names: String, units: List<String> = listOf("m/s", "deg")): List<SwerveModules> {
-            val topics = names.flatMapIndexed { i, name -> listOf(name, name.replace("Speed", "Angle")).map { it to i } }
-            return swerveModulesOf(
-                topics.mapIndexed { i, (name, corner) -> timedTopic(name, 0.0 to corner.toDouble()).copy(unit = units[i % 2]) },
-            )
-        }
-
-        fun corners(vararg ends: String) = ends.map { "Drive/$it Speed" }.toTypedArray()
-        val right = listOf("Front Right", "Rear Right", "Front Left", "Rear Left")
-        found(*right.map { "Drive/$it Speed" }.toTypedArray()).single().speeds shouldBe
-            listOf("Drive/Front Left Speed", "Drive/Front Right Speed", "Drive/Rear Left Speed", "Drive/Rear Right Speed")
-        found(*corners("FL", "FR", "BL", "BR")).single().radians shouldBe (PI / 180 plusOrMinus 1e-12)
-        found(*corners("Module0/", "Module1/", "Module2/", "Module3/"), units = listOf("ft/s", "rad")).single().meters shouldBe 0.3048
-        found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
-        found(*corners("FrontLeft", "FrontRightt", "BackLeft", "BackRight")).single().isTarget shouldBe false
-        found(*corners("FL", "FR", "BR")).single().labels shouldBe listOf("Front Left", "Front Right", "Back Right")
-        found(*corners("FL", "BR")) shouldBe emptyList()
-        found(*corners("Module0/", "Module1/", "Module3/")) shouldBe emptyList()
-        found(*corners("Module0/", "Module1/", "Module2/")).single().labels shouldBe listOf("Module 0", "Module 1", "Module 2")
-        found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
-        // How far a wheel has turned is not its direction.
-        val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
-            listOf("Speed" to "m/s", "DrivePosition" to "rad", "TurnPosition" to "rad").map { (what, unit) ->
-                timedTopic("Drive/$corner/$what", 0.0 to 0.0).copy(unit = unit)
-            }
-        }
-        swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
     }
 
     test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {

@@ -1,4 +1,4 @@
-package badlog.viewer.shown.swerve
+package badlog.signals.swerve
 
 import badlog.core.recording.Topic
 import badlog.signals.pose.ANGLES
@@ -31,7 +31,7 @@ private fun modulesOf(key: List<String>, speeds: List<ModulePart>, angles: List<
     if ((speedParts.map { it.factor }.distinct() + angleParts.map { it.factor }.distinct()).size > 2) return null
     return SwerveModules(
         found.map { if (isNumbered) numberedLabel(it) else LABELS[it] },
-        if (isNumbered) modulePlacesOf(found.size) else found.map { CORNER_PLACES[it] },
+        found.takeUnless { isNumbered },
         speedParts.map { it.name },
         angleParts.map { it.name },
         isTarget = key.any { it in TARGET_WORDS },
