@@ -12,10 +12,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.draw.axis.AxisSide
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query

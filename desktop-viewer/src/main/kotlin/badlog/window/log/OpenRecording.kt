@@ -26,6 +26,7 @@ import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.board.standardBoard
@@ -35,8 +36,8 @@ import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.FieldFile
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.flipIn
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive

@@ -16,7 +16,7 @@ import androidx.compose.ui.input.pointer.isMetaPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.isTertiaryPressed
 import androidx.compose.ui.input.pointer.pointerInput
-import badlog.viewer.draw.path.Plane
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.input.DoubleClick
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.Wheel

@@ -4,10 +4,10 @@ import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.signals.pose.Pose
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.choices.board.shortTitles
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
 
 /**

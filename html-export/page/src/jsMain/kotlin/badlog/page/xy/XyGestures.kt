@@ -2,9 +2,9 @@ package badlog.page.xy
 
 import badlog.page.dom.EscapeKey
 import badlog.page.view.Scene
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.faded
-import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.input.DoubleClick

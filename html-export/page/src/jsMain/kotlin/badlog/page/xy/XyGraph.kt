@@ -11,14 +11,15 @@ import badlog.signals.clock.secondsPerX
 import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.figure.LegendEntry
 import badlog.viewer.draw.figure.Sheet
-import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyDrawing
 import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.flipIn
 import badlog.viewer.draw.path.shown
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.draw.pen.Pen

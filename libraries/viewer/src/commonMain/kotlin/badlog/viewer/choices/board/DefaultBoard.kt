@@ -2,8 +2,6 @@ package badlog.viewer.choices.board
 
 import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
-import badlog.viewer.draw.lane.framesOf
-import badlog.viewer.draw.lane.statesTitle
 import badlog.viewer.shown.outline.everChanges
 
 /**

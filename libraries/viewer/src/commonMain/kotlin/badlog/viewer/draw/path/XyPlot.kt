@@ -11,6 +11,7 @@ import badlog.signals.pose.planDistance
 import badlog.signals.pose.planSpans
 import badlog.signals.pose.trailOf
 import badlog.signals.swerve.SwerveModules
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.axis.limitsFor
 import badlog.viewer.text.shortNames
 

@@ -5,6 +5,7 @@ import badlog.core.analysis.Span
 import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.Trail
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.text.fixedText

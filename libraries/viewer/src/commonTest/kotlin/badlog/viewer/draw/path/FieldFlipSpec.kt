@@ -4,6 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.recording.Value
 import badlog.signals.pose.Trail
 import badlog.signals.pose.posesOf
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
@@ -12,7 +13,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 
-class FieldOriginSpec : FunSpec({
+class FieldFlipSpec : FunSpec({
     fun view(vararg values: Pair<String, String>): LogView {
         val recording = timedView(*poseTopics("Pose").toTypedArray()).recording
         return LogView.of(recording.copy(values = values.map { (name, text) -> Value(name, text) }))

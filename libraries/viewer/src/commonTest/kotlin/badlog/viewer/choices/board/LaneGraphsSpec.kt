@@ -1,4 +1,4 @@
-package badlog.viewer.draw.lane
+package badlog.viewer.choices.board
 
 import badlog.viewer.bagView
 import io.kotest.core.spec.style.FunSpec

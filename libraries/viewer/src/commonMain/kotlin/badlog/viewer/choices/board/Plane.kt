@@ -1,7 +1,6 @@
-package badlog.viewer.draw.path
+package badlog.viewer.choices.board
 
 import badlog.core.analysis.Span
-import badlog.viewer.draw.curve.Scale
 
 /**
  * The part of a plane that is shown.
@@ -43,12 +42,6 @@ data class Plane(val x: Span, val y: Span) {
     /** Whether doubles are precise enough to draw it. */
     val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
 
-    /** Returns the scale of its x on [width] pixels. */
-    fun xScale(width: Double): Scale = Scale(x.from, x.to, width, farthest = FARTHEST * width)
-
-    /** Returns the scale of its y on [height] pixels. */
-    fun yScale(height: Double): Scale = Scale.ofY(y, height)
-
     private fun around(span: Span, width: Double): Span {
         val middle = (span.from + span.to) / 2
         return Span(middle - width / 2, middle + width / 2)
@@ -59,8 +52,6 @@ data class Plane(val x: Span, val y: Span) {
     private fun isDrawable(span: Span) = span.width > FINEST * maxOf(1.0, span.from, -span.from) && span.width < COARSEST
 
     private companion object {
-        // The same as for y: coordinates far outside the screen would be too large for drawing.
-        const val FARTHEST = 50.0
         const val FINEST = 1e-9
         const val COARSEST = 1e12
     }
