@@ -65,7 +65,7 @@ internal class AssignTask(
         val topics = recording.topics.map { it.name }
         if (topic !in topics) throw Failure("“$topic” is not a topic of $log${meantOf(topic, topics, "badlog info --topics")}")
         val assignment = SignalAssignment(log, library = null)
-        assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary))?.let { throw Failure(it) }
+        assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary, log.fileName.toString()))?.let { throw Failure(it) }
         return assignment.file
     }
 

@@ -51,7 +51,7 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: Progress): Outcome {
-        val view = LogView.of(readLog(input.file, progress, xTopic)).withSignals(signalsBeside(input.file))
+        val view = LogView.of(readLog(input.file, progress, xTopic)).withSignals(signalsBeside(input.file), input.file.fileName.toString())
         val part = try {
             partOf(view)
         } catch (e: Failure) {

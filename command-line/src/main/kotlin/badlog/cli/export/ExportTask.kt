@@ -135,7 +135,7 @@ internal class ExportTask(
         }
         val view = LogView.of(report.recording)
         val undefined = undefinedTopics(view.namesWith(own.rules.signals), search.virtualTopics)
-        val skipped = own.rules.skippedFor(view, search.virtualTopics)
+        val skipped = own.rules.skippedFor(view, input.file.fileName.toString(), search.virtualTopics)
         refused += skipped
         val reported = search.reportedOf(skipped)
         val text = listOf("${input.file} -> $target") +

@@ -100,7 +100,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
      */
     private fun byMotors(part: LogPart, robot: LogPart): Move? {
         val signals = signalsBeside(robot.file)
-        val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals) }
+        val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals, it.file.fileName.toString()) }
         val fit = motorFit(own, others, signals)
         if (fit == null && alignsEnabled) {
             throw Failure("Nothing in ${part.file} matches ${robot.file}; use --offset ${part.file}=SECONDS instead.")
@@ -115,7 +115,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     }
 
     private fun edgesOf(part: LogPart): List<EnabledEdge> =
-        LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledEdges().ifEmpty {
+        LogView.of(part.recording).withSignals(signalsBeside(part.file), part.file.fileName.toString()).enabledEdges().ifEmpty {
             throw Failure("${part.file} does not show when the robot was enabled or disabled; use --offset ${part.file}=SECONDS instead.")
         }
 }

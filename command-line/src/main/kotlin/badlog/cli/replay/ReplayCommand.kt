@@ -99,7 +99,7 @@ internal class ReplayTask(
         try {
             val recording = console.progress(file.fileName.toString()).use { readLog(file, it, xTopic) }
             val signals = signalsBeside(file)
-            val with = LogView.of(recording).withSignals(signals).withVirtualTopics(virtualTopics, signals)
+            val with = LogView.of(recording).withSignals(signals, file.fileName.toString()).withVirtualTopics(virtualTopics, signals)
             if (!isJson) undefinedLines(with.errors).forEach(console::warn)
             val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view), prefix = prefix)
             ReplayServer(with.view, options, loggedTopics(recording)).use { server ->

@@ -15,6 +15,7 @@ import badlog.viewer.choices.formula.formulasOf
  * stage before and of one choice, and is taken from the stages [before] if both are the same there: another field calculates no formula.
  *
  * @param read the content of the file.
+ * @param name the name of its file.
  * @param vocabulary the names of its signals.
  * @param station the Driver Station's log of the same match that is shown with it; null for none.
  * @param definitions the definitions of the formulas calculated in it.
@@ -22,19 +23,20 @@ import badlog.viewer.choices.formula.formulasOf
  */
 internal class LogStages(
     private val read: LogView,
+    name: String,
     private val vocabulary: SignalVocabulary,
     private val station: FoundStation<LogFile>?,
     private val definitions: List<String>,
     before: LogStages? = null,
 ) {
     private val own: LogView =
-        before?.takeIf { it.read === read && it.vocabulary === vocabulary }?.own ?: read.withSignals(vocabulary)
+        before?.takeIf { it.read === read && it.vocabulary === vocabulary }?.own ?: read.withSignals(vocabulary, name)
 
     private val beside: RobotBesideStation? =
         if (before?.own === own && before.station == station) {
             before.beside
         } else {
-            station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
+            station?.let { RobotBesideStation(own, it.station, it.fit, vocabulary) }
         }
 
     /** The content of the file, and of the [station]'s. */

@@ -75,7 +75,7 @@ internal class OpenRecording(
     /** The Driver Station's log of the same match that is shown with it; null for none. */
     val station: FoundStation<LogFile>? get() = choices.station
 
-    private val stages = LogStages(read, vocabulary, station, definitions, before)
+    private val stages = LogStages(read, file.fileName.toString(), vocabulary, station, definitions, before)
 
     /** The content of the file, and of its [station]'s. */
     val logged: LogView get() = stages.logged
@@ -87,7 +87,7 @@ internal class OpenRecording(
     val stationTopics: Set<String> get() = stages.stationTopics
 
     /** What match it is of. */
-    val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording) }
+    val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording, file.fileName.toString()) }
 
     /** The content of the file, and the topics of formulas. */
     val view: LogView get() = stages.view
@@ -238,7 +238,7 @@ internal class OpenRecording(
             }
             if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
             val vocabulary = FolderRules.of(file, library).rules.signals
-            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
+            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording, file.fileName.toString()).type }
             val read = LogView.of(recording.overItsTime())
             val wanted = choices(layout)
             val column = if (wanted.overTime) read.recording.timeColumn() else null

@@ -3,6 +3,7 @@ package badlog.window.sidebar
 import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.matchTitle
 import badlog.core.analysis.statistics
+import badlog.core.analysis.statisticsOf
 import badlog.core.recording.PathName
 import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query
@@ -84,7 +85,7 @@ private fun sortableText(second: Long): String = isoText(second).replace('T', ' 
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
-            label = with(log.summary.match) { matchTitle(event, type, number) } ?: log.fileName,
+            label = log.summary.match.title ?: log.fileName,
             date = sortableText(log.summary.date.second),
             path = log.file,
             statistics = log.summary.topics.associate { it.name to it.statistics },

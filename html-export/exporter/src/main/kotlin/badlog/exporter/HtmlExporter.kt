@@ -111,7 +111,9 @@ class HtmlExporter(
         Files.createDirectories(page.parent)
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
-            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name, additions.video != null)
+            val signals = additions.rules.signals
+            val title = head.titleIn(name, signals) ?: logParts.drop(1).firstNotNullOfOrNull { headOf(it).titleIn(name, signals) }
+            writer.begin(title ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only a large file is worth several workers, and reading while the page is still being loaded.
@@ -141,8 +143,8 @@ class HtmlExporter(
         }
     }
 
-    private fun titleIn(file: Path): String? = reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } }
-        .let(FileHead::of).title
+    private fun headOf(file: Path): FileHead =
+        FileHead.of(reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } })
 
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
         // A folder's pages compare with the same logs.

@@ -19,10 +19,10 @@ fun layoutFor(log: Path, signals: SignalVocabulary, top: Path? = null): FolderLa
     FolderLayout.of(log, top) { matchTypeOf(log, signals) }
 
 private fun matchTypeOf(log: Path, signals: SignalVocabulary): String? = try {
-    val recording = readRecording(log, LOG_FORMATS, keepSamples = false)
+    val head = readRecording(log, LOG_FORMATS, keepSamples = false)
     // A bag has the type at its beginning; a log of records mostly has it in numbers.
-    signals.matchOf(recording).type
-        ?: if (recording.format.hasRows) null else signals.matchOf(readRecording(log, LOG_FORMATS)).type
+    val recording = if (head.format.hasRows) head else readRecording(log, LOG_FORMATS)
+    signals.matchOf(recording, log.fileName.toString()).type
 } catch (_: UnreadableFileException) {
     // The caller, which makes the page, reports the reason.
     null

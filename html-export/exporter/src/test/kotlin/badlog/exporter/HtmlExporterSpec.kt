@@ -55,7 +55,8 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("a page without match values has the file's name for a title") {
+    test("a page without match values has the match in the file's name for a title, otherwise that name") {
+        pageOf("a,b\n1,2\n".encodeToByteArray(), "Q42.csv") { page, _ -> page.title shouldBe "Qualification 42" }
         pageOf("a,b\n1,2\n".encodeToByteArray(), "practice run") { page, _ -> page.title shouldBe "practice run" }
     }
 

@@ -3,7 +3,7 @@ package badlog.charts
 import badlog.charts.match.ChartedLog
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
-import badlog.rules.number.MatchKind
+import badlog.signals.match.MatchKind
 import badlog.rules.number.Measure
 import badlog.signals.match.MatchOfLog
 

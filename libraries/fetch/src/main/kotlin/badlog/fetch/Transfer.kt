@@ -11,6 +11,7 @@ import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import org.apache.sshd.sftp.common.SftpConstants
 import org.apache.sshd.sftp.common.SftpException
@@ -117,7 +118,8 @@ internal class Transfer(
             null
         }
         val isLog = recording?.isReadable == true && !isFormerWpilog(log, recording)
-        val place = LogPlace.of(log.name, recording?.takeIf { isLog }?.let(RuleSet.BUILT_IN.signals::matchOf))
+        val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
+        val place = LogPlace.of(log.name, match)
         val digest = FetchedLogs.digestOf(whole.part)
         val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
         val file = moveTo(whole.part, place, former)
@@ -145,11 +147,14 @@ internal class Transfer(
             val message = "The start of a log that is no longer on the robot was removed: nothing in it could be read."
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)
         }
-        val place = LogPlace.of("unfinished${endingOf(recording.format)}", RuleSet.BUILT_IN.signals.matchOf(recording))
+        val name = "unfinished${endingOf(recording.format)}"
+        val place = LogPlace.of(name, matchOf(recording, name))
         val file = moveTo(part, place, former = null)
         val message = "$file has the first $size bytes of a log that is no longer on the robot."
         listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
     }
+
+    private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
 
     private fun endingOf(format: RecordingFormat) = when (format) {
         RecordingFormat.BAG -> ".bag"

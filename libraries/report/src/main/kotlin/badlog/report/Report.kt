@@ -126,7 +126,7 @@ class Report(
             file = file,
             title = stored.title,
             matchType = stored.matchType,
-            match = stored.matchIn(file.name),
+            match = stored.match,
             began = stored.began,
             findings = (own + differences.findings + ofHooks).worstFirst(),
             incidents = rules.incidentsIn(own, differences.differences),

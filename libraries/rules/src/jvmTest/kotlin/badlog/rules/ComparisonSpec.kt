@@ -3,7 +3,7 @@ package badlog.rules
 import badlog.rules.comparison.compared
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
+import badlog.signals.match.MatchKind
 import badlog.rules.number.Measure
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

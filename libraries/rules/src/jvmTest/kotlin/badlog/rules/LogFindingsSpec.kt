@@ -7,6 +7,8 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
+import badlog.rules.comparison.figuresOf
+import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -46,6 +48,18 @@ class LogFindingsSpec : FunSpec({
             texts shouldBe emptyList()
             textAt(spans[5]) shouldBe all.text
         }
+    }
+
+    test("a match that only the file's name shows is the same for rules, their texts and what is compared") {
+        val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{match}\"\nonly = [\"Qualification\"]\n"
+        val rules = RulesFile.parse(rule).rules
+        rules.over(view, "Q42.bag").findings.map { it.text } shouldBe listOf("Qualification 42")
+        rules.over(view, "log.bag").findings shouldBe emptyList()
+        val lacking = RulesFile.parse(rule.replace("Battery Voltage", "Arm")).rules
+        lacking.skippedFor(view, "Q42.bag").map { it.rule } shouldBe listOf("A")
+        lacking.skippedFor(view, "log.bag") shouldBe emptyList()
+        fun kindOf(file: String) = figuresOf(view, RuleSet.BUILT_IN.signals, file).kind
+        listOf("Q42.bag", "practice-3.bag", "log.bag").map(::kindOf) shouldBe listOf(MatchKind.MATCH, MatchKind.PRACTICE, MatchKind.UNKNOWN)
     }
 
     test("a rule that is wrong is reported as such, with its place") {

@@ -8,9 +8,13 @@ import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 
-/** Returns this view with its match and the times when the robot was enabled, found by [vocabulary], whatever the names of its topics. */
-fun LogView.withSignals(vocabulary: SignalVocabulary): LogView =
-    identified(vocabulary.matchOf(recording).title, signalTopicsOf(this, vocabulary).modes)
+/**
+ * Returns this view with its match and the times when the robot was enabled, found by [vocabulary], whatever the names of its topics.
+ *
+ * @param fileName the name of the log's file, which may show the match.
+ */
+fun LogView.withSignals(vocabulary: SignalVocabulary, fileName: String): LogView =
+    identified(vocabulary.matchOf(recording, fileName).title, signalTopicsOf(this, vocabulary).modes)
 
 /** Returns what questions and formulas can name in this view: its topics, and the signals of [vocabulary]. */
 fun LogView.namesWith(vocabulary: SignalVocabulary): Signals = QuestionNames(vocabulary, LogShape.of(this)).signalsOf(this)

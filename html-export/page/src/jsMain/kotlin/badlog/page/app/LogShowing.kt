@@ -75,7 +75,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
         val again = { root.guarded { show(log, given, showsWorst) } }
         val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
-        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, definitions, about.fileKey)
+        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals, about.name), signals, definitions, about.fileKey)
         setPageState("loading")
         root.clear()
         val copyWith = { notes: List<Note>, board: String, compared: List<File>, removed: List<File> ->

@@ -117,8 +117,8 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
 
-    /** Returns another log as it was logged, with the same names for signals. */
-    fun viewOf(recording: Recording): LogView = LogView.of(recording).withSignals(signals)
+    /** Returns another log as it was logged in a file called [fileName], with the same names for signals. */
+    fun viewOf(recording: Recording, fileName: String): LogView = LogView.of(recording).withSignals(signals, fileName)
 
     /** Returns [other] with the same formulas, as far as it has their topics. */
     fun extended(other: LogView): LogView =

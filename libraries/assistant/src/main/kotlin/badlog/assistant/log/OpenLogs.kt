@@ -34,7 +34,7 @@ internal class OpenLogs(private val logs: LogFolder) {
         val signals = logs.signals()
         val view = last?.takeIf { it.first == file }?.second ?: read(name, file).also { last = file to it }
         val formulas = arguments.texts("formulas")
-        val with = view.withSignals(signals).withVirtualTopics(formulas, signals)
+        val with = view.withSignals(signals, file.name).withVirtualTopics(formulas, signals)
         with.errors.firstOrNull()?.let { throw ToolException("This formula cannot be calculated for “$name”: ${it.pointed()}") }
         return OpenLog(name, with.view, signals)
     }

@@ -54,7 +54,7 @@ sealed interface LogContent {
                     is ReadResult.NotRead -> None(read)
 
                     is ReadResult.Read -> {
-                        val view = LogView.of(withX(read.recording)).withSignals(signals)
+                        val view = LogView.of(withX(read.recording)).withSignals(signals, file.name)
                         val with = beside(file, view).withVirtualTopics(definitions, signals)
                         Log(read.recording, with.view, with.errors.map { UndefinedTopic(it) })
                     }

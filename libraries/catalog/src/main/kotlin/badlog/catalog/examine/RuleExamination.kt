@@ -59,8 +59,8 @@ class RuleExamination(
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
         val battery = batteryUseOf(log.view, rules.signals)
-        val figures = if (measures) figuresOf(log.view, rules.signals, battery).toText() else NO_FIGURES
-        val match = rules.signals.matchOf(log.recording)
+        val figures = if (measures) figuresOf(log.view, rules.signals, name, battery).toText() else NO_FIGURES
+        val match = rules.signals.matchOf(log.recording, name)
         val date = LogDate.of(log.recording.values, name, modified = 0)
         return ExaminedLog(
             title = log.view.title,

@@ -85,7 +85,7 @@ class LogReading(private val store: FolderStore) {
     }
 
     private fun viewOf(recording: Recording, file: LogFile) =
-        LogView.of(recording.overItsTime()).withSignals(store.rulesFor(file.path).rules.signals)
+        LogView.of(recording.overItsTime()).withSignals(store.rulesFor(file.path).rules.signals, file.name)
 
     private fun summaryOf(file: LogFile, view: LogView) =
         LogSummary.of(view, store.rulesFor(file.path).rules.signals, file.name, file.modified, LogName.of(file.name).isOnlyOfLogs)

@@ -142,7 +142,7 @@ class MatchTable(
         }
         batteries.problems.forEach(complain)
         runCached(files, known, { file, cores ->
-            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores, work = ::ask)
+            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores) { ask(it, file.name) }
         }) { file, stored ->
             val battery = batteries.usedFor(listOf(file.path), stored.match ?: matchInName(file.name).match)
             rows += rowOf(file, stored, by.zip(stored.headers) { name, header -> if (isBattery(name)) battery ?: header else header })
@@ -172,16 +172,16 @@ class MatchTable(
         }
     }
 
-    private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
+    private fun ask(content: LogContent, name: String): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(
             Stored(null, unreadable = content.why.message, isNoLog = content.why.isLasting),
             content.why.isLasting,
         )
 
-        is LogContent.Log -> CachedResult(ask(content), isLasting = true)
+        is LogContent.Log -> CachedResult(ask(content, name), isLasting = true)
     }
 
-    private fun ask(log: LogContent.Log): Stored {
+    private fun ask(log: LogContent.Log, name: String): Stored {
         val values = log.recording.values
         val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
         val asked = asked[LogShape.of(log.view)]
@@ -195,7 +195,7 @@ class MatchTable(
             isWanted = isWanted,
             mistake = mistake,
             undefined = log.undefined,
-            match = usedSignals.matchOf(log.recording).match,
+            match = usedSignals.matchOf(log.recording, name).match,
             hooks = if (isWanted) hooks.map { HookOutcome.of(it, log.recording) } else emptyList(),
         )
     }

@@ -1,5 +1,6 @@
 package badlog.rules.number
 
+import badlog.signals.match.MatchKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeSameInstanceAs

@@ -44,7 +44,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
                 is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
 
                 is ReadResult.Read -> {
-                    val view = LogView.of(read.recording).withSignals(rules.signals)
+                    val view = LogView.of(read.recording).withSignals(rules.signals, source.file)
                     val findings = programFor(view).run(view, source.file).flatMap { it.findings }.toList()
                     unlessDiskIsFull { ExaminedLog.Written(write(view, findings, source, log, folder)) }
                 }

@@ -30,7 +30,7 @@ class ParquetWriter : AutoCloseable {
      * @throws LakeException when a file cannot be written.
      */
     fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
-        val tables = LogTables(view.withSignals(signals), log, LogIdentity.of(file, view.recording, signals))
+        val tables = LogTables(view.withSignals(signals, file), log, LogIdentity.of(file, view.recording, signals))
         val samples = tables.samples
         val series = tables.series
         val path = target.toAbsolutePath()

@@ -43,7 +43,7 @@ class BatteryUseSpec : FunSpec({
         }
         val text = (listOf("""{"topics":[$described],"values":[$given]}""", topics.joinToString(",")) + rows).joinToString("\n", postfix = "\n")
         val vocabulary = RuleSet.BUILT_IN.signals
-        val view = LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish()).withSignals(vocabulary)
+        val view = LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish()).withSignals(vocabulary, "log")
         return batteryUseOf(view, vocabulary)
     }
 

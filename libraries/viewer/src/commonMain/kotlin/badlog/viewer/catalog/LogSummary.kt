@@ -78,7 +78,7 @@ data class LogSummary(
             val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
             val trouble = if (recording.isReadable) null else recording.problems.last().message
             return LogSummary(
-                match = vocabulary.matchOf(recording).orNamed(name),
+                match = vocabulary.matchOf(recording, name),
                 date = LogDate.of(recording.values, name, modified),
                 duration = duration,
                 xUnit = xUnit,
