@@ -27,8 +27,8 @@ import badlog.cli.text.wrapped
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Value
+import badlog.formats.hasRecords
 import badlog.rules.ofPart
 import badlog.signals.withSignals
 import badlog.terminal.Progress
@@ -86,7 +86,7 @@ internal class CutTask(
         target: Path,
         progress: Progress,
     ): Omissions {
-        if (format.hasRows || whole.format != RecordingFormat.WPILOG) {
+        if (format.hasRows || !whole.format.hasRecords) {
             val recording = part.recording.run { if (format == LogFormat.CSV) this else copy(values = values.ofPart(said)) }
             return writeLog(recording, format, target, part.rows, progress = progress)
         }

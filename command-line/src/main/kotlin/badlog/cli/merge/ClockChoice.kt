@@ -1,7 +1,6 @@
 package badlog.cli.merge
 
 import badlog.cli.input.Failure
-import badlog.cli.input.FileName
 import badlog.cli.search.signalsBeside
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
@@ -92,7 +91,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return MovedLogs(all, moves)
     }
 
-    private fun isOfMotors(part: LogPart) = FileName.of(part.file).ending.lowercase() in RevlogFormat.endings
+    private fun isOfMotors(part: LogPart) = part.recording.format == RevlogFormat
 
     /**
      * Returns the move of a log of REV's motor controllers, which does not show when the robot was enabled, beside [robot]; null if no

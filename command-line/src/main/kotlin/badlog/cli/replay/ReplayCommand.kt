@@ -21,7 +21,7 @@ import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
+import badlog.formats.hasRecords
 import badlog.replay.LoggedTopic
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
@@ -122,7 +122,7 @@ internal class ReplayTask(
 
     /** Returns, for a WPILOG, the content of its records that its topics do not have: structs, arrays, raw bytes. */
     private fun loggedTopics(recording: Recording): List<LoggedTopic> {
-        if (recording.format != RecordingFormat.WPILOG) return emptyList()
+        if (!recording.format.hasRecords) return emptyList()
         return recordsOf(file).entries.filter { !it.isValue }.map { entry ->
             val times = DoubleArray(entry.size, entry::time)
             LoggedTopic(entry.name, entry.type, recording.topicOf(entry)?.unit.orEmpty(), times, entry::payload)

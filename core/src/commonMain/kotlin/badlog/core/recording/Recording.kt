@@ -40,25 +40,6 @@ public class Recording(
 }
 
 /**
- * The format that a [Recording] was read from.
- *
- * @property hasRows whether all topics share rows; otherwise each has times of its own.
- */
-public enum class RecordingFormat(public val hasRows: Boolean) {
-    /** A JSON line, then CSV. */
-    BAG(true),
-
-    /** CSV alone: a bag without units, attributes and values. */
-    CSV(true),
-
-    /** The log of WPILib's DataLog. */
-    WPILOG(false),
-
-    /** A log of the FRC Driver Station: its records, its events, or both. */
-    DRIVER_STATION(false),
-}
-
-/**
  * A name and a text that were known when the recording began, such as the match number.
  *
  * @property name the full name; `/` makes folders, see [PathName].

@@ -223,6 +223,7 @@ internal class EmptyPageSpec : PageSpec({
             awaitState("ready")
             text shouldContain "MOTOR_TEMPERATURE"
             text shouldContain "Spark-3"
+            texts(".info dd") shouldContain "REV log: each topic has its own times"
         }
     }
 

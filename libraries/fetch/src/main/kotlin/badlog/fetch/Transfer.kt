@@ -147,7 +147,7 @@ internal class Transfer(
             val message = "The start of a log that is no longer on the robot was removed: nothing in it could be read."
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)
         }
-        val name = "unfinished${endingOf(recording.format)}"
+        val name = "unfinished${recording.format.endings.first()}"
         val place = LogPlace.of(name, matchOf(recording, name))
         val file = moveTo(part, place, former = null)
         val message = "$file has the first $size bytes of a log that is no longer on the robot."
@@ -155,13 +155,6 @@ internal class Transfer(
     }
 
     private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
-
-    private fun endingOf(format: RecordingFormat) = when (format) {
-        RecordingFormat.BAG -> ".bag"
-        RecordingFormat.CSV -> ".csv"
-        RecordingFormat.WPILOG -> ".wpilog"
-        RecordingFormat.DRIVER_STATION -> ".dslog"
-    }
 
     // Any bytes with line ends would count as a damaged table.
     private fun isFormerWpilog(log: RemoteLog, recording: Recording) =

@@ -49,7 +49,7 @@ public fun readRecording(
     return withinMemory(file) {
         unpacked(file, { progress(0, Files.size(file)) }, name) { log ->
             val recording = read(log.path, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
-            if (log.problems.isEmpty()) recording else recording.copy(problems = log.problems + recording.problems)
+            recording.copy(format = log.format ?: recording.format, problems = log.problems + recording.problems)
         }
     }
 }

@@ -4,9 +4,9 @@ import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
+import badlog.formats.wpilog.WpilogFormat
 import badlog.rules.comparison.figuresOf
 import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
@@ -80,7 +80,7 @@ class LogFindingsSpec : FunSpec({
     )
 
     fun loggedIn(said: Topic): List<String> {
-        val log = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(said), 0, emptyList())
+        val log = Recording(WpilogFormat, null, emptyList(), listOf(said), 0, emptyList())
         return RuleSet.BUILT_IN.over(LogView.of(log), "a.wpilog", isEverywhere = true).findings.filter { it.rule == "Error logged" }
             .flatMap { found -> listOf(found.text) + found.texts }
     }
@@ -119,7 +119,7 @@ class LogFindingsSpec : FunSpec({
         times,
     )
 
-    fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
+    fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(WpilogFormat, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
     test("where topics have times of their own, time is every one of them, whatever topics are called") {
         val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9)))

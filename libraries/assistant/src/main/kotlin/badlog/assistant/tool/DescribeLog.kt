@@ -50,7 +50,7 @@ internal class DescribeLog(private val logs: OpenLogs) :
         return Answer(
             buildJsonObject {
                 put("log", log.name)
-                put("format", view.recording.format.name.lowercase())
+                put("format", view.recording.format.id)
                 view.title?.let { put("match", it) }
                 log.putX(this, view.xAxis.range?.let { Span(it.start, it.endInclusive) })
                 if (isFirst) putRest(this, log)

@@ -11,6 +11,8 @@ public object DriverStationFormat : LogFormat {
     /** The ending of its second file, with messages, which has the first one's name. */
     public const val SECOND_ENDING: String = ".dsevents"
 
+    override val id: String get() = "driver_station"
+
     override val title: String get() = "Driver Station log"
 
     override val endings: List<String> get() = listOf(FIRST_ENDING, SECOND_ENDING)

@@ -93,7 +93,7 @@ internal class LogRecords(
         return listOf(
             log, identity.title, identity.type, identity.number, identity.alliance, identity.start?.let(::microsOf),
             range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex }, view.xAxis.name,
-            view.xAxis.unit.takeUnless(Units::isNone), recording.format.name.lowercase(), recording.rowCount.toLong(),
+            view.xAxis.unit.takeUnless(Units::isNone), recording.format.id, recording.rowCount.toLong(),
             recording.sampleCount, recording.topics.size.toLong(), events.size.toLong(), findings.size.toLong(), recording.isSalvaged,
             problemsJson(), headerJson(), source.path, source.size, source.modified * 1000,
             textsJson(files), maker,
