@@ -230,7 +230,7 @@ class FetchTroubleSpec : FunSpec({
     test("a folder that is a file is one sentence") {
         inPit { pit, robot ->
             pit.folder.writeText("")
-            shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "select another"
+            shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "is a file, not a folder; rename that file."
         }
     }
 })

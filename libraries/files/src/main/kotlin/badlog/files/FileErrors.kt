@@ -90,14 +90,14 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
 } catch (e: IOException) {
     val message = when (e) {
         is AccessDeniedException -> if (isReplaceable(file)) {
-            "$file cannot be replaced: it is read-only, or another program has it open; close it there, or select another name."
+            "$file cannot be replaced: it is read-only, or another program has it open; make it writable, or close it there."
         } else {
-            "$file cannot be written: permission denied; select another folder."
+            "$file cannot be written: permission denied; change the permissions of its folder."
         }
 
-        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; rename that file."
 
-        is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+        is NoSuchFileException -> "$file cannot be written: its folder does not exist; create it."
 
         is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
 
