@@ -31,7 +31,7 @@ private val IF_LINKS =
 private val IF_POSIX =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has other permissions")
 
-/** What every sub-command does with files that are no whole logs. */
+/** What every sub-command does with files that are not whole logs. */
 class BrokenFilesSpec : FunSpec({
     fun each(folder: Path, log: Path, check: (List<Any>) -> Unit) {
         val other = folder.with("other.bag", BAG)

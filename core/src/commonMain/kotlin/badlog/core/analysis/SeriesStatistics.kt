@@ -145,7 +145,7 @@ private class WeighedFigures(most: Int) {
     }
 
     /**
-     * The weighted mean and standard deviation. The second pass tells by how much rounding put the mean of the first one off, so that
+     * The weighted mean and standard deviation. The second pass shows by how much rounding put the mean of the first one off, so that
      * neither suffers where all values are far from 0, or one is far from the others.
      */
     private fun moments(): Pair<Double, Double> {

@@ -23,7 +23,7 @@ class NotesFileSpec : FunSpec({
     val log = tempdir().toPath().resolve("q42.bag")
     val notes = listOf(Note(1.0, "first \"hit\"\n‹second line›"), Note(93.7, "brownout"))
 
-    test("notes stand beside their log, are no log themselves, and what is removed is another line") {
+    test("notes stand beside their log, are not a log themselves, and what is removed is another line") {
         Files.writeString(log, "Time,A\n0,1\n")
         NotesFile.read(log).notes shouldBe emptyList()
         NotesFile.update(log, notes, read = emptyList()).notes shouldBe notes

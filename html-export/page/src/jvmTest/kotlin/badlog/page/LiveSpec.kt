@@ -175,7 +175,7 @@ internal class LiveSpec : PageSpec({
         }
     }
 
-    browserTest("a log that is no text is followed wherever its parts end") {
+    browserTest("a log that is not text is followed wherever its parts end") {
         val file = logs("binary") / "running.dslog"
         val bytes = TestDslog().records(750).bytes
         val written = TestDslog().records(500).bytes.size

@@ -14,7 +14,7 @@ private const val CAN = "/SystemStats/CANBus/Utilization"
 class TrustSpec : FunSpec({
     fun TestMatch.finding(rule: String) = findings().single { it.rule == rule }
 
-    test("a reading that no robot has is no dip and no peak, and the finding says how many were left out") {
+    test("a reading that no robot has is neither a dip nor a peak, and the finding says how many were left out") {
         val match = TestMatch().apply {
             from(20.0, BATTERY) {
                 when {

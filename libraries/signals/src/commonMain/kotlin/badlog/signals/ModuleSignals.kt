@@ -31,7 +31,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         val speeds: List<DoubleArray>,
         val isEnabled: BooleanArray,
     ) {
-        /** How far behind each module is, as far as that can be told: where angles come seldom, they are behind anyway. */
+        /** How far behind each module is, as far as that can be measured: where angles come seldom, they are behind anyway. */
         val lags: List<Double?>? by lazy {
             val least = if (isSeldom(times, angles)) SELDOM_BEHIND else 0.0
             moduleAngleLags(times, angles, targets, speeds, isEnabled)?.map { lag -> lag?.takeIf { it > least } }

@@ -12,7 +12,7 @@ import badlog.signals.swerve.moduleTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.unitScale
 
-/** The parts of a robot, as the topics [names] of its log tell them. */
+/** The parts of a robot, as the topics [names] of its log show. */
 internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     /** All topics that name a part. */
     val topics: List<PartTopic> = partTopicsOf(names.filter { busDeviceIn(it.name) == null }, vocabulary)

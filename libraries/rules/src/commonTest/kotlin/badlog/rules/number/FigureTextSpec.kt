@@ -26,7 +26,7 @@ class FigureTextSpec : FunSpec({
         FigureReader().read(long.toText()).run { listOf(beginsEnabled, endsEnabled) } shouldBe listOf(false, true)
     }
 
-    test("none is none, and so is what is no text of figures") {
+    test("none is none, and so is any other text") {
         val reader = FigureReader()
         val texts = listOf(LogFigures.NONE.toText(), FigureText("x", "1;2;3"), FigureText(figures.toText().names, "9;;false;false;1;2"), FigureText("", ""))
         texts.map { reader.read(it).keys.size } shouldBe listOf(0, 0, 0, 0)

@@ -80,7 +80,7 @@ class BatteryUseSpec : FunSpec({
         logOf(texts = "Battery Number" to listOf("7"))?.name shouldBe "7"
     }
 
-    test("a voltage, or what says nothing, is no name") {
+    test("a voltage, or what says nothing, is not a name") {
         for (text in listOf("12.4", "12.4 V", "12.4 volts", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
         logOf(values = mapOf("Battery Name" to "none"))?.name.shouldBeNull()
     }

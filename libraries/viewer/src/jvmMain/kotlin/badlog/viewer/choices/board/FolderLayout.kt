@@ -55,7 +55,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             throw unreadable(folder, e)
         }
 
-        /** Returns the name under which [file] is kept; null if it is no layout, or one with which logs begin. */
+        /** Returns the name under which [file] is kept; null if it is not a layout, or one with which logs begin. */
         fun nameOf(file: Path): String? {
             val name = file.fileName.toString()
             return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
