@@ -7,7 +7,6 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.input.Failure
-import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
@@ -36,7 +35,7 @@ internal class AssignTask(
         val written = try {
             assign(console)
         } catch (e: Exception) {
-            console.warn(if (e is NotALog) e.message else LogLoop.sentenceOf(e, log))
+            console.warn(LogLoop.sentenceOf(e, log))
             return ExitCode.NOTHING
         }
         val above = generateSequence(folder.parent) { it.parent }.map { it.resolve(SignalsFile.NAME) }.firstOrNull(Files::isRegularFile)

@@ -9,7 +9,6 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.input.NotALog
 import badlog.cli.input.Position
 import badlog.cli.input.position
 import badlog.cli.input.readLog
@@ -108,8 +107,6 @@ internal class ReplayTask(
                 outcomes.done(file, Outcome(recording.isSalvaged, text(server.port), json))
                 play(server, console)
             }
-        } catch (e: NotALog) {
-            outcomes.failed(file, e.message)
         } catch (e: UnavailablePortException) {
             outcomes.failed(file, e.message.orEmpty())
         } catch (e: Exception) {

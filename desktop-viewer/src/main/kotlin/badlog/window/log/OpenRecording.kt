@@ -7,7 +7,7 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.enabledSpans
 import badlog.core.recording.Topic
 import badlog.files.LogFile
-import badlog.files.readRecording
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -44,7 +44,6 @@ import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
 import java.awt.EventQueue
-import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -217,13 +216,14 @@ internal class OpenRecording(
 
     companion object {
         /**
-         * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
+         * Reads [file], an absolute path.
          *
          * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param choices returns, once it is read, what a person has chosen of what is shown of the log with this layout beside it.
          * @param progress is called with the share that is done, from 0 to 1.
-         * @throws IOException with a sentence for the person, when it is not a recording.
+         * @throws badlog.files.NotReadException if there is nothing to show of it.
+         * @throws InterruptedException if the thread was interrupted.
          */
         fun read(
             file: Path,
@@ -233,10 +233,9 @@ internal class OpenRecording(
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             assertOffWindow()
-            val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
+            val recording = readLog(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
-            }
-            if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
+            }.orThrow()
             val vocabulary = FolderRules.of(file, library).rules.signals
             val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording, file.fileName.toString()).type }
             val read = LogView.of(recording.overItsTime())

@@ -1,7 +1,6 @@
 package badlog.exporter
 
 import badlog.core.bag.RecordingParser
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.files.GzipReader
 import badlog.formats.LOG_FORMATS
@@ -37,10 +36,7 @@ internal class FileHead private constructor(val isGzip: Boolean, private val rec
             }
             val recording = parser.finish()
             // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers further down.
-            val refusal = recording.problems
-                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
-                ?.message
-            return FileHead(isGzip, recording, refusal)
+            return FileHead(isGzip, recording, recording.refusal.takeIf { parser.rowCount == 0 })
         }
     }
 }

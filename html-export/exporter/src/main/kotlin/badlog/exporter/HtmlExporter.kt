@@ -1,8 +1,6 @@
 package badlog.exporter
 
 import badlog.core.bag.RecordingParser
-import badlog.core.recording.ProblemKind
-import badlog.core.recording.Recording
 import badlog.exporter.NotesFile
 import badlog.files.AtomicFile
 import badlog.files.Unpacked
@@ -76,7 +74,7 @@ class HtmlExporter(
     ): ExportReport = reading(input) { Files.newInputStream(log.path) }.use { stream ->
         val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
         val head = FileHead.of(first)
-        if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
+        if (head.refusal != null) throw ExportException.NotARecording(input, head.refusal)
         val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
         withOthers(source, logParts).use { whole ->
             passingOn(progress) { heard -> writing(page) { write(log, logParts, input, whole, head, page, additions, heard) } }
@@ -134,9 +132,7 @@ class HtmlExporter(
             val parsed = parser.finish()
             val read = if (embeddedFile.isCut) parsed.withGzipCut(embeddedFile.inflatedBytes) else parsed
             val recording = read.copy(problems = log.problems + read.problems)
-            recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
-                throw ExportException.NotARecording(input, "$input: ${problem.message}")
-            }
+            recording.refusal?.let { throw ExportException.NotARecording(input, it) }
             writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
             file.commit()
             ExportReport(page, recording, embeddedFile.originalBytes, embeddedFile.inflatedBytes)
@@ -149,9 +145,7 @@ class HtmlExporter(
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
         // A folder's pages compare with the same logs.
         if (input !in readable) {
-            val read = readRecording(input, LOG_FORMATS, keepSamples = false)
-            val refusal = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-            if (refusal != null) throw ExportException.NotARecording(input, "$input: ${refusal.message}")
+            readRecording(input, LOG_FORMATS, keepSamples = false).refusal?.let { throw ExportException.NotARecording(input, it) }
             readable.add(input)
         }
         val parts = if (log.path == input) partsOfLog(input) else listOf(log.path)

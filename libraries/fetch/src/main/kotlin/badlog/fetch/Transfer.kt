@@ -4,8 +4,8 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.text.freeName
 import badlog.files.LogName
-import badlog.files.UnreadableFileException
-import badlog.files.readRecording
+import badlog.files.ReadResult
+import badlog.files.readLog
 import badlog.files.safeName
 import badlog.files.writing
 import badlog.formats.LOG_FORMATS
@@ -112,12 +112,8 @@ internal class Transfer(
 
     /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
-        val recording = try {
-            readRecording(whole.part, LOG_FORMATS, name = log.name)
-        } catch (_: UnreadableFileException) {
-            null
-        }
-        val isLog = recording?.isReadable == true && !isFormerWpilog(log, recording)
+        val recording = (readLog(whole.part, LOG_FORMATS, name = log.name) as? ReadResult.Read)?.recording
+        val isLog = recording != null && !isFormerWpilog(log, recording)
         val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
         val place = LogPlace.of(log.name, match)
         val digest = FetchedLogs.digestOf(whole.part)
@@ -136,13 +132,9 @@ internal class Transfer(
 
     /** Makes [part], whose log is no longer on the robot, a log if any of it can be read; otherwise removes it. */
     private fun keepUnfinished(part: Path) {
-        val recording = try {
-            readRecording(part, LOG_FORMATS)
-        } catch (_: UnreadableFileException) {
-            null
-        }
+        val recording = (readLog(part, LOG_FORMATS) as? ReadResult.Read)?.recording
         val size = Files.size(part)
-        if (recording == null || !recording.isReadable || recording.sampleCount == 0L) {
+        if (recording == null || recording.sampleCount == 0L) {
             writing(part) { Files.deleteIfExists(part) }
             val message = "The start of a log that is no longer on the robot was removed: nothing in it could be read."
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)

@@ -57,7 +57,7 @@ public fun readRecording(
 private fun withinMemory(file: Path, read: () -> Recording): Recording = try {
     read()
 } catch (e: OutOfMemoryError) {
-    throw TooLargeFileException(file, "$file $TOO_LARGE", e)
+    throw TooLargeFileException(file, tooLargeSentence("$file"), e)
 }
 
 private fun read(

@@ -10,6 +10,7 @@ import badlog.exporter.checkReadable
 import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
+import badlog.files.ReadResult
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
@@ -133,8 +134,7 @@ internal class BadlogHtml(
             fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
         } catch (e: Throwable) {
             // Whatever it is, the other files should still get their pages.
-            val defect = e.toString().lineSequence().first()
-            fail("${job.input} was not exported: this is a bug in badlog; report it with the file ($defect).")
+            fail(ReadResult.NotRead.of(job.input, e).sentence)
         }
     }
 

@@ -177,7 +177,7 @@ class BadlogHtmlSpec : FunSpec({
             val ended = run(folder, failsOn = "b.bag")
             ended.code shouldBe ExitCode.SALVAGED
             ended.lines shouldContainExactly listOf("a", "c").map { "${folder / "$it.bag.html"}" }
-            ended.err shouldContain "${folder / "b.bag"} was not exported: this is a bug in badlog; report it"
+            ended.err shouldContain "${folder / "b.bag"}: This is a bug in badlog ("
             ended.err.lines().size shouldBe 2
             run(folder / "b.bag", failsOn = "b.bag").code shouldBe ExitCode.NOTHING
         }

@@ -1,7 +1,6 @@
 package badlog.page.app
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.PageEvents
 import badlog.page.embedded.About
@@ -64,8 +63,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: LeftPage? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
-        val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) return root.fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
+        log.read.refusal?.let { return root.fail("There is nothing to show of ${about.name}", it, downloads.element) }
         val named = AssignedSignals.of(log.read)
         val additions = given?.let { it.with(AssignedSignals.over(it.rules, named)) }
         val signals = (additions?.rules ?: RuleSet.NONE).signals

@@ -1,6 +1,5 @@
 package badlog.page.opened
 
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
@@ -208,8 +207,7 @@ internal class LogOpening(
     }
 
     private fun accept(opened: OpenedLog, read: Recording, compared: List<OpenedLog>, showsWorst: Boolean) {
-        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) return fail("There is nothing to show of ${opened.fileName}", unreadable.message)
+        read.refusal?.let { return fail("There is nothing to show of ${opened.fileName}", it) }
         log = opened
         if (folder?.has(opened) == false) endFolder()
         folder?.see(opened)

@@ -48,7 +48,7 @@ sealed interface LogContent {
             cores: Int = 1,
             beside: (LogFile, LogView) -> LogView = { _, view -> view },
             work: (LogContent) -> R,
-        ): R = orNotRead({ work(None(it)) }) {
+        ): R = orNotRead(file.path, { work(None(it)) }) {
             work(
                 when (val read = readLog(file.path, LOG_FORMATS, sinks = sinks, cores = cores)) {
                     is ReadResult.NotRead -> None(read)

@@ -39,7 +39,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
      * it [log]. Whatever fails, fails for this log alone, but for a full disk.
      */
     fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
-        orNotRead({ Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
+        orNotRead(file, { Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
             when (val read = readLog(file, LOG_FORMATS, cores = cores, name = source.file)) {
                 is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
 

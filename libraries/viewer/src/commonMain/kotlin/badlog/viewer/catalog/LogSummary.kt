@@ -76,7 +76,7 @@ data class LogSummary(
             val time = if (axis.isIndex) timeTopic(recording) else axis.topic
             val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
             val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
-            val trouble = if (recording.isReadable) null else recording.problems.last().message
+            val trouble = recording.refusal
             return LogSummary(
                 match = vocabulary.matchOf(recording, name),
                 date = LogDate.of(recording.values, name, modified),
