@@ -82,7 +82,7 @@ internal class Badlog(
     private companion object {
         const val ERROR = "Error: "
 
-        /** How Java says on Windows that a text with a `?` is not a path. */
-        const val NO_PATH = "Illegal char <?>"
+        /** How Java says on Windows that a text with a `?` or `*` is not a path. */
+        const val NO_PATH = "Illegal char <"
     }
 }

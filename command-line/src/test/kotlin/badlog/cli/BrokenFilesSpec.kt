@@ -174,7 +174,7 @@ class BrokenFilesSpec : FunSpec({
                 val onto = arguments.dropLast(1).toTypedArray()
                 val ended = badlog(*onto, log, "--force")
                 ended.code shouldBe ExitCode.NOTHING
-                ended.err shouldContain "would overwrite a log that is read"
+                ended.err shouldContain "would overwrite a file that is read"
                 val target = folder.with("there", "old")
                 badlog(*onto, target).err shouldContain "exists already; use --force"
                 target.readBytes().decodeToString() shouldBe "old"

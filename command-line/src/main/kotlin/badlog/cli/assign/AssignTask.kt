@@ -11,6 +11,7 @@ import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.core.analysis.LogView
+import badlog.files.requireRegularFile
 import badlog.rules.SignalsFile
 import badlog.signals.withSignals
 import kotlinx.serialization.Serializable
@@ -54,7 +55,7 @@ internal class AssignTask(
 
     /** Returns the file that it is written in. */
     private fun assign(console: Console): Path {
-        if (Files.isDirectory(log)) throw Failure("$log is a folder; name one of its logs that has the topic.")
+        requireRegularFile(log)
         val vocabulary = signalsBeside(log)
         if (vocabulary.find(signal) == null) {
             val known = vocabulary.signals.map { it.name }

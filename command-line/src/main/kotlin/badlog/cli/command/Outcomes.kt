@@ -6,6 +6,7 @@ import badlog.cli.input.LogInput
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
+import badlog.files.NO_LOGS_SENTENCE
 import badlog.files.naming
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
@@ -91,7 +92,7 @@ internal class Outcomes(
         val done = whole + salvaged
         val isNothing = done + failed == 0
         if (isSummed && !isJson && done + failed > 1) console.warn(summary())
-        if (isNothing && !isNothingFine) console.warn("No logs found. Name a log, or the folder it is in.")
+        if (isNothing && !isNothingFine) console.warn(NO_LOGS_SENTENCE)
         return when {
             isNothing && isNothingFine -> if (isIncomplete) ExitCode.SALVAGED else ExitCode.WHOLE
             done == 0 -> ExitCode.NOTHING

@@ -1,5 +1,6 @@
 package badlog.cli.console
 
+import badlog.files.missingSentence
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -49,8 +50,10 @@ private fun matching(argument: String): List<String> {
 
 /** Returns what to do about an argument that is not a path on Windows; null if they all are, on this [system]. */
 internal fun unreachable(arguments: List<String>, system: String = System.getProperty("os.name")): String? {
-    val argument = arguments.firstOrNull { '?' in it && !it.startsWith("-") }
+    val argument = arguments.firstOrNull { it.any(WILD::contains) && !it.startsWith("-") }
     if (argument == null || !system.startsWith("Windows")) return null
+    // Elsewhere, a pattern that matches no file is looked for as a file of that name.
+    if ('?' !in argument) return missingSentence(argument)
     return "“$argument” has letters that Windows did not pass on, or means several files; name the folder above it."
 }
 

@@ -11,6 +11,7 @@ import badlog.cli.input.LogSearch
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.files.ResultPlace
+import badlog.files.missingSentence
 import badlog.terminal.browserCommand
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
@@ -32,7 +33,7 @@ internal class OpenTask(
 ) : Task {
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("open", console, isJson)
-        if (Files.exists(path)) open(outcomes, console) else outcomes.failed(path, "There is no file or folder $path; check the spelling.")
+        if (Files.exists(path)) open(outcomes, console) else outcomes.failed(path, missingSentence("$path"))
         return outcomes.end()
     }
 

@@ -5,6 +5,7 @@ import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.files.ResultPlace
+import badlog.files.requireTarget
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
@@ -44,6 +45,7 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
      * @param besideName its name beside its log.
      * @param folderName its name in the folder for all.
      * @throws Failure if that would replace something.
+     * @throws badlog.files.UnwritableFileException if it is a folder, or a file that is read.
      */
     fun place(input: LogInput, besideName: String, folderName: String): Path {
         file?.let { return checked(it) }
@@ -58,12 +60,8 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
     /** Returns [target] after checking that it is not an input, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
         val read = read
-        if (Files.isDirectory(target)) throw Failure("$target is a folder; name another file, or one inside it.")
-        if (!Files.exists(target)) return target
-        if (target.toRealPath() in read) {
-            throw Failure("$target would overwrite a log that is read; name another file with --out.")
-        }
-        if (!isForced) throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
+        requireTarget(target) { it.toRealPath() in read }
+        if (!isForced && Files.exists(target)) throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
         return target
     }
 

@@ -9,9 +9,15 @@ import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.search.rulesBeside
 import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
+import badlog.files.naming
+import badlog.files.requireFolder
+import badlog.files.requireTarget
 import badlog.files.writeAtomically
+import badlog.files.writing
 import badlog.report.LogReport
 import badlog.report.Report
+import badlog.report.page.foreignFileSentence
 import badlog.signals.match.localSecondOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -21,7 +27,6 @@ import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.isTodoPage
 import badlog.viewer.todo.toMarkdown
 import badlog.viewer.todo.toPage
-import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -34,11 +39,8 @@ import java.nio.file.Path
 internal class TodoTask(private val folder: Path, private val form: TodoForm, private val page: PagePlan?, private val cache: Path?) :
     Task {
     override fun run(console: Console): ExitCode {
-        if (!Files.isDirectory(folder)) {
-            console.warn("$folder is not a folder; name the folder of the logs, which has the list.")
-            return ExitCode.NOTHING
-        }
         val files = try {
+            requireFolder(folder)
             TodoFolder(folder).read()
         } catch (e: UnreadableFileException) {
             console.warn(e.message)
@@ -65,15 +67,15 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
         page.write(list.toPage("${folder.toAbsolutePath().normalize().fileName ?: folder}", lines))
         if (form != TodoForm.JSON) console.warn("The page is ${page.file}.")
         true
-    } catch (e: IOException) {
-        console.warn(e.message ?: "${page.file} cannot be written.")
+    } catch (e: UnwritableFileException) {
+        console.warn(e.message)
         false
     }
 
     private fun codeOf(files: TodoFiles, logs: List<LogReport>, console: Console): ExitCode {
         files.problems.forEach(console::warn)
         val unreadable = logs.filter { it.unreadable != null && !it.isNoLog }
-        for (log in unreadable) console.warn("${log.file.path}: ${log.unreadable}")
+        for (log in unreadable) console.warn(naming(log.file.path, log.unreadable.orEmpty()))
         return if (files.problems.isEmpty() && unreadable.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
     }
 }
@@ -90,17 +92,15 @@ internal class PagePlan(val file: Path, private val isForced: Boolean) {
     /**
      * Writes [page].
      *
-     * @throws IOException with a sentence for the user, if it cannot be written or would replace something else.
+     * @throws UnwritableFileException if it cannot be written or would replace something else.
      */
     fun write(page: String) {
-        if (Files.isDirectory(file)) throw IOException("$file is a folder; name a file for the page, such as list.html.")
-        if (!isForced && Files.exists(file) && !isTodoPage(beginOf(file))) {
-            throw IOException("$file exists already and is not such a page; choose another name, or add --force.")
-        }
+        requireTarget(file)
+        if (!isForced && Files.exists(file) && !isTodoPage(beginOf(file))) throw UnwritableFileException(file, foreignFileSentence(file))
         writeAtomically(file) { it.write(page.encodeToByteArray()) }
     }
 
-    private fun beginOf(file: Path) = Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() }
+    private fun beginOf(file: Path) = writing(file) { Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() } }
 
     private companion object {
         const val BEGIN = 1024

@@ -44,6 +44,9 @@ class WildcardsSpec : FunSpec({
             unreachable(arguments, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
             unreachable(arguments, "Linux") shouldBe null
             unreachable(listOf("info", "a.bag"), WINDOWS) shouldBe null
+            val none = listOf("info", "$folder/*.wpilog")
+            withWildcards(none, WINDOWS) shouldBe none
+            unreachable(none, WINDOWS) shouldBe "There is no file or folder $folder/*.wpilog; check the spelling."
         }
     }
 

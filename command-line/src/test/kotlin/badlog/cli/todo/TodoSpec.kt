@@ -72,9 +72,9 @@ class TodoSpec : FunSpec({
             val mine = folder.with("mine.html", "<p>mine</p>")
             val refused = badlog("todo", folder, "--out", mine)
             refused.code shouldBe ExitCode.NOTHING
-            refused.err shouldContain "exists already and is not such a page; choose another name, or add --force."
+            refused.err shouldContain "exists already, and badlog did not make it; use --force to replace it, or select another name."
             badlog("todo", folder, "--out", mine, "--force").code shouldBe ExitCode.WHOLE
-            badlog("todo", folder, "--out", folder).err shouldContain "is a folder; name a file"
+            badlog("todo", folder, "--out", folder).err shouldContain "$folder is a folder; name another file, or one inside it."
         }
     }
 
@@ -87,7 +87,7 @@ class TodoSpec : FunSpec({
             ended.err shouldContain "Line 2 of badlog-todo-pit.jsonl is skipped"
             ended.out shouldContain "[ ] Radio"
             ended.out shouldNotContain "No logs"
-            badlog("todo", folder.resolve("gone")).err shouldContain "is not a folder; name the folder of the logs, which has the list."
+            badlog("todo", folder.resolve("gone")).err shouldContain "There is no file or folder ${folder.resolve("gone")}"
         }
     }
 })

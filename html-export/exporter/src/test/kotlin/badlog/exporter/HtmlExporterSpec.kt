@@ -240,7 +240,7 @@ class HtmlExporterSpec : FunSpec({
     test("a missing input, or a folder, is named") {
         inFolder { folder ->
             shouldThrow<ExportException.Unreadable> { exporter.export(folder / "nix", folder / "p.html") }
-                .message shouldContain "There is no file ${folder / "nix"}"
+                .message shouldContain "There is no file or folder ${folder / "nix"}"
             shouldThrow<ExportException.Unreadable> { exporter.export(folder, folder / "p.html") }
                 .message shouldContain "${folder.name} is a folder"
         }

@@ -49,7 +49,7 @@ class ReadResultSpec : FunSpec({
         read.cause shouldBe ReadResult.Cause.UNREADABLE
         read.isLasting shouldBe false
         read.sentence shouldBe read.message
-        read.message shouldContain "There is no file $missing"
+        read.message shouldContain "There is no file or folder $missing"
     }
 
     test("a log that needs too much memory is described alike, wherever memory ended") {

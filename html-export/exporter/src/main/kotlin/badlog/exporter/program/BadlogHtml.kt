@@ -10,6 +10,7 @@ import badlog.exporter.checkReadable
 import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
+import badlog.files.NO_LOGS_SENTENCE
 import badlog.files.ReadResult
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
@@ -155,7 +156,7 @@ internal class BadlogHtml(
         if (skipped == 1) err.println("1 file is not a log and was skipped.")
         if (skipped > 1) err.println("$skipped files are not logs and were skipped.")
         if (made.isEmpty() && failed == 0) {
-            err.println("No page was made: no log was found. Name a log, or the folder it is in.")
+            err.println(NO_LOGS_SENTENCE)
         }
     }
 

@@ -2,6 +2,7 @@ package badlog.season.lake
 
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.unwritable
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import java.io.IOException
@@ -105,7 +106,7 @@ class Lake(val folder: Path) {
             Files.createDirectories(folder)
             FileChannel.open(folder.resolve(LakeLayout.LOCK), CREATE, WRITE)
         } catch (e: IOException) {
-            throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
+            throw LakeException("The lake ${unwritable(folder, e).message}", e)
         }
         return channel.use {
             while (!it.takesLock()) {
@@ -150,7 +151,7 @@ internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
 } catch (e: SQLException) {
     throw LakeException("The lake $folder cannot be written (${e.message}); make room on the disk, or make the lake in another folder.", e)
 } catch (e: IOException) {
-    throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
+    throw LakeException("The lake ${unwritable(folder, e).message}", e)
 }
 
 /** One run of [Lake.refresh] with [engine] on the lake [folder], which is locked and has the mark [mark]. */

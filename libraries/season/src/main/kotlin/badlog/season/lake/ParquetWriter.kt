@@ -1,6 +1,7 @@
 package badlog.season.lake
 
 import badlog.core.analysis.LogView
+import badlog.files.unwritable
 import badlog.season.engine.Engine
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
@@ -40,7 +41,7 @@ class ParquetWriter : AutoCloseable {
     } catch (e: SQLException) {
         throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)
     } catch (e: IOException) {
-        throw LakeException("$target cannot be written (${e.message}); name another file.", e)
+        throw LakeException(unwritable(target, e).message, e)
     }
 
     override fun close(): Unit = engine.close()
