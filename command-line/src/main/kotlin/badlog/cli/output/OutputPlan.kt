@@ -61,8 +61,8 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
     fun checked(target: Path): Path {
         val read = read
         requireTarget(target) { it.toRealPath() in read }
-        if (!isForced && Files.exists(target)) throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
-        return target
+        if (isForced || !Files.exists(target)) return target
+        throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
     }
 
     /** Returns a free path: if two logs would have the same result, the second gets a number. */

@@ -78,11 +78,12 @@ class Find(
             "\n",
         )}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
         val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
-        runCached(files, known, ::ask) { file, stored ->
+        val advance = { progress(results.size, files.size) }
+        runCached(files, known, ::ask, advance) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
             if (clauses.count == null) each(result)
-            progress(results.size, files.size)
+            advance()
         }
         val ranked = clauses.count?.let { ranked(results, it) } ?: return results
         ranked.forEach(each)

@@ -141,12 +141,14 @@ class MatchTable(
             FolderBatteries.NONE
         }
         batteries.problems.forEach(complain)
-        runCached(files, known, { file, cores ->
+        val examine = { file: LogFile, cores: Int ->
             LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores) { ask(it, file.name) }
-        }) { file, stored ->
+        }
+        val advance = { progress(rows.size, files.size) }
+        runCached(files, known, examine, advance) { file, stored ->
             val battery = batteries.usedFor(listOf(file.path), stored.match ?: matchInName(file.name).match)
             rows += rowOf(file, stored, by.zip(stored.headers) { name, header -> if (isBattery(name)) battery ?: header else header })
-            progress(rows.size, files.size)
+            advance()
         }
         return rows.sortedWith { one, other ->
             by.indices.map { compareHeaders(one.headers.getOrNull(it), other.headers.getOrNull(it)) }.firstOrNull { it != 0 } ?: 0

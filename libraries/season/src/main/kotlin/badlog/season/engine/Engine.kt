@@ -21,10 +21,12 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
     }
 
     private val scratch: Path = Files.createTempDirectory("badlog-duckdb")
+    private val cleaner = Thread { scratch.toFile().deleteRecursively() }
     private val tables = LentTables()
     private val root: DuckDBConnection = connected(if (streams) mapOf(DuckDBDriver.JDBC_STREAM_RESULTS to "true") else emptyMap())
 
     init {
+        unlessEnding { Runtime.getRuntime().addShutdownHook(cleaner) }
         root.run(
             "SET threads = $threads",
             "SET temp_directory = ${literal("$scratch")}",
@@ -58,12 +60,20 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
     override fun close() {
         root.close()
         scratch.toFile().deleteRecursively()
+        unlessEnding { Runtime.getRuntime().removeShutdownHook(cleaner) }
     }
 
     companion object {
         /** How much memory is enough for writing a lake, in MB. */
         const val WRITING_MEGABYTES = 256
     }
+}
+
+/** Does [work] with the hooks at the end of the program, unless they are already running. */
+private fun unlessEnding(work: () -> Unit) = try {
+    work()
+} catch (_: IllegalStateException) {
+    // What is in the folder stays until the system removes it.
 }
 
 private fun connected(options: Map<String, String>): DuckDBConnection =

@@ -3,6 +3,7 @@ package badlog.season.lake
 import badlog.files.FolderRun
 import badlog.files.LogFile
 import badlog.files.unwritable
+import badlog.files.withShutdownHook
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import java.io.IOException
@@ -172,22 +173,20 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
             dropDrafts()
             val byPath = plan.changed.associateBy { it.source.path }
             val changed = logs.map { it.file }.filter { pathOf(it.path) in byPath }
+            val advance = { progress(examined.size, changed.size) }
             try {
-                plan.gone.forEach(stage::remove)
-                val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
-                FolderRun().forEach(changed, work) { file, found ->
-                    examined[pathOf(file.path)] = found
-                    // Tables are rewritten each time, so the larger they are, the more logs are collected first.
-                    if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
-                    progress(examined.size, changed.size)
+                withShutdownHook(::stop) {
+                    plan.gone.forEach(stage::remove)
+                    val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
+                    FolderRun().forEach(changed, work, advance) { file, found ->
+                        examined[pathOf(file.path)] = found
+                        // Tables are rewritten each time, so the larger they are, the more logs are collected first.
+                        if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
+                        advance()
+                    }
                 }
             } finally {
-                // Logs being written when the work is stopped are also added to the tables, and nothing is written after the lock is
-                // released.
-                underWay.write {
-                    isStopped = true
-                    stage.flush()
-                }
+                stop()
             }
         }
         val salvaged = registered.filter { it.isSalvaged }.mapTo(HashSet()) { it.path }
@@ -196,6 +195,15 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         }
         if (examined.isNotEmpty()) noteIgnored(outcomes)
         return LakeResult(outcomes, plan.gone.size)
+    }
+
+    /**
+     * Waits for the logs that are being written, and adds them to the tables. Nothing is written later: the lock is released, or the
+     * program ends.
+     */
+    private fun stop() = underWay.write {
+        isStopped = true
+        stage.flush()
     }
 
     /** Removes the drafts that killed runs left behind. */

@@ -1,7 +1,7 @@
-package badlog.report.hook
+package badlog.files
 
 /** Does [work]. If the program is asked to end meanwhile, for example by Ctrl+C, [atEnd] runs on another thread before the program ends. */
-internal fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
+public fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
     val runtime = Runtime.getRuntime()
     val thread = Thread(atEnd, "badlog-end")
     try {
