@@ -7,6 +7,7 @@ import badlog.cli.command.LogFiles
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
+import badlog.cli.input.Failure
 import badlog.cli.search.rulesBeside
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
@@ -35,9 +36,15 @@ import java.nio.file.Path
  *
  * @param page where it is also written as a page; null for nowhere.
  * @param cache the folder for cached findings; null for none.
+ * @param mark what is changed before; null for nothing.
  */
-internal class TodoTask(private val folder: Path, private val form: TodoForm, private val page: PagePlan?, private val cache: Path?) :
-    Task {
+internal class TodoTask(
+    private val folder: Path,
+    private val form: TodoForm,
+    private val page: PagePlan?,
+    private val cache: Path?,
+    private val mark: TodoMark?,
+) : Task {
     override fun run(console: Console): ExitCode {
         val files = try {
             requireFolder(folder)
@@ -52,7 +59,16 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
             Report(rules, cache = cache).over(logs, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
         val now = localSecondOf(System.currentTimeMillis() / MILLIS)
-        val list = TodoList.of(files.changes, result.logs.filter { it.unreadable == null }.map { foundIn(it, now) })
+        val found = result.logs.filter { it.unreadable == null }.map { foundIn(it, now) }
+        val list = try {
+            marked(files, found, console)
+        } catch (e: Failure) {
+            console.warn(e.message)
+            return ExitCode.USAGE
+        } catch (e: UnwritableFileException) {
+            console.warn(e.message)
+            return ExitCode.NOTHING
+        }
         val lines = (rules.checklist + files.checklist).distinct()
         if (page != null && !written(page, list, lines, console)) return ExitCode.NOTHING
         when (form) {
@@ -61,6 +77,16 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
             TodoForm.JSON -> for (line in todoJson(list, lines)) console.say(Spelling.ascii("$line"))
         }
         return codeOf(files, result.logs, console)
+    }
+
+    /** Returns the list, with what is marked on it. */
+    private fun marked(files: TodoFiles, logs: List<FoundLog>, console: Console): TodoList {
+        val before = TodoList.of(files.changes, logs)
+        if (mark == null) return before
+        val change = mark.changeOf(before, logs, files.changes)
+        if (change != null) TodoFolder(folder).append(change)
+        if (form != TodoForm.JSON) console.warn(mark.sentenceFor(before))
+        return if (change == null) before else TodoList.of(files.changes + change, logs)
     }
 
     private fun written(page: PagePlan, list: TodoList, lines: List<String>, console: Console): Boolean = try {
