@@ -9,7 +9,7 @@ import badlog.rules.comparison.figuresOf
 import badlog.rules.number.LogFigures
 import badlog.rules.number.toText
 import badlog.rules.toJson
-import badlog.signals.LogShape
+import badlog.signals.ShapeCache
 import badlog.signals.battery.batteryUseOf
 import badlog.signals.match.matchOf
 import badlog.viewer.catalog.DateSource
@@ -30,7 +30,7 @@ class RuleExamination(
     private val measures: Boolean = rules.comparisons.isNotEmpty(),
 ) {
     private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
-    private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
+    private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     /** Returns what is stored in [folder] by the [version] of the program. */
     fun storedIn(folder: Path, version: String): ResultCache<ExaminedLog> =
@@ -53,7 +53,7 @@ class RuleExamination(
     private fun of(log: LogContent.Log, name: String, checkpoint: () -> Unit): ExaminedLog {
         val findings = ArrayList<Finding>()
         val asked = ArrayList<RuleOutcome>()
-        for (rule in programs[LogShape.of(log.view)].run(log.view, name)) {
+        for (rule in programs[log.view].run(log.view, name)) {
             checkpoint()
             findings += rule.findings
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)

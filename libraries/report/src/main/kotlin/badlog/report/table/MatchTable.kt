@@ -1,7 +1,6 @@
 package badlog.report.table
 
 import badlog.catalog.examine.LogContent
-import badlog.catalog.examine.LruCache
 import badlog.catalog.examine.UndefinedTopic
 import badlog.catalog.folder.FolderBatteries
 import badlog.catalog.store.CachedResult
@@ -31,6 +30,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import badlog.signals.QuestionNames
+import badlog.signals.ShapeCache
 import badlog.signals.battery.batteryNameIn
 import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
@@ -69,7 +69,7 @@ class MatchTable(
 
     // A hook receives everything in the log.
     private val sinks = if (hooks.isEmpty()) neededTopics() else NumberSinks.RECORDING
-    private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
+    private val asked = ShapeCache(MAX_SHAPES) { Asked(it) }
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
@@ -186,7 +186,7 @@ class MatchTable(
     private fun ask(log: LogContent.Log, name: String): Stored {
         val values = log.recording.values
         val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
-        val asked = asked[LogShape.of(log.view)]
+        val asked = asked[log.view]
         val signals = asked.names.signalsOf(log.view)
         return Stored(
             log.view.title,
