@@ -1,9 +1,7 @@
 package badlog.window.sidebar
 
 import badlog.catalog.folder.LogEntry
-import badlog.core.analysis.matchTitle
 import badlog.core.analysis.statistics
-import badlog.core.analysis.statisticsOf
 import badlog.core.recording.PathName
 import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query

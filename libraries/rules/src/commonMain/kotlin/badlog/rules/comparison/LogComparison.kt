@@ -7,9 +7,9 @@ import badlog.rules.number.Baseline
 import badlog.rules.number.ComparedSignal
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
-import badlog.signals.match.MatchKind
 import badlog.rules.number.Measure
 import badlog.rules.timeText
+import badlog.signals.match.MatchKind
 import kotlin.math.abs
 import kotlin.math.round
 
