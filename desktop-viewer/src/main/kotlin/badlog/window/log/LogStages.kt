@@ -1,6 +1,7 @@
 package badlog.window.log
 
 import badlog.core.analysis.LogView
+import badlog.expression.ViewWithVirtualTopics
 import badlog.files.LogFile
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.RobotBesideStation
@@ -48,7 +49,7 @@ internal class LogStages(
     /** The names of the topics from the [station]. */
     val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
 
-    private val calculated =
+    private val calculated: ViewWithVirtualTopics? =
         if (before?.logged === logged && before.definitions == definitions) {
             before.calculated
         } else {
