@@ -28,7 +28,7 @@ class SwerveModulesSpec : FunSpec({
             modules.map { it.label } shouldBe drive.measured.labels
             modules.map { it.speed } shouldBe drive.measured.speeds
             modules.map { it.angle } shouldBe drive.measured.angles
-            modules.map { it.targetAngle } shouldBe drive.target!!.angles
+            modules.map { it.targetAngle } shouldBe drive.target.angles
         }
     }
 
