@@ -5,6 +5,7 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.text.freeName
 import badlog.files.LogName
 import badlog.files.ReadResult
+import badlog.files.ReadResult.Cause
 import badlog.files.readLog
 import badlog.files.safeName
 import badlog.files.writing
@@ -112,7 +113,7 @@ internal class Transfer(
 
     /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
-        val recording = (readLog(whole.part, LOG_FORMATS, name = log.name) as? ReadResult.Read)?.recording
+        val recording = recordingIn(whole.part, log.name)
         val isLog = recording != null && !isFormerWpilog(log, recording)
         val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
         val place = LogPlace.of(log.name, match)
@@ -130,9 +131,29 @@ internal class Transfer(
         listener.fetched(result)
     }
 
-    /** Makes [part], whose log is no longer on the robot, a log if any of it can be read; otherwise removes it. */
+    /** Returns the recording in [part] of the log called [name]; null if nobody can read it, which is no reason not to fetch it. */
+    private fun recordingIn(part: Path, name: String): Recording? = when (val read = readLog(part, LOG_FORMATS, name = name)) {
+        is ReadResult.Read -> read.recording
+
+        is ReadResult.NotRead -> when (read.cause) {
+            Cause.NO_LOG, Cause.UNREADABLE, Cause.TOO_LARGE -> null
+
+            // The log may be a good one, of which the next fetch finds the match.
+            Cause.NO_ROOM, Cause.BUG -> read.orThrow()
+        }
+    }
+
+    /**
+     * Makes [part], whose log is no longer on the robot, a log if any of it can be read; removes it if there is nothing in it. If neither
+     * is known, it stays, as the only copy of the log.
+     */
     private fun keepUnfinished(part: Path) {
-        val recording = (readLog(part, LOG_FORMATS) as? ReadResult.Read)?.recording
+        val read = readLog(part, LOG_FORMATS)
+        if (read is ReadResult.NotRead && !read.isLasting) {
+            val message = "${read.sentence} The file has the start of a log that is no longer on the robot, and is kept."
+            return listener.skipped(part.fileName.toString(), message, isGrowing = false)
+        }
+        val recording = (read as? ReadResult.Read)?.recording
         val size = Files.size(part)
         if (recording == null || recording.sampleCount == 0L) {
             writing(part) { Files.deleteIfExists(part) }

@@ -33,6 +33,7 @@ import java.nio.file.Path
  * @param progress called on the calling thread, about once per megabyte, with the number of bytes read and the size of the file at the
  *   start. An exception from it stops the reading and is passed on.
  * @throws UnreadableFileException if the file is missing, is not a regular file, or cannot be read.
+ * @throws UnwritableFileException if the temporary WPILOG cannot be written, such as on a full disk.
  * @throws InterruptedException if the thread was interrupted.
  */
 public fun readRecording(

@@ -52,6 +52,7 @@ public sealed interface ReadResult {
                 is NotReadException -> failure.why
                 is TooLargeFileException -> NotRead(file, Cause.TOO_LARGE, failure.message, failure)
                 is UnreadableFileException -> NotRead(file, Cause.UNREADABLE, failure.message, failure)
+                is UnwritableFileException -> NotRead(file, Cause.NO_ROOM, failure.message, failure)
                 is OutOfMemoryError -> NotRead(file, Cause.TOO_LARGE, tooLargeSentence("$file"), failure)
                 else -> NotRead(file, Cause.BUG, "${bugIn(failure)}, with the file if you may share it.", failure)
             }
@@ -68,6 +69,9 @@ public sealed interface ReadResult {
 
         /** The file is missing, may not be read, or its disk fails. */
         UNREADABLE,
+
+        /** A file that reading it needs cannot be written: usually the disk of the folder for temporary files is full. */
+        NO_ROOM,
 
         /** It does not fit into memory. */
         TOO_LARGE,

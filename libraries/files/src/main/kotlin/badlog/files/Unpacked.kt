@@ -33,6 +33,7 @@ public class Unpacked internal constructor(
  * @param name the name of the log, if the file temporarily has another one.
  * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
  * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
+ * @throws UnwritableFileException if the WPILOG cannot be written, such as on a full disk.
  * @throws InterruptedException if the thread was interrupted.
  */
 public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = file.fileName.toString(), work: (Unpacked) -> T): T {

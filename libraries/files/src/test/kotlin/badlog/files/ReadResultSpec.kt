@@ -11,6 +11,7 @@ import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
 import io.kotest.matchers.types.shouldBeInstanceOf
 import io.kotest.matchers.types.shouldBeSameInstanceAs
+import java.io.IOException
 import java.util.concurrent.CancellationException
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
@@ -61,6 +62,15 @@ class ReadResultSpec : FunSpec({
             this shouldStartWith "$log does not fit into the "
             this shouldContain "JAVA_TOOL_OPTIONS"
         }
+    }
+
+    test("a full disk for temporary files is no bug, and its sentence names the log and the file that needs room") {
+        val made = folder.resolve("made.wpilog")
+        val read = notRead { writing(made) { throw IOException("No space left on device") } }
+        read.cause shouldBe ReadResult.Cause.NO_ROOM
+        read.isLasting shouldBe false
+        read.sentence shouldBe "$log: $made cannot be written (No space left on device); select another place."
+        shouldThrow<NotReadException> { read.orThrow() }.message shouldBe read.sentence
     }
 
     test("a bug is a result of one line, and is thrown as it was") {
