@@ -3,7 +3,6 @@ package badlog.season.lake
 import badlog.files.FolderRun
 import badlog.files.LogFile
 import badlog.files.unwritable
-import badlog.files.withShutdownHook
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import java.io.IOException
@@ -175,7 +174,7 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
             val changed = logs.map { it.file }.filter { pathOf(it.path) in byPath }
             val advance = { progress(examined.size, changed.size) }
             try {
-                withShutdownHook(::stop) {
+                engine.finishing(::stop) {
                     plan.gone.forEach(stage::remove)
                     val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
                     FolderRun().forEach(changed, work, advance) { file, found ->

@@ -2,7 +2,6 @@ package badlog.season.lake
 
 import badlog.core.analysis.LogView
 import badlog.files.unwritable
-import badlog.files.withShutdownHook
 import badlog.season.engine.Engine
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
@@ -36,7 +35,7 @@ class ParquetWriter : AutoCloseable {
      */
     fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
         // DuckDB cannot be stopped without leaving a draft.
-        withShutdownHook({ turn.withLock {} }) { turn.withLock { written(view, log, file, signals, target) } }
+        engine.finishing({ turn.withLock {} }) { turn.withLock { written(view, log, file, signals, target) } }
     } catch (e: SQLException) {
         throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)
     } catch (e: IOException) {
