@@ -23,7 +23,8 @@ internal val TodoList.numbered: List<TodoItem> get() = open + done
  */
 internal class TodoMark(private val number: Int, private val isDone: Boolean, private val what: String, private val author: String) {
     /**
-     * Returns the change of [list], which [known] changes and [logs] made; null if the item is already as it is to be.
+     * Returns the change of [list], which [known] changes and [logs] made; null if the item is already as it is to be, and
+     * nothing new is said of it.
      *
      * @throws Failure if there is no such item.
      */
@@ -31,11 +32,20 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
         val items = list.numbered
         val item = items.getOrNull(number - 1)
             ?: throw Failure("The list has ${counted(items.size.toLong(), "item")}, but no number $number; badlog todo prints the numbers.")
-        if (item.isOpen != isDone) return null
-        val deed = if (isDone) TodoDeed.Done(what, matchText(list.next, list.lastMatch).ifEmpty { null }) else TodoDeed.Open
+        if (item.isOpen != isDone && what.isEmpty()) return null
+        val deed = if (isDone) TodoDeed.Done(what, if (item.isOpen) nextIn(list) else item.done?.before) else TodoDeed.Open
         return newChange(item.task, deed, author, logs.filter { it.isDated }.maxByOrNull { it.second }, known)
     }
 
-    /** Returns the sentence about the item of [list], which is marked now. */
-    fun sentenceFor(list: TodoList): String = "“${list.numbered[number - 1].title}” is ${if (isDone) "done" else "to be done"} now."
+    private fun nextIn(list: TodoList) = matchText(list.next, list.lastMatch).ifEmpty { null }
+
+    /** Returns the sentence about the item of [list], which [change] marks; null if it is already as it is to be. */
+    fun sentenceFor(list: TodoList, change: TodoChange?): String {
+        val title = "“${list.numbered[number - 1].title}”"
+        return when {
+            change != null -> "$title is ${if (isDone) "done" else "to be done"} now."
+            isDone -> "$title was done already; nothing was written. Say with --what what was done."
+            else -> "$title is already to be done; nothing was written."
+        }
+    }
 }

@@ -85,7 +85,7 @@ internal class TodoTask(
         if (mark == null) return before
         val change = mark.changeOf(before, logs, files.changes)
         if (change != null) TodoFolder(folder).append(change)
-        if (form != TodoForm.JSON) console.warn(mark.sentenceFor(before))
+        if (form != TodoForm.JSON) console.warn(mark.sentenceFor(before, change))
         return if (change == null) before else TodoList.of(files.changes + change, logs)
     }
 

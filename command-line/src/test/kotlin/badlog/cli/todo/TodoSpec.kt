@@ -66,10 +66,20 @@ class TodoSpec : FunSpec({
             val again = badlog("todo", folder, "--no-cache").out
             again shouldContain "[x] Browned out"
             val place = again.lines().first { "Browned out" in it }.trim().substringBefore(' ')
-            badlog("todo", folder, "--no-cache", "--done", place).err shouldContain "“Browned out” is done now."
+            badlog("todo", folder, "--no-cache", "--done", place, "--by", "Ben").err shouldContain
+                "“Browned out” was done already; nothing was written. Say with --what what was done."
             TodoFolder(folder).read().changes.size shouldBe 1
-            badlog("todo", folder, "--no-cache", "--open", place).out shouldContain "[ ] Browned out"
-            TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, TodoDeed.Open)
+            val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
+            more.err shouldContain "“Browned out” is done now."
+            more.out shouldContain "[x] Browned out\n      Done before the match after Qualification 42 by Ben: new breaker"
+            val correction = TodoDeed.Done("new breaker", "the match after Qualification 42")
+            TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction)
+            val opened = badlog("todo", folder, "--no-cache", "--open", place)
+            opened.out shouldContain "[ ] Browned out"
+            val openPlace = opened.out.lines().first { "Browned out" in it }.trim().substringBefore(' ')
+            badlog("todo", folder, "--no-cache", "--open", openPlace).err shouldContain
+                "“Browned out” is already to be done; nothing was written."
+            TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction, TodoDeed.Open)
         }
     }
 
