@@ -110,8 +110,10 @@ class HtmlExporter(
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
             val signals = additions.rules.signals
-            val title = head.titleIn(name, signals) ?: logParts.drop(1).firstNotNullOfOrNull { headOf(it).titleIn(name, signals) }
-            writer.begin(title ?: name, additions.video != null)
+            val heads = sequenceOf(head) + logParts.asSequence().drop(1).map(::headOf)
+            // A file's name may be that of another match, and only decides where no part of the log tells the match.
+            val telling = heads.firstOrNull { it.tellsMatch(signals) } ?: head
+            writer.begin(telling.titleIn(name, signals) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only a large file is worth several workers, and reading while the page is still being loaded.
