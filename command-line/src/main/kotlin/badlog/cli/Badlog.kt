@@ -66,7 +66,7 @@ internal class Badlog(
             console.say(text)
             return ExitCode.WHOLE
         }
-        val unreachable = if (NO_PATH in text) unreachable(arguments, computer.system) else null
+        val unreachable = if (NO_PATH in text) unreachable(arguments, text, computer.system) else null
         if (unreachable != null) {
             console.warn(unreachable)
             return ExitCode.USAGE
