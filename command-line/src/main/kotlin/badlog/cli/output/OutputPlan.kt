@@ -60,9 +60,9 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
     /** Returns [target] after checking that it is not an input, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
         val read = read
-        requireTarget(target) { it.toRealPath() in read }
+        requireTarget(target, ELSEWHERE) { it.toRealPath() in read }
         if (isForced || !Files.exists(target)) return target
-        throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
+        throw Failure("$target exists already; use --force to replace it, or $ELSEWHERE.")
     }
 
     /** Returns a free path: if two logs would have the same result, the second gets a number. */
@@ -70,6 +70,11 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
         val folder = wanted.toAbsolutePath().normalize().parent
         val name = FileName.of(wanted).fitting().free { taken.add(folder.resolve(it).toString().lowercase()) }
         return wanted.resolveSibling(name)
+    }
+
+    private companion object {
+        /** What helps, whether `--out` names a file, a folder, or nothing. */
+        const val ELSEWHERE = "name another place with --out"
     }
 }
 

@@ -119,7 +119,7 @@ class TodoSpec : FunSpec({
             val mine = folder.with("mine.html", "<p>mine</p>")
             val refused = badlog("todo", folder, "--out", mine)
             refused.code shouldBe ExitCode.NOTHING
-            refused.err shouldContain "exists already, and badlog did not make it; use --force to replace it, or select another name."
+            refused.err shouldContain "exists already, and badlog did not make it; use --force to replace it, or name another place with --out."
             badlog("todo", folder, "--out", mine, "--force").code shouldBe ExitCode.WHOLE
             badlog("todo", folder, "--out", folder).err shouldContain "$folder is a folder; name another file, or one inside it."
         }

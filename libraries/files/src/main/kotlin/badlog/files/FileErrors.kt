@@ -52,7 +52,12 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
 public fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     val message = when (e) {
         is NoSuchFileException -> missingSentence("$file")
-        is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
+
+        is AccessDeniedException -> {
+            val remedy = if (Files.isDirectory(file)) "change its permissions" else "copy it"
+            "$file cannot be read: permission denied; $remedy, or ask its owner."
+        }
+
         else -> "$file cannot be read (${e.message}); copy it to this computer's disk first."
     }
     return UnreadableFileException(file, message, e)
@@ -90,13 +95,16 @@ public fun requireRegularFile(file: Path) {
 /**
  * Checks, before any work, that [target] can be written: that it is not a folder, and is not among the files that are read.
  *
+ * @param advice what to do if it cannot be; null for the usual, which is for those who choose the file itself.
  * @param isRead returns whether an existing file is read.
  * @throws UnwritableFileException if it is.
  */
-public fun requireTarget(target: Path, isRead: (Path) -> Boolean = { false }) {
-    if (Files.isDirectory(target)) throw UnwritableFileException(target, "$target is a folder; name another file, or one inside it.")
+public fun requireTarget(target: Path, advice: String? = null, isRead: (Path) -> Boolean = { false }) {
+    if (Files.isDirectory(target)) {
+        throw UnwritableFileException(target, "$target is a folder; ${advice ?: "name another file, or one inside it"}.")
+    }
     if (Files.exists(target) && isRead(target)) {
-        throw UnwritableFileException(target, "$target would overwrite a file that is read; select another name.")
+        throw UnwritableFileException(target, "$target would overwrite a file that is read; ${advice ?: "select another name"}.")
     }
 }
 

@@ -131,8 +131,6 @@ internal class BadlogHtml(
             } else {
                 fail(e.message)
             }
-        } catch (_: OutOfMemoryError) {
-            fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
         } catch (e: Throwable) {
             // Whatever it is, the other files should still get their pages.
             fail(ReadResult.NotRead.of(job.input, e).sentence)

@@ -24,7 +24,10 @@ import kotlin.io.path.nameWithoutExtension
 
 /** Returns the sentence about [file], which is where badlog was to write, and which it did not make. */
 fun foreignFileSentence(file: Path): String =
-    "$file exists already, and badlog did not make it; use --force to replace it, or select another name."
+    "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
+
+/** What helps where the folder is named, or the file. */
+private const val ELSEWHERE = "name another place with --out"
 
 /**
  * A folder with a report: `index.html`, and a page for each log that was added. Earlier pages of badlog are replaced, other files
@@ -163,7 +166,7 @@ class ReportFolder(
 
     private fun check(page: Path) {
         try {
-            requireTarget(page) { realPath(it) in read }
+            requireTarget(page, ELSEWHERE) { realPath(it) in read }
         } catch (e: UnwritableFileException) {
             throw ExportException.Unwritable(page, e.message, e)
         }
