@@ -286,6 +286,17 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("a log that cannot be read has the match that its name says") {
+        inFolder { folder ->
+            folder.put("Q42.csv", "only words here\nand there\n")
+            val log = Report(RuleSet.BUILT_IN).over(logsIn(folder)).logs.single()
+            log.unreadable.isNullOrEmpty() shouldBe false
+            log.match.match shouldBe "Qualification 42"
+            log.matchType shouldBe "Qualification"
+            log.title shouldBe null
+        }
+    }
+
     test("the JSON of a log has what was found, and which rules were skipped") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))

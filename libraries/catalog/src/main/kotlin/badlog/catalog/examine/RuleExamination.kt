@@ -11,6 +11,7 @@ import badlog.rules.number.toText
 import badlog.rules.toJson
 import badlog.signals.ShapeCache
 import badlog.signals.battery.batteryUseOf
+import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -43,7 +44,17 @@ class RuleExamination(
      */
     fun of(content: LogContent, name: String, checkpoint: () -> Unit = {}): CachedResult<ExaminedLog> = when (content) {
         is LogContent.None -> {
-            val none = ExaminedLog(null, emptyList(), emptyList(), content.why.message, content.why.isLasting)
+            val named = matchInName(name)
+            val none = ExaminedLog(
+                title = null,
+                findings = emptyList(),
+                asked = emptyList(),
+                unreadable = content.why.message,
+                isNoLog = content.why.isLasting,
+                matchType = named.type,
+                event = named.event,
+                matchNumber = named.number,
+            )
             CachedResult(none, content.why.isLasting)
         }
 
