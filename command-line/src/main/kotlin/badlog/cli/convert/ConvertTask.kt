@@ -26,7 +26,6 @@ import badlog.cli.text.wrapped
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.resampled
 import badlog.core.recording.Recording
-import badlog.formats.hasRecords
 import badlog.formats.wpilog.Omission
 import badlog.formats.wpilog.record.RecordEntry
 import badlog.formats.wpilog.record.RecordLane

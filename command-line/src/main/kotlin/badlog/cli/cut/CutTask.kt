@@ -28,7 +28,6 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
 import badlog.core.recording.Value
-import badlog.formats.hasRecords
 import badlog.rules.ofPart
 import badlog.signals.withSignals
 import badlog.terminal.Progress

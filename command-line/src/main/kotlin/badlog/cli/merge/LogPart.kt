@@ -12,7 +12,6 @@ import badlog.core.analysis.stableOrder
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
-import badlog.formats.hasRecords
 import badlog.formats.wpilog.WpilogFormat
 import java.nio.file.Path
 

@@ -21,7 +21,6 @@ import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.formats.hasRecords
 import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import java.nio.file.Path

@@ -20,7 +20,6 @@ import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
-import badlog.formats.hasRecords
 import badlog.replay.LoggedTopic
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer

@@ -14,6 +14,9 @@ public interface RecordingFormat {
     /** Whether all topics share rows; otherwise each has times of its own. */
     public val hasRows: Boolean
 
+    /** Whether a log of this format has the records of a WPILOG, or is read as the records of one. */
+    public val hasRecords: Boolean get() = false
+
     public companion object {
         /** A JSON line, then CSV. */
         public val BAG: RecordingFormat = RowFormat("bag", "bag", listOf(".bag", ".badbag"))

@@ -14,9 +14,6 @@ private val TEXT_FORMATS = listOf(RecordingFormat.BAG, RecordingFormat.CSV)
 /** All formats that a recording may have been read from. */
 public val RECORDING_FORMATS: List<RecordingFormat> = TEXT_FORMATS + LOG_FORMATS
 
-/** Whether a log of this format has the records of a WPILOG, or is read as the records of one. */
-public val RecordingFormat.hasRecords: Boolean get() = this == WpilogFormat || this == RevlogFormat
-
 /** The endings of logs that are text, which `core` reads: bags and CSV files. */
 public val TEXT_ENDINGS: List<String> = TEXT_FORMATS.flatMap { it.endings }
 

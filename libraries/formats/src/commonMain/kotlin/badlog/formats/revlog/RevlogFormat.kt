@@ -13,6 +13,8 @@ public object RevlogFormat : LogFormat {
 
     override val endings: List<String> get() = listOf(".revlog")
 
+    override val hasRecords: Boolean get() = true
+
     override val signatureSize: Int get() = SIGNATURE_SIZE
 
     /** It has no signature: its first record shows what it is. */

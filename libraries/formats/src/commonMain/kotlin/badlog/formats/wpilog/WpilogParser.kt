@@ -21,6 +21,8 @@ public object WpilogFormat : LogFormat {
 
     override val endings: List<String> get() = listOf(".wpilog")
 
+    override val hasRecords: Boolean get() = true
+
     override val signatureSize: Int get() = RecordSplitter.MAGIC.length
 
     override fun matches(bytes: ByteArray, size: Int): Boolean =
