@@ -73,6 +73,24 @@ class XyPlotSpec : FunSpec({
         plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
     }
 
+    test("before and after a log, nothing of it has a place, also where another one goes on; until its end, the last place counts") {
+        val names = listOf("Pose", "Target Pose", "Trajectory[0]", "Trajectory[1]")
+        val paths = names.flatMap { path(it, Triple(0.0, 1.0, 2.0), Triple(1.0, 3.0, 2.0)) }
+        val view = timed(paths + timedTopic("Voltage", 0.0 to 12.0, 5.0 to 11.0))
+        val plot = view.plot(*names.dropLast(1).flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        plot.driven!!.run {
+            textAt(5.0, isField = true) shouldBe "3.00, 2.00 m · 90°"
+            textAt(5.1, isField = true) shouldBe ""
+            robotAt(5.1).size shouldBe 0
+        }
+        plot.traces.single { it.followers.isNotEmpty() }.run {
+            chainAt(5.0).toList() shouldBe listOf(3.0, 2.0, 3.0, 2.0)
+            chainAt(5.1).size shouldBe 0
+        }
+        for (time in listOf(-0.1, 5.1)) plot.marksAt(time, emptySet()) shouldBe emptyList()
+        view.plot("Voltage", "Pose/translation/x")!!.traces.single().indexAt(5.1) shouldBe -1
+    }
+
     test("swerve modules are arrows at the robot's corners, with the targets drawn first") {
         fun states(name: String, speed: Double) = List(4) { i ->
             listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
