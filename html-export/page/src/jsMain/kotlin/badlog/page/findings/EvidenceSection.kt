@@ -21,7 +21,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.board.evidenceOffers
-import badlog.viewer.choices.board.titles
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.with
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.text.countText
@@ -134,7 +134,7 @@ internal class EvidenceSection(
                 card.element.remove()
             }
             drawn.clear()
-            for ((spec, title) in board.graphs.zip(board.titles)) {
+            for ((spec, title) in board.graphs.zip(board.shortTitles)) {
                 for ((graph, lines) in graphsOf(spec, scene.board.lines)) {
                     val card = GraphCard(graph, scene, look = spec, lines = lines)
                     card.title = title

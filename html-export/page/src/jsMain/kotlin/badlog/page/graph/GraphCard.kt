@@ -57,6 +57,7 @@ internal class GraphCard(
         set(value) {
             field = value
             heading.showText(value)
+            host.setAttribute("aria-label", labelOf(value))
         }
 
     /** Its lines, and those of compared logs. */
@@ -124,7 +125,7 @@ internal class GraphCard(
         host = add("div", "plot") {
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
-            setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
+            setAttribute("aria-label", labelOf(graph.name))
             if (graph.showsStates) style.height = "${LaneContent.heightOf(drawn.graph)}px"
         }
         appendChild(statistics.element.apply { isHidden = true })
@@ -342,6 +343,8 @@ internal class GraphCard(
         val entries = imageEntries(scene, title) { listOf(::drawOn) } + table
         openMenu(saveButton, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
+
+    private fun labelOf(name: String) = "Graph of $name; arrow keys move the cursor"
 
     private companion object {
         const val PAUSE_MILLISECONDS = 150
