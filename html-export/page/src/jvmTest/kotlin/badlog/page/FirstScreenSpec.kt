@@ -43,6 +43,12 @@ internal class FirstScreenSpec : PageSpec({
             press("nn")
             incidents().last().text shouldContain "vision"
             incidents().last().getDomAttribute("aria-current") shouldBe "true"
+            // Nobody tabs to a list without rows.
+            element(".findings-list").getDomAttribute("tabindex") shouldBe null
+            script("arguments[0].click()", more[1])
+            settle()
+            incidents().last().getDomAttribute("aria-current") shouldBe "true"
+            elements(".finding").count { it.isDisplayed } shouldBe 0
         }
     }
 

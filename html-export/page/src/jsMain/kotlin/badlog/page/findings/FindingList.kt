@@ -9,7 +9,6 @@ import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.end
-import badlog.page.view.isPlaced
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
@@ -18,6 +17,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
+import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
 import badlog.viewer.shown.search.hiddenBySearch
@@ -29,7 +29,8 @@ import org.w3c.dom.HTMLElement
 
 /**
  * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; at first a few of those that
- * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ * belong to no incident, on a phone the worst incident alone, all on request. Selecting a finding moves the cursor to its time, and shows
+ * what is around it. Hidden while there is nothing to show.
  *
  * @param signals asks which topics are the signals that rules lack.
  * @param changes what is shown above all findings.
@@ -170,11 +171,9 @@ internal class FindingList(
         if (isOnPaper) list(PAGE) else fold()
     }
 
-    /** Goes to the worst incident; without one, to the worst of [found], which a folder's list names: the first of its severity. */
+    /** Goes to what to see first of [found], as a list of logs and the window do, see [firstStep]. */
     fun goToWorst(found: List<Finding>) {
-        val worst = found.maxByOrNull { it.severity }
-        if (incidents.isEmpty() && worst != null && worst.isPlaced) return visit(firstPlaceOf(worst))
-        order.beside(current, scene.cursor.x, 1)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
+        firstStep(found, incidents)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
@@ -229,7 +228,7 @@ internal class FindingList(
         fold()
     }
 
-    /** Lists a few, as at first: on a phone the worst incident alone, so that its first screen has a graph. */
+    /** Lists a few, as at first; on a phone, whose first screen shall have a graph, the worst incident and the one that was gone to. */
     private fun fold() {
         body.textContent = ""
         rows.clear()
@@ -248,15 +247,16 @@ internal class FindingList(
             body.appendChild(row)
         }
         listed = until
-        val others = incidentRows.values.drop(1)
-        for (row in others) row.isHidden = isFolded && isNarrow
-        val left = unmentioned.size - listed + others.count { it.isHidden }
+        val others = incidentRows.entries.drop(1)
+        for ((incident, row) in others) row.isHidden = isFolded && isNarrow && !isCurrent(incident)
+        val left = unmentioned.size - listed + others.count { (_, row) -> row.isHidden }
         more.isHidden = left == 0
         more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show ${countText(left)} more")
         fewer.isHidden = isFolded
+        val isLong = !isFolded && listed > 0
         // Anything that scrolls must react to keys.
-        if (isFolded) list.removeAttribute("tabindex") else list.setAttribute("tabindex", "0")
-        list.classList.toggle("is-long", !isFolded)
+        if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
+        list.classList.toggle("is-long", isLong)
         mark()
     }
 
@@ -279,11 +279,13 @@ internal class FindingList(
 
     private fun mark() {
         for ((finding, row) in rows) row.markCurrent(finding == current)
-        for ((incident, row) in incidentRows) row.markCurrent(current?.let { it in incident } == true)
+        for ((incident, row) in incidentRows) row.markCurrent(isCurrent(incident))
         val row = rows[current] ?: return
         // Scrolls only the list: everything above and below it stays where it is.
         if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
     }
+
+    private fun isCurrent(incident: Incident) = current?.let { it in incident } == true
 
     private fun HTMLElement.markCurrent(isCurrent: Boolean) {
         if (isCurrent) setAttribute("aria-current", "true") else removeAttribute("aria-current")
