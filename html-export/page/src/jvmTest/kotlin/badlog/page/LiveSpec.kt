@@ -128,6 +128,56 @@ internal class LiveSpec : PageSpec({
         }
     }
 
+    browserTest("whoever follows a log before its rules have run is not taken to the worst that they find") {
+        val robot = Robot(logs("worst") / "running.bag").apply { write(500) }
+        robot.volts = 6.1
+        robot.write(100)
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                element("#go-back").click()
+                val worst = "[data-column='FINDINGS'] button"
+                await("the worst in the list") { elements(worst).isNotEmpty() }
+                script(
+                    "new MutationObserver((_, observer) => { const live = document.querySelector('#live'); if (live) { observer.disconnect(); live.click() } })" +
+                        ".observe(document.body, {childList: true, subtree: true})",
+                )
+                element(worst).click()
+                await("the log") { elements("#live").isNotEmpty() }
+                awaitReady()
+                await("the finding") { (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } }
+                isLive() shouldBe true
+                robot.write(50)
+                await("13 s") { visibleRange.endInclusive > 12.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("a press of the other button of a mouse, or one that ends outside of the window, does not hold up what is new") {
+        val robot = Robot(logs("menu") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                element("#live").click()
+                fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
+                pressed(button = 2)
+                robot.write(50)
+                await("11 s") { visibleRange.endInclusive > 10.9 }
+                awaitReady()
+                for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
+                    pressed(button = 0)
+                    script(end)
+                    val before = visibleRange.endInclusive
+                    robot.write(50)
+                    await("another second") { visibleRange.endInclusive > before + 0.9 }
+                    awaitReady()
+                }
+                isLive() shouldBe true
+            }
+        }
+    }
+
     browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
         val robot = Robot(logs("begun") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->

@@ -253,7 +253,7 @@ internal class LogPage(
      * are visible.
      *
      * @param compared the files of the logs that the page compares with its own from the beginning.
-     * @param showsWorst whether to go to the worst finding.
+     * @param showsWorst whether to go to the worst finding, unless the reader has pinned the cursor somewhere before it is known.
      */
     fun complete(logged: LogView, compared: Promise<List<File>>, showsWorst: Boolean) {
         folders.layOut(Int.MAX_VALUE)
@@ -267,7 +267,8 @@ internal class LogPage(
         search.followFindings()
         // The place in the address is known only now.
         link.followAgain()
-        if (showsWorst) findings.goToWorst(found.findings)
+        // Nor is a reader taken there who has pinned the cursor in the meantime, or follows the log, whose end it is pinned at.
+        if (showsWorst && !scene.cursor.now.isPinned) findings.goToWorst(found.findings)
         // Draws into the existing graphs, since somebody may be dragging over one.
         if (found.findings.isNotEmpty()) redraw()
     }

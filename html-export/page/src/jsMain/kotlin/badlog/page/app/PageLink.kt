@@ -63,7 +63,8 @@ internal class PageLink(
     /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
     fun followAgain() {
         val address = followed ?: return
-        val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
+        val isRange = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
+        val isThere = isRange && address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } } == scene.cursor.now.pinned
         if ((address.board == null || address.finding != null) && isThere) go(address)
     }
 

@@ -12,6 +12,7 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
+import org.w3c.dom.events.MouseEvent
 import org.w3c.files.File
 import kotlin.js.Promise
 
@@ -34,19 +35,25 @@ internal class Following(
     private var stay = Stay()
     private var isPressed = false
     private val onPress = { event: Event ->
-        isPressed = true
-        if (isLost(event.target)) stop()
+        // Where another button is let go, the page may never know: over the browser’s menu, for example.
+        if (event.unsafeCast<MouseEvent>().button.toInt() == 0) {
+            isPressed = true
+            if (isLost(event.target)) stop()
+        }
     }
     private val onKey = { event: Event ->
         val key = event.unsafeCast<KeyboardEvent>().key
         if (key == "Tab" || (key in PRESSING && isLost(document.activeElement))) stop()
     }
     private val onRelease = { _: Event -> isPressed = false }
-    private val listeners = listOf("pointerdown" to onPress, "keydown" to onKey, "pointerup" to onRelease, "pointercancel" to onRelease)
+    private val listeners = listOf("pointerdown" to onPress, "keydown" to onKey) +
+        listOf("pointerup", "pointercancel", "contextmenu").map { it to onRelease }
 
     /** Starts at [place], where the reader is. */
     fun start(place: PagePlace) {
         for ((type, listener) in listeners) document.addEventListener(type, listener, true)
+        // Only of the window: elements that lose the focus do so because something is pressed.
+        window.addEventListener("blur", onRelease)
         place.change { atEnd() }
         stayAt(place)
         ask()
@@ -65,6 +72,7 @@ internal class Following(
         if (isOver) return
         isOver = true
         for ((type, listener) in listeners) document.removeEventListener(type, listener, true)
+        window.removeEventListener("blur", onRelease)
         onEnd(why)
     }
 
