@@ -80,6 +80,9 @@ internal class EvidenceSection(
         isHidden = true
     }
 
+    /** Whether it is shown. */
+    val isOpen: Boolean get() = !element.isHidden
+
     /** The cards of the graphs that it shows. */
     val cards: List<GraphCard> get() = drawn
 
