@@ -156,7 +156,11 @@ internal class LogPage(
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
     private val opened = ReaderParts(search, values, modules, boardSection)
-    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
+    private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
+    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }) {
+        problems.print(it)
+        findings.print(it)
+    }
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
@@ -178,7 +182,7 @@ internal class LogPage(
         addButton("skip", "Skip to the graphs") { inSight.focusFirst() }
         appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
         axisChoice?.let(::appendChild)
-        appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
+        appendChild(problems.element)
         appendChild(findings.element)
         appendChild(noteList.element)
         appendChild(printing.element)
