@@ -60,16 +60,16 @@ internal fun DrawScope.drawSelection(selection: Span, visible: Span, palette: Pa
 }
 
 private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, picture: PlotPicture?, palette: Palette) {
-    when (gesture.kind) {
+    val drag = gesture.drag
+    when (drag.kind) {
         DragKind.PAN -> Unit
 
-        DragKind.ZOOM, DragKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
+        DragKind.ZOOM, DragKind.SELECT -> drawSelection(drag.xSpan, visible, palette)
 
         DragKind.ZOOM_Y -> {
-            val axis = picture?.axes?.firstOrNull() ?: return
-            if (gesture.graph != id) return
-            val top = axis.pixelOf(gesture.ySpan.to, picture.plotHeight)
-            val bottom = axis.pixelOf(gesture.ySpan.from, picture.plotHeight)
+            if (gesture.graph != id || picture == null) return
+            val top = drag.ySpan.from.toFloat() * picture.plotHeight
+            val bottom = drag.ySpan.to.toFloat() * picture.plotHeight
             drawRect(palette.accent.copy(alpha = BAND_OPACITY), Offset(0f, top), Size(size.width, bottom - top))
             for (y in listOf(top, bottom)) drawLine(palette.accent, Offset(0f, y), Offset(size.width, y), strokeWidth = density)
         }

@@ -32,6 +32,7 @@ import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawEventMarks
 import badlog.viewer.draw.plot.drawFindingMarks
 import badlog.viewer.draw.plot.drawModes
+import badlog.viewer.session.gesture.OverviewGestures
 import badlog.viewer.shown.outline.everChanges
 import badlog.window.graph.mark.drawShownFinding
 import badlog.window.graph.plot.OVERVIEW
@@ -41,7 +42,8 @@ import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.drawLines
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.scene.overviewPointer
+import badlog.window.graph.scene.ViewTarget
+import badlog.window.graph.scene.receives
 import badlog.window.log.OpenRecording
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
@@ -52,6 +54,7 @@ import badlog.window.theme.Palette
 internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current
     val state = scene.plots.state(OVERVIEW)
+    val gestures = remember(scene) { OverviewGestures(ViewTarget(scene)) }
     val density = LocalDensity.current.density
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureEffect(state, scene.plots.curves) {
@@ -69,7 +72,7 @@ internal fun Overview(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, top = 2.dp, bottom = 3.dp)
                 .onSizeChanged { state.size = it }
                 .semantics { contentDescription = "Overview" }
-                .overviewPointer(scene),
+                .receives(gestures),
         ) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) },

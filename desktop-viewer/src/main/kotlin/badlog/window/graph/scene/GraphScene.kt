@@ -58,7 +58,6 @@ internal class GraphScene(
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()
-    val gestures = PlotGestures(view, board, player)
 
     /** The scroll state of the graphs. */
     val list = LazyListState()

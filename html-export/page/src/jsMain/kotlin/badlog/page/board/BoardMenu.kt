@@ -1,5 +1,6 @@
 package badlog.page.board
 
+import badlog.core.analysis.Span
 import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.signals.pose.Pose
@@ -47,7 +48,7 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         if (numbers != null && !graph.isXy) {
             add(
                 MenuEntry("Fix the y limits", isFixed) {
-                    if (isFixed) board.change { withYRange(id, null) } else numbers.zoomY(0.0, 1.0)
+                    if (isFixed) board.change { withYRange(id, null) } else numbers.showY(Span(0.0, 1.0))
                 },
             )
             add(MenuEntry("Share the y limits", graph.sharesY) { board.change { withSharedY(id, !graph.sharesY) } })

@@ -15,6 +15,7 @@ import badlog.page.dom.openMenu
 import badlog.page.dom.showText
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
+import badlog.page.input.PointerListener
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.xy.XyGraph
@@ -22,8 +23,10 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
 import badlog.viewer.choices.board.shortTitles
+import badlog.viewer.draw.axis.yParts
 import badlog.viewer.draw.figure.Sheet
 import badlog.viewer.draw.figure.graphHead
+import badlog.viewer.session.gesture.PlotGestures
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.table.CsvDraft
 import badlog.viewer.text.unitText
@@ -108,7 +111,7 @@ internal class GraphCard(
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(xy?.legend ?: legend.element)
             tools = add("div", "graph-tools") {
-                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }
+                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { showY(null) }
                 statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range, or between the cursors") {
                     toggleStatistics()
                 }
@@ -169,10 +172,14 @@ internal class GraphCard(
     private fun toggle(names: List<String>) =
         change(look.copy(hidden = if (names.any { it in look.hidden }) look.hidden - names.toSet() else look.hidden + names))
 
-    /** Zooms y to the part between [from] and [to], as fractions of what is shown now, measured from the top. */
-    fun zoomY(from: Double, to: Double) {
-        val parts = shown?.limits.orEmpty().map { Span(it.to - to * it.width, it.to - from * it.width) }
-        if (to > from && parts.isNotEmpty()) change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
+    /** Zooms y to [part] of what is shown now, as fractions from the top; null for all of it. */
+    fun showY(part: Span?) {
+        val parts = if (part == null) emptyList() else yParts(shown?.limits.orEmpty(), part)
+        if (parts.isNotEmpty()) {
+            change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
+        } else if (!resetButton.isHidden) {
+            change(look.copy(yRange = null, rightYRange = null))
+        }
     }
 
     /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
@@ -217,7 +224,8 @@ internal class GraphCard(
         host.style.height = "${content.height}px"
         val canvas = PlotCanvas(scene, content, host, width)
         host.addName(scene.xAxis.title, "x-title").title = scene.xAxis.title
-        PlotGestures(canvas.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
+        val target = GraphTarget(canvas.over, scene, lineShare = if (graph.showsStates) 0.0 else 1.0, ::showY)
+        PointerListener(canvas.over, PlotGestures(target))
         overlay = CursorOverlay(drawn.graph, drawn.colors, scene, content, canvas)
         plot = canvas
         shown = content
@@ -259,8 +267,6 @@ internal class GraphCard(
         shown = null
         overlay = null
     }
-
-    private fun resetY() = change(look.copy(yRange = null, rightYRange = null))
 
     /** Draws the graph again with the current colors. */
     fun repaint() {

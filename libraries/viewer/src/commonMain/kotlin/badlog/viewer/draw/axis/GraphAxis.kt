@@ -67,4 +67,7 @@ private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
     whole.from + (chosen.to - first.from) / first.width * whole.width,
 ).takeIf(::isShowable)
 
+/** Returns the same [part] of each of [limits], given as fractions from the top. */
+fun yParts(limits: List<Span>, part: Span): List<Span> = limits.map { Span(it.to - part.to * it.width, it.to - part.from * it.width) }
+
 private fun isShowable(span: Span) = span.width > 0 && span.width.isFinite()
