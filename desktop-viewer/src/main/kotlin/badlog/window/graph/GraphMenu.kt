@@ -87,8 +87,8 @@ private const val TITLE_LETTERS = 36
 /** Fixes or unfixes the visible y range of [spec]. */
 private fun fixY(scene: GraphScene, spec: BoardGraph) {
     if (spec.yRange != null || spec.rightYRange != null) return scene.board.change { withYRange(spec.id, null) }
-    val axes = scene.pictureOf(scene.plots.state(spec.id))?.axes.orEmpty()
-    fun shown(side: AxisSide) = axes.find { it.axis.side == side }?.shown
+    val axes = scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty()
+    fun shown(side: AxisSide) = axes.find { it.side == side }?.shown
     scene.board.change { withYRange(spec.id, shown(AxisSide.LEFT), shown(AxisSide.RIGHT)) }
 }
 

@@ -85,7 +85,7 @@ private fun GraphDrawing(scene: GraphScene, state: PlotState) {
             val modes = scene.current.recording?.modes ?: return@drawBehind
             val picture = scene.pictureOf(state) ?: return@drawBehind pen().drawModes(frame, modes, palette.pen)
             val marks = PlotMarks(modes, scene.events.matching, findings = null, scene.notes.all.map { it.x })
-            pen().drawPlot(frame, picture.plot, marks, palette.pen, xHeight = 0.0, hasRoom = true, picture.frame()) {
+            pen().drawPlot(frame, picture.plot, marks, palette.pen, xHeight = 0.0, hasRoom = true, picture.request.frame) {
                 drawLines(picture, frame)
             }
         },

@@ -20,12 +20,12 @@ import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawPlot
+import badlog.viewer.draw.plot.drawSamples
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.text.unitText
 import badlog.window.compare.DrawnRecording
-import badlog.window.graph.drawSamples
 import badlog.window.graph.plot.CurveCache
 import badlog.window.graph.plot.DrawnLine
 import badlog.window.graph.plot.PlotPicture
@@ -93,7 +93,7 @@ internal class LogFigure(
             val marks = PlotMarks(open.modes, events, findings, notes)
             pen.drawPlot(frame, picture.plot, marks, colors, PlotMargins.BOTTOM * density)
             pen.drawCursors(frame, cursors, colors)
-            cursors.x?.takeIf { it in x }?.let { pen.drawSamples(frame, picture, it, colors) }
+            cursors.x?.let { pen.drawSamples(frame, picture.plot, picture.lines, it, colors) }
         }
         sheet.xTitle(open.view.xAxis.title)
     }
@@ -104,7 +104,7 @@ internal class LogFigure(
         val (width, height) = frame.width.toInt() to frame.height.toInt()
         val request = PlotRequest(graph, recordings, x, width, height, Palette.LIGHT, density.toFloat(), sharing)
         val picture = makePicture(request, curves, hasImage = false)
-        for (line in picture.lines) line.strokes.move(frame.left, frame.top)
+        for (line in picture.plot.lines) line.strokes.move(frame.left, frame.top)
         return picture
     }
 

@@ -83,7 +83,7 @@ internal class GraphCard(
     private var overlay: CursorOverlay? = null
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
-    private var shown: PlotContent? = null
+    private var shown: GraphContent? = null
     private lateinit var resetButton: HTMLElement
     private lateinit var saveButton: HTMLElement
     private var pinButton: HTMLElement? = null
@@ -129,7 +129,7 @@ internal class GraphCard(
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
             setAttribute("aria-label", labelOf(graph.name))
-            if (graph.showsStates) style.height = "${LaneContent.heightOf(drawn.graph)}px"
+            if (graph.showsStates) style.height = "${lanesHeight(graph)}px"
         }
         appendChild(statistics.element.apply { isHidden = true })
     }
@@ -174,7 +174,7 @@ internal class GraphCard(
 
     /** Zooms y to [part] of what is shown now, as fractions from the top; null for all of it. */
     fun showY(part: Span?) {
-        val parts = if (part == null) emptyList() else yParts(shown?.limits.orEmpty(), part)
+        val parts = if (part == null) emptyList() else yParts(shown?.plot?.axes.orEmpty().map { it.shown }, part)
         if (parts.isNotEmpty()) {
             change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
         } else if (!resetButton.isHidden) {
@@ -226,7 +226,7 @@ internal class GraphCard(
         host.addName(scene.xAxis.title, "x-title").title = scene.xAxis.title
         val target = GraphTarget(canvas.over, scene, lineShare = if (graph.showsStates) 0.0 else 1.0, ::showY)
         PointerListener(canvas.over, PlotGestures(target))
-        overlay = CursorOverlay(drawn.graph, drawn.colors, scene, content, canvas)
+        overlay = CursorOverlay(drawn.colors, scene, content, canvas)
         plot = canvas
         shown = content
         isStale = true
@@ -238,18 +238,14 @@ internal class GraphCard(
         }.also { it.observe(host) }
     }
 
-    private fun newContent() = if (graph.showsStates) {
-        LaneContent(drawn.graph, drawn.isShown)
-    } else {
-        LineContent(drawn.graph, drawn.colors, scene, drawn.isShown) { look }
-    }
+    private fun newContent() = GraphContent(drawn, scene) { look }
 
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
         sheet.graphHead(title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
-        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn, newContent(), scene)
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, newContent(), scene)
     }
 
     /** Releases the resources for drawing. */

@@ -129,8 +129,7 @@ internal class GraphPicture(
         graphHead("States", unit = "", emptyList())
         plot(states.size * LaneLook.HEIGHT) { frame ->
             val lanes = states.map { state ->
-                val runs = state.line.stateRuns()
-                val blocks = LaneBlocks().apply { place(runs, range, frame.width, ceil(LaneLook.MIN_BLOCK).toInt()) }
+                val blocks = LaneBlocks().apply { place(state.line.stateRuns(), range, frame.width, density = 1.0) }
                 PlotLane(state.name, state.line.states.orEmpty(), blocks)
             }
             Plot(emptyList(), emptyList(), lanes, laneShare = 1.0)
