@@ -28,10 +28,9 @@ import androidx.compose.ui.unit.dp
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
-import badlog.viewer.draw.plot.drawEventMarks
-import badlog.viewer.draw.plot.drawFindingMarks
-import badlog.viewer.draw.plot.drawModes
+import badlog.viewer.draw.plot.drawOverview
 import badlog.viewer.session.gesture.OverviewGestures
 import badlog.viewer.shown.outline.everChanges
 import badlog.window.graph.mark.drawShownFinding
@@ -95,12 +94,10 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
 
 private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
     val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.full)
-    val pen = pen()
     drawRect(palette.page)
-    scene.current.recording?.let { pen.drawModes(frame, it.modes, palette.pen, hasNames = true) }
-    scene.pictureOf(state)?.let { drawLines(it, frame) }
-    pen.drawEventMarks(frame, scene.events.matching, palette.pen, hasLines = false)
-    scene.findings.state.list?.let { pen.drawFindingMarks(frame, it.timeline, palette.pen) }
+    val modes = scene.current.recording?.modes ?: return
+    val marks = PlotMarks(modes, scene.events.matching, scene.findings.state.list?.timeline, scene.notes.all.map { it.x })
+    pen().drawOverview(frame, marks, palette.pen) { scene.pictureOf(state)?.let { drawLines(it, frame) } }
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {

@@ -10,10 +10,7 @@ import badlog.page.view.Scene
 import badlog.page.view.SceneTarget
 import badlog.page.view.findingText
 import badlog.viewer.draw.plot.PlotFrame
-import badlog.viewer.draw.plot.drawEventMarks
-import badlog.viewer.draw.plot.drawFindingMarks
-import badlog.viewer.draw.plot.drawModes
-import badlog.viewer.draw.plot.drawNoteMarks
+import badlog.viewer.draw.plot.drawOverview
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.session.gesture.OverviewGestures
 import kotlinx.browser.window
@@ -58,14 +55,7 @@ internal class Overview(private val scene: Scene) {
         marks.height = height.toInt()
         val context = marks.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
         val frame = PlotFrame(0.0, 0.0, width, height, full)
-        val colors = scene.palette.colors
-        val shown = scene.marks
-        with(CanvasPen(context)) {
-            drawModes(frame, shown.modes, colors, hasNames = true)
-            drawFindingMarks(frame, scene.findings, colors)
-            drawEventMarks(frame, shown.events, colors)
-            drawNoteMarks(frame, shown.notes, colors)
-        }
+        CanvasPen(context).drawOverview(frame, scene.marks, scene.palette.colors)
     }
 
     private fun update() {
