@@ -6,7 +6,7 @@ import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 import badlog.core.recording.Value
 import badlog.rules.RuleSet
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import badlog.rules.toJson
 import badlog.viewer.choices.note.NotesException
 import badlog.viewer.choices.note.notesOfJson

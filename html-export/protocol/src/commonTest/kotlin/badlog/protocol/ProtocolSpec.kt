@@ -9,7 +9,7 @@ import badlog.rules.Finding
 import badlog.rules.LogFindings
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import badlog.rules.toJson
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

@@ -12,7 +12,7 @@ import badlog.signals.json.jsonArray
 import badlog.signals.json.jsonList
 import badlog.signals.json.jsonObject
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.rules.cause.fromJson
+import badlog.signals.vocabulary.fromJson
 import badlog.signals.vocabulary.patterns
 import badlog.signals.vocabulary.patternsJson
 import badlog.signals.vocabulary.toJson

@@ -1,7 +1,7 @@
 package badlog.page.embedded
 
 import badlog.protocol.PageAdditions
-import badlog.rules.cause.fromJson
+import badlog.protocol.fromJson
 import kotlinx.browser.document
 
 /**

@@ -3,10 +3,11 @@ package badlog.page.graph
 import badlog.core.analysis.Graph
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.PixelColumns
-import badlog.core.analysis.StateRuns
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.range.holdsUntil
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.draw.curve.Curve
 import badlog.viewer.draw.curve.Scale
 import badlog.viewer.draw.curve.Strokes
@@ -26,20 +27,19 @@ import badlog.viewer.draw.plot.plotOf
  * @param look the current settings of the graph.
  */
 internal class GraphContent(private val card: CardLines, private val scene: Scene, private val look: () -> BoardGraph) {
-    private class Line(override val series: GraphSeries, override val color: Int, end: Double) : GraphLine {
-        val curve = Curve(series.data, if (series.holds) end else null)
+    private class Line(override val series: GraphSeries, override val color: Int) : GraphLine {
+        val curve = Curve(series.data, series.holdsUntil)
         val strokes = Strokes()
     }
 
-    private class Lane(val series: GraphSeries, end: Double) {
-        val runs = StateRuns(series.data, end)
+    private class Lane(val series: GraphSeries) {
+        val runs = series.stateRuns()
         val blocks = LaneBlocks()
     }
 
     private val series = card.graph.series
-    private val end = scene.range.full.to
-    private val lines = if (card.graph.showsStates) emptyList() else series.mapIndexed { i, line -> Line(line, card.colors[i], end) }
-    private val lanes = if (card.graph.showsStates) series.map { Lane(it, end) } else emptyList()
+    private val lines = if (card.graph.showsStates) emptyList() else series.mapIndexed { i, line -> Line(line, card.colors[i]) }
+    private val lanes = if (card.graph.showsStates) series.map(::Lane) else emptyList()
     private var drawn = emptyList<Line>()
 
     /** What was shown last. */

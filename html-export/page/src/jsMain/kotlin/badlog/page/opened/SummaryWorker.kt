@@ -3,7 +3,7 @@ package badlog.page.opened
 import badlog.page.dom.json
 import badlog.page.dom.startWorker
 import badlog.rules.RuleSet
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker

@@ -9,7 +9,7 @@ import badlog.protocol.logFindingsOf
 import badlog.protocol.toJson
 import badlog.rules.LogFindings
 import badlog.rules.RuleSet
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import badlog.rules.over
 import badlog.rules.toJson
 import org.w3c.dom.DedicatedWorkerGlobalScope

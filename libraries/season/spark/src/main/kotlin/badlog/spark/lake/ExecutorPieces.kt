@@ -1,7 +1,7 @@
 package badlog.spark.lake
 
 import badlog.rules.RuleSet
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import badlog.season.lake.LakePieces
 import java.io.Serializable
 import java.nio.file.Files

@@ -2,7 +2,7 @@ package badlog.viewer.shown.folder
 
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.cause.fromJson
+import badlog.rules.fromJson
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
 import badlog.rules.number.LogFigures
