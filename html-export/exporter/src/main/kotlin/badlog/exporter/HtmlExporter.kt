@@ -88,8 +88,8 @@ class HtmlExporter(
 
     private fun withNotes(additions: PageAdditions, log: Path): PageAdditions {
         val read = NotesFile.read(log)
-        if (read.notes.isEmpty() && read.problems.isEmpty()) return additions
-        return additions.withNotes(read.notes, read.problems.joinToString(" ").ifEmpty { null })
+        if (read.history.isEmpty && read.problems.isEmpty()) return additions
+        return additions.withNotes(read.history, read.problems.joinToString(" ").ifEmpty { null })
     }
 
     private fun write(

@@ -65,7 +65,7 @@ import badlog.rules.incident.firstEvidenceOf
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
-import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
 import badlog.viewer.input.Action
@@ -90,7 +90,7 @@ internal class LogPage(
     axisChoice: HTMLElement?,
     onOtherSignals: () -> Unit,
     private val opening: LogOpening,
-    private val copyWith: (List<Note>, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
+    private val copyWith: (NoteHistory, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -98,7 +98,7 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
-    private val notes = PageNotes(about.fileKey, this.additions.notes)
+    private val notes = PageNotes(about.fileKey, this.additions)
     private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.notes.now.notes
@@ -326,7 +326,7 @@ internal class LogPage(
 
     private fun saveCopy() {
         val compared = comparison.files + compareBar.waiting
-        Promise.resolve(Unit).then { copyWith(notes.now.notes, layouts.now().toJson(), compared, comparison.removed) }
+        Promise.resolve(Unit).then { copyWith(notes.history, layouts.now().toJson(), compared, comparison.removed) }
             .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
             .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }

@@ -19,7 +19,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
 import badlog.viewer.choices.formula.joined
-import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
 import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -76,7 +76,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals, about.name), signals, definitions, about.fileKey)
         setPageState("loading")
         root.clear()
-        val copyWith = { notes: List<Note>, board: String, compared: List<File>, removed: List<File> ->
+        val copyWith = { notes: NoteHistory, board: String, compared: List<File>, removed: List<File> ->
             val rules = additions?.rules?.takeIf { named.isNotEmpty() }
             source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
         }
