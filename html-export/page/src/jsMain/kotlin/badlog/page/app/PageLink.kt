@@ -1,5 +1,6 @@
 package badlog.page.app
 
+import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.addIconButton
@@ -36,8 +37,8 @@ internal class PageLink(
     private val opened: () -> OpenedParts,
     private val open: (OpenedParts) -> Unit,
 ) {
-    /** The address that was followed, until the reader looks elsewhere. */
-    private var followed: PageAddress? = null
+    /** The address that was followed, and where it led, until the reader looks elsewhere. */
+    private var followed: Pair<PageAddress, Span>? = null
 
     val element: HTMLElement = element("div", "copy-link") {
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
@@ -62,18 +63,17 @@ internal class PageLink(
 
     /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
     fun followAgain() {
-        val address = followed ?: return
-        val isRange = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
-        val isThere = isRange && address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } } == scene.cursor.now.pinned
+        val (address, there) = followed ?: return
+        val isThere = scene.range.now == there && address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } } == scene.cursor.now.pinned
         if ((address.board == null || address.finding != null) && isThere) go(address)
     }
 
     private fun follow(address: PageAddress, onBoard: (Board?) -> Unit) {
-        followed = address
         val problems = address.problems + onFormulas(address.formulas)
         val board = address.board?.fittedTo { scene.board.lines[it] != null }
         onBoard(board?.board)
         go(address)
+        followed = address to scene.range.now
         open(address.opened)
         address.video?.let { video.alignment = it }
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
@@ -107,7 +107,7 @@ internal class PageLink(
             video = video.alignment,
             second = scene.cursor.now.second,
             opened = opened(),
-        )
+        ).seenIn(scene.range.now.width)
 
     private fun copy() {
         val end = textNow()
