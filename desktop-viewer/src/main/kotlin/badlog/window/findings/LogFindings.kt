@@ -98,7 +98,7 @@ internal class LogFindings(
     /** Adds the graphs of the first result, unless somebody has arranged others. */
     private fun beginWithFirst(list: FindingList) {
         val open = current.recording ?: return
-        if (!board.state.showsSame(open.standardGraphs)) return
+        if (!board.shows(open.standardGraphs)) return
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
     }
 

@@ -28,7 +28,8 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.FolderLayout
-import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.identifiedByLines
+import badlog.viewer.choices.board.orAlso
 import badlog.viewer.choices.board.standardBoard
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.range.Viewport
@@ -109,15 +110,17 @@ internal class OpenRecording(
     /** Returns what can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** The initial graphs: those of the [layout] beside it, as far as it has them, or else of its topics. */
+    /**
+     * The initial graphs: those of the [layout] beside it, also those that it cannot draw, or else of its topics; if it can draw none of
+     * the [layout], both.
+     */
     val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
 
     /**
      * Returns [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway.
      */
     fun standardGraphs(pointed: List<String>): Board =
-        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() }
-            ?: standardBoard(logged, vocabulary, pointed)
+        (layout.layout?.board ?: Board()).identifiedByLines().orAlso({ standardBoard(logged, vocabulary, pointed) }) { signal(it) != null }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
