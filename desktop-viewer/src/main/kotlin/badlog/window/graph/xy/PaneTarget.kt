@@ -3,7 +3,7 @@ package badlog.window.graph.xy
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import badlog.viewer.draw.path.Plane
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.XyDrag

@@ -1,7 +1,7 @@
 package badlog.viewer.session.gesture
 
 import badlog.core.analysis.Span
-import badlog.viewer.draw.path.Plane
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
