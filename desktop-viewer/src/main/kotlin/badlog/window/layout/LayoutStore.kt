@@ -102,7 +102,7 @@ internal class LayoutStore(
 
     /** Remembers what was arranged a moment ago, before another log is shown. */
     fun keepArranged() {
-        saved = change()?.second ?: stored ?: return
+        saved = change() ?: stored ?: return
     }
 
     /** See [ArrangedGraphs.show]. */
