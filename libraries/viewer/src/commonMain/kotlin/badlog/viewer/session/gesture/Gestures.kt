@@ -42,7 +42,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
             stop(isGivenUp = false)
             if (!isPinching) beginPinch()
             isPinching = true
-        } else if (pressed == null) {
+        } else if (pressed == null && !isPinching) {
             pressed = at
             kind = kindOf(at)
         }
@@ -56,7 +56,8 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
             if (at.finger == null) hover(at)
             return
         }
-        if (at.finger != null) fingers[at.finger] = at
+        if (at.finger != start.finger) return
+        at.finger?.let { fingers[it] = at }
         if (!isDragging) {
             if (lengthOf(kind, start, at) < DragKind.MIN_DISTANCE) return
             isDragging = true
@@ -68,7 +69,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     /** Handles a button or a finger that goes up. */
     fun release(at: PlotPointer) {
         if (lift(at)) return
-        val start = pressed ?: return
+        val start = pressed?.takeIf { it.finger == at.finger } ?: return
         if (isDragging) {
             drag(at)
             end()
@@ -81,7 +82,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     /** Handles a pointer whose events go elsewhere from now on, such as a finger that scrolls. */
     fun cancel(at: PlotPointer) {
         lift(at)
-        stop(isGivenUp = false)
+        if (pressed?.finger == at.finger) stop(isGivenUp = false)
     }
 
     /** Handles a finger that was down for [REST_MILLISECONDS]: if it has not moved, it is a click with Shift. */
