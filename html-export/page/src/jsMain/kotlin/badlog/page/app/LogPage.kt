@@ -73,7 +73,9 @@ import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
+import kotlinx.browser.document
 import kotlinx.browser.window
+import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.files.Blob
 import org.w3c.files.File
@@ -165,6 +167,9 @@ internal class LogPage(
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
+
+    /** What has the keyboard's focus because a link points at it. */
+    private var focusedByLink: Element? = null
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -336,10 +341,23 @@ internal class LogPage(
         sendMoment(scene, text, evidence.cards.map { it::drawOn })
     }
 
-    private fun goWith(address: PageAddress) {
-        if (address.board != null && address.finding == null) return boardSection.bringIntoSight()
-        inSight.showAny()
-        address.moment?.let { findings.visitAt(it, address.finding) }
+    private fun goWith(address: PageAddress, isAgain: Boolean) {
+        if (address.board != null && address.finding == null) {
+            boardSection.bringIntoSight()
+        } else {
+            inSight.showAny()
+            address.moment?.let { findings.visitAt(it, address.finding) }
+        }
+        focusOn(address, isAgain)
+    }
+
+    /** Gives the keyboard's focus to what [address] points at, unless somebody has gone on since it was followed. */
+    private fun focusOn(address: PageAddress, isAgain: Boolean) {
+        val isElsewhere = isAgain && document.activeElement.let { it !== document.body && it !== focusedByLink }
+        // A page in a frame leaves the focus to the page around it.
+        if (isElsewhere || window.parent !== window) return
+        if (address.finding == null || !findings.focusCurrent()) inSight.focusAny()
+        focusedByLink = document.activeElement
     }
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {

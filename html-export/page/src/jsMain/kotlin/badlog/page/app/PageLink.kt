@@ -24,7 +24,7 @@ import kotlin.js.Promise
  * address for the current view.
  *
  * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
- * @param onJump called when the cursor and the board are as the address demands.
+ * @param onJump called when the cursor and the board are as the address demands; for the same address again when the findings are known.
  * @param opened returns what the reader has opened.
  * @param open opens what an address asks for.
  */
@@ -33,7 +33,7 @@ internal class PageLink(
     private val formulas: Formulas,
     private val video: VideoPanel,
     private val onFormulas: (List<String>) -> List<String>,
-    private val onJump: (PageAddress) -> Unit,
+    private val onJump: (PageAddress, isAgain: Boolean) -> Unit,
     private val opened: () -> OpenedParts,
     private val open: (OpenedParts) -> Unit,
 ) {
@@ -64,8 +64,9 @@ internal class PageLink(
     /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
     fun followAgain() {
         val (address, there) = followed ?: return
-        val isThere = scene.range.now == there && address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } } == scene.cursor.now.pinned
-        if ((address.board == null || address.finding != null) && isThere) go(address)
+        val moment = address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } }
+        val isThere = scene.range.now == there && moment == scene.cursor.now.pinned
+        if ((address.board == null || address.finding != null) && isThere) go(address, isAgain = true)
     }
 
     private fun follow(address: PageAddress, onBoard: (Board?) -> Unit) {
@@ -79,10 +80,10 @@ internal class PageLink(
         scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
     }
 
-    private fun go(address: PageAddress) {
+    private fun go(address: PageAddress, isAgain: Boolean = false) {
         address.moment?.let(scene::goTo)
         if (address.moment != null) address.second?.let { x -> scene.cursor.change { shiftClicked(x, 0.0) } }
-        if (address.moment != null || address.board != null) onJump(address)
+        if (address.moment != null || address.board != null) onJump(address, isAgain)
         address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
     }
 

@@ -4,6 +4,7 @@ import badlog.core.recording.Severity
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
@@ -186,6 +187,18 @@ internal class FindingList(
     fun visitAt(x: Double, name: FindingName?): Boolean {
         val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
         visit(place)
+        return true
+    }
+
+    /** Gives the keyboard's focus to the link of the finding that the reader has gone to. Nothing scrolls. Returns whether it is listed. */
+    fun focusCurrent(): Boolean {
+        val finding = current ?: return false
+        val incident = incidentRows.keys.find { finding in it }
+        val links = (rows[finding] ?: incidentRows[incident])?.querySelectorAll(".event-go") ?: return false
+        // An incident has a link for each finding that has a place, a row of a finding has only its own.
+        val index = incident?.sentences.orEmpty().map { it.finding }.filter { it.isPlaced }.indexOf(finding)
+        val link = links.item(maxOf(0, index)) ?: links.item(0) ?: return false
+        link.unsafeCast<HTMLElement>().focusInPlace()
         return true
     }
 

@@ -10,6 +10,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.addName
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
 import badlog.page.dom.showText
@@ -203,6 +204,9 @@ internal class GraphCard(
 
     /** Gives it the keyboard focus. */
     fun focus() = host.focus()
+
+    /** Gives it the keyboard focus where it is; nothing scrolls. */
+    fun focusInPlace() = host.focusInPlace()
 
     /** The width available for drawing it, in CSS pixels. */
     val room: Int get() = host.clientWidth
