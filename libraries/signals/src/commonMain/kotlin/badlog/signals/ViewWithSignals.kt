@@ -2,6 +2,7 @@ package badlog.signals
 
 import badlog.core.analysis.LogView
 import badlog.expression.ViewWithVirtualTopics
+import badlog.expression.VirtualTopicsDraft
 import badlog.expression.signals.Signals
 import badlog.expression.withVirtualTopics
 import badlog.signals.match.matchOf
@@ -22,6 +23,10 @@ fun LogView.namesWith(vocabulary: SignalVocabulary): Signals = QuestionNames(voc
 /** Returns this view with a topic for each of [definitions], which may name the signals of [vocabulary]. */
 fun LogView.withVirtualTopics(definitions: List<String>, vocabulary: SignalVocabulary): ViewWithVirtualTopics =
     if (definitions.isEmpty()) withVirtualTopics(definitions) else withVirtualTopics(definitions, namesWith(vocabulary))
+
+/** Begins the same, see [VirtualTopicsDraft]. */
+fun LogView.beginVirtualTopics(definitions: List<String>, vocabulary: SignalVocabulary): VirtualTopicsDraft =
+    VirtualTopicsDraft(this, definitions, namesWith(vocabulary))
 
 /** Returns which topics of [view] are the signals of [vocabulary]; needs no samples. */
 fun signalTopicsOf(view: LogView, vocabulary: SignalVocabulary): SignalTopics = LogShape.of(view).topicsOf(vocabulary)

@@ -112,7 +112,7 @@ internal class LogPage(
         if (formulas.formulaOf(it) == null) "" else "formula"
     }
     private val navigation = FolderNavigation(folders)
-    private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, ::beforeFormulas, ::linesNow)
+    private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, scene.notice, ::beforeFormulas, ::linesNow)
     private val search = SearchBox(::filter)
     private val eventsLink = EventsLink(folders)
     private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
@@ -130,8 +130,15 @@ internal class LogPage(
     private val ways =
         listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button, modules.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
-    private val link =
-        PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, { opened.now }, { opened.open(it) })
+    private val link = PageLink(
+        scene,
+        formulas,
+        video,
+        { asked, then -> formulaGraphs.addAll(asked, isRemembered = false, then) },
+        ::goWith,
+        { opened.now },
+        { opened.open(it) },
+    )
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)

@@ -20,6 +20,7 @@ import badlog.rules.RuleSet
 import badlog.signals.withSignals
 import badlog.viewer.choices.formula.joined
 import badlog.viewer.choices.note.NoteHistory
+import badlog.viewer.session.link.pageAddressOf
 import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -42,6 +43,9 @@ internal class ShownLog(
 /** Shows logs on the page, one at a time. */
 internal class LogShowing(private val root: PageRoot, private val source: PageSource, private val opening: () -> LogOpening) {
     private var page: LogPage? = null
+
+    /** The formulas of the log that is shown, or is to be shown when they are calculated. */
+    private var calculating: Formulas? = null
 
     /** The colors of all logs. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
@@ -74,16 +78,34 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val again = { root.guarded { show(log, given, showsWorst) } }
         val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
         val formulas = Formulas(LogView.of(axis.recording).withSignals(signals, about.name), signals, definitions, about.fileKey)
-        setPageState("loading")
-        root.clear()
         val copyWith = { notes: NoteHistory, board: String, compared: List<File>, removed: List<File> ->
             val rules = additions?.rules?.takeIf { named.isNotEmpty() }
             source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
         }
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith)
+        val makePage = { LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith) }
+        setPageState("loading")
+        calculating?.cancel()
+        calculating = formulas
+        // Somebody may go somewhere else meanwhile.
+        PageEvents.onEnd(formulas::cancel)
+        formulas.onFailure = root::failUnexpectedly
+        val linked = if (left == null) pageAddressOf(window.location.hash).formulas else emptyList()
+        formulas.start(linked) {
+            root.guarded { show(makePage, left, onLaidOut) { it.complete(formulas.given, log.compared(), showsWorst) } }
+        }
+        // What a log has grown by is drawn at once, since it may grow again before several slices are done.
+        if (left != null) formulas.finish()
+    }
+
+    private fun show(makePage: () -> LogPage, left: LeftPage?, onLaidOut: () -> Unit, complete: (LogPage) -> Unit) {
+        root.clear()
+        val shown = makePage()
         page = shown
         // Nothing may hold a log that is not shown.
-        PageEvents.onEnd { page = null }
+        PageEvents.onEnd {
+            page = null
+            calculating = null
+        }
         root.show(shown.element)
         shown.start(left)
         onLaidOut()
@@ -94,7 +116,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
                 // Somebody may have gone on in the meantime.
                 if (page === shown) {
                     root.guarded {
-                        shown.complete(formulas.given, log.compared(), showsWorst)
+                        complete(shown)
                         onLaidOut()
                         setPageState("ready")
                     }

@@ -23,7 +23,7 @@ import kotlin.js.Promise
  * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
  * address for the current view.
  *
- * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
+ * @param onFormulas called with the formulas of an address; when they are calculated, it passes on sentences about mistakes in them.
  * @param onJump called when the cursor and the board are as the address demands; for the same address again when the findings are known.
  * @param opened returns what the reader has opened.
  * @param open opens what an address asks for.
@@ -32,7 +32,7 @@ internal class PageLink(
     private val scene: Scene,
     private val formulas: Formulas,
     private val video: VideoPanel,
-    private val onFormulas: (List<String>) -> List<String>,
+    private val onFormulas: (List<String>, then: (List<String>) -> Unit) -> Unit,
     private val onJump: (PageAddress, isAgain: Boolean) -> Unit,
     private val opened: () -> OpenedParts,
     private val open: (OpenedParts) -> Unit,
@@ -70,14 +70,15 @@ internal class PageLink(
     }
 
     private fun follow(address: PageAddress, onBoard: (Board?) -> Unit) {
-        val problems = address.problems + onFormulas(address.formulas)
-        val board = address.board?.fittedTo { scene.board.lines[it] != null }
-        onBoard(board?.board)
-        go(address)
-        followed = address to scene.range.now
-        open(address.opened)
-        address.video?.let { video.alignment = it }
-        scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
+        onFormulas(address.formulas) { mistakes ->
+            val board = address.board?.fittedTo { scene.board.lines[it] != null }
+            onBoard(board?.board)
+            go(address)
+            followed = address to scene.range.now
+            open(address.opened)
+            address.video?.let { video.alignment = it }
+            scene.notice.say(*(address.problems + mistakes + listOfNotNull(board?.sentence)).toTypedArray())
+        }
     }
 
     private fun go(address: PageAddress, isAgain: Boolean = false) {
