@@ -79,7 +79,7 @@ internal class LayoutStore(
             val isDefault = open == null || board.arranged.showsSame(open.standardGraphs)
             return Layout(
                 version = Layout.VERSION,
-                graphs = if (isDefault) null else board.kept.renumbered(),
+                graphs = if (isDefault) null else board.arranged.renumbered(),
                 recording = open?.let { pathText(it.file, place) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
@@ -91,7 +91,7 @@ internal class LayoutStore(
         }
 
     /** The part of the layout for others: the graphs and the formulas. */
-    val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
+    val shared: BoardLayout get() = BoardLayout(board.arranged.renumbered(), formulas = formulas.definitions)
 
     /** Returns the log that was last open in [folder]; null if it is gone. */
     fun lastOpenIn(folder: Path): LastOpen? {

@@ -88,6 +88,7 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
 
     /** Changes the graphs by [change], also those that [undo] restores. */
     fun changeEverywhere(change: Board.() -> Board) {
+        added = Board(added.toList()).change().graphs.toSet()
         history = history.everywhere(change)
     }
 

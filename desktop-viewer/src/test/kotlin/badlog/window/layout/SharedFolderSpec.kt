@@ -56,7 +56,7 @@ class SharedFolderSpec : FunSpec({
     /** Saves, whether or not something has changed, so that the window takes over what others have changed. */
     fun Viewer.exchange() {
         panels.change { copy(topics = !topics) }
-        layouts.saveNow()
+        this.layouts.saveNow()
     }
 
     fun arranged(vararg lines: String) = lines.fold(Board()) { board, line -> board.withGraph(listOf(line)) }
@@ -126,7 +126,7 @@ class SharedFolderSpec : FunSpec({
         layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Twice", "Arm/Current"), formulas = listOf(twice)))
         val a = window(folder, arm(folder, "poor.bag") { it.replace("Arm/Angle", "Wrist/Angle") })
         val b = window(folder)
-        b.board.change { resized(id("Twice"), 200).withGraph(listOf("Twice", "Arm/Mode")) }
+        b.board.change { resized(b.id("Twice"), 200).withGraph(listOf("Twice", "Arm/Mode")) }
         b.layouts.saveNow()
         a.formulas.remove(twice) shouldBe true
         a.board.undo()
@@ -147,12 +147,12 @@ class SharedFolderSpec : FunSpec({
         val folder = folders.next()
         layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current")))
         val (a, b) = List(2) { window(folder) }
-        a.board.change { resized(id("Arm/Angle"), 100) }
+        a.board.change { resized(a.id("Arm/Angle"), 100) }
         a.layouts.saveNow()
-        b.board.change { resized(id("Arm/Angle"), 200).withGraph(listOf("Arm/Mode")) }
+        b.board.change { resized(b.id("Arm/Angle"), 200).withGraph(listOf("Arm/Mode")) }
         b.exchange()
         a.board.undo()
-        a.board.change { resized(id("Arm/Current"), 300) }
+        a.board.change { resized(a.id("Arm/Current"), 300) }
         a.layouts.saveNow()
         a.board.arranged.graphs.map { it.title to it.height } shouldBe listOf("Arm/Angle" to 200, "Arm/Current" to 300, "Arm/Mode" to null)
         layouts.read(folder)?.graphs shouldBe a.board.arranged
@@ -180,7 +180,7 @@ class SharedFolderSpec : FunSpec({
         val (a, b) = List(2) { window(folder) }
         val layout = Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current"))
         a.layouts.switchTo(layout)
-        a.board.change { resized(id("Arm/Angle"), 200) }
+        a.board.change { resized(a.id("Arm/Angle"), 200) }
         a.layouts.saveNow()
         b.layouts.switchTo(layout)
         b.layouts.saveNow()

@@ -127,7 +127,8 @@ class PictureMakingSpec : FunSpec({
         val made = picture(recording)
         readingOf(made, made.lines.single(), 5.04) shouldBe "62.3457 V"
         readingOf(made, made.lines.single(), 5.06) shouldBe "63.3457 V"
-        readingOf(made, made.lines.single(), -100.0) shouldBe "12.3457 V"
+        readingOf(made, made.lines.single(), 0.0) shouldBe "12.3457 V"
+        readingOf(made, made.lines.single(), -100.0) shouldBe "–"
         readingOf(made, made.lines.single(), 5.04, sampleText = ::exactText) shouldBe "62.34567 V"
         readingOf(made, made.lines.single(), null) shouldBe ""
     }

@@ -2,7 +2,6 @@ package badlog.page.note
 
 import badlog.page.dom.LocalStorage
 import badlog.protocol.PageAdditions
-import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteChange
 import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.Notebook

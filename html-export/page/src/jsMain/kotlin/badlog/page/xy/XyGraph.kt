@@ -33,7 +33,6 @@ import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyGestures
 import badlog.viewer.session.gesture.XyTarget
-import badlog.signals.swerve.swerveModulesOf
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement

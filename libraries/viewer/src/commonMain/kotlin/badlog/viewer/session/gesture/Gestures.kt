@@ -29,6 +29,9 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     private var pressed: PlotPointer? = null
     private var kind = DragKind.ZOOM
     private var isDragging = false
+
+    // A drag in a direction that does not count is neither a drag nor a click.
+    private var hasMoved = false
     private var isPinching = false
     private var beforeClick = Cursors()
 
@@ -44,6 +47,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
             isPinching = true
         } else if (pressed == null && !isPinching) {
             pressed = at
+            hasMoved = false
             kind = kindOf(at)
         }
     }
@@ -58,6 +62,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         }
         if (at.finger != start.finger) return
         at.finger?.let { fingers[it] = at }
+        if (hypot(at.x - start.x, at.y - start.y) >= DragKind.MIN_DISTANCE) hasMoved = true
         if (!isDragging) {
             if (lengthOf(kind, start, at) < DragKind.MIN_DISTANCE) return
             isDragging = true
@@ -73,7 +78,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         if (isDragging) {
             drag(at)
             end()
-        } else if (kind != DragKind.SELECT) {
+        } else if (kind != DragKind.SELECT && (!hasMoved || start.finger != null)) {
             click(at, start.shift)
         }
         stop(isGivenUp = false)

@@ -6,7 +6,7 @@ import badlog.viewer.input.PlotPointer
 
 /**
  * What a mouse or fingers do over the overview, which always shows the whole log: they move the visible range or one of its edges, or
- * select a new one; a click moves it there.
+ * select a new one; a click moves it there, and pins the cursor.
  */
 class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
     private var grip = OverviewGrip.NEW
@@ -43,6 +43,10 @@ class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
 
     override fun clickAt(at: PlotPointer, isShifted: Boolean) {
         val x = placeAt(at)
-        change { if (x in visible) this else showing(x - visible.width / 2, x + visible.width / 2) }
+        target.go {
+            val seen = range.visible
+            val shown = if (x in seen) range else range.showing(x - seen.width / 2, x + seen.width / 2)
+            copy(range = shown, cursors = cursors.pinnedAt(x))
+        }
     }
 }

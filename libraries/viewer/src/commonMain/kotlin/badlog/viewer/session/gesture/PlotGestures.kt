@@ -61,8 +61,9 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
         val x = placeAt(at)
         // What was touched stays under the pointer.
         if (drag.kind == DragKind.PAN) return change { shifted(drag.startX - x) }
-        target.drag = drag.copy(x = x.coerceIn(visible.from, visible.to), y = lineShareAt(at))
-        hoverAt(x)
+        val shown = x.coerceIn(visible.from, visible.to)
+        target.drag = drag.copy(x = shown, y = lineShareAt(at))
+        hoverAt(shown)
     }
 
     override fun end() {

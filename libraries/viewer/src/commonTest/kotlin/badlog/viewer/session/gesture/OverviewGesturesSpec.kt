@@ -38,14 +38,15 @@ class OverviewGesturesSpec : FunSpec({
         plot.place.range.back().visible shouldBe Span(60.0, 80.0)
     }
 
-    test("a click beside the visible range moves it there, one inside it does nothing, and neither moves the cursor") {
+    test("a click beside the visible range moves it there, one inside it does not, and both pin the cursor") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.stroke(pointer(500))
         plot.visible shouldBe part
+        plot.place.cursors.pinned shouldBe 50.0
         gestures.stroke(pointer(800, millis = 1000))
         plot.visible shouldBe Span(70.0, 90.0)
-        plot.place.cursors.x.shouldBeNull()
+        plot.place.cursors.pinned shouldBe 80.0
     }
 
     test("a double click shows everything, and Escape takes back a drag") {

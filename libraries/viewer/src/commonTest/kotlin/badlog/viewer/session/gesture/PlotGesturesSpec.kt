@@ -45,11 +45,11 @@ class PlotGesturesSpec : FunSpec({
         plot.place.range.isZoomed shouldBe false
     }
 
-    test("a drag to the side is meant, not the way that a hand shakes on it") {
+    test("a drag along the height of a graph zooms nothing, and is not a click either") {
         val plot = TestPlot()
         over(plot).stroke(pointer(200, y = 20), pointer(202, y = 90))
         plot.place.range.isZoomed shouldBe false
-        plot.place.cursors.pinned.shouldNotBeNull() shouldBe (20.2 plusOrMinus 1e-9)
+        plot.place.cursors.pinned.shouldBeNull()
     }
 
     test("what was touched stays under the pointer that pans, also after the end of the log was reached; one step back undoes it") {
