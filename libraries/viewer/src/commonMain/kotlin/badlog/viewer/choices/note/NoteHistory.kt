@@ -10,10 +10,9 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     /** Whether there was never a note. */
     val isEmpty: Boolean get() = last.isEmpty()
 
-    /** The notes, in the order of x. */
+    /** The notes, in the order of x; those of one moment as they were written. */
     val notes: List<Note>
-        get() = last.values.filter { !it.isRemoved }.map { it.note }.distinct()
-            .sortedWith(compareBy({ it.x }, { it.text })).take(Note.MAX_NOTES)
+        get() = last.values.filter { !it.isRemoved }.map { it.note }.distinct().sortedBy { it.x }.take(Note.MAX_NOTES)
 
     /** The notes that are as they were at the beginning. With [changes], they are all of this history. */
     val unchanged: List<Note> get() = last.values.filter { it.time.isEmpty() }.map { it.note }
@@ -35,7 +34,7 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
         newId: () -> String,
     ): List<NoteChange> {
         fun change(name: NoteName, note: Note, isRemoved: Boolean = false) =
-            NoteChange(newId(), timeAfter(last[name]?.time?.ifEmpty { null }), author, note, isRemoved, name.origin)
+            NoteChange(newId(), timeAfter(last[name]?.time?.ifEmpty { null }), author, note, isRemoved, name.second)
 
         val gone = (before - notes.toSet()).toMutableList()
         val written = (notes - before.toSet()).flatMap { note ->
@@ -55,13 +54,13 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     }
 
     private fun namesOf(note: Note): List<NoteName> =
-        last.filterValues { !it.isRemoved && it.note == note }.keys.toList().ifEmpty { listOf(named[note] ?: NoteName.of(note)) }
+        last.filterValues { !it.isRemoved && it.note == note }.keys.toList().ifEmpty { listOf(named[note] ?: nameOf(note)) }
 
     /** A changed note may have begun at the same moment, with the same text. */
     private fun newNameOf(note: Note, newId: () -> String): NoteName {
-        val name = NoteName.of(note)
+        val name = nameOf(note)
         val other = last[name] ?: return name
-        return if (other.isRemoved || other.note == note) name else NoteName(note.x, newId())
+        return if (other.isRemoved || other.note == note) name else note.x to newId()
     }
 
     companion object {
@@ -75,8 +74,8 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
                 // Such a removal means the text alone, which somebody may have changed.
                 if (change.isRemoved && change.origin == null && last[name]?.note != change.note) return
                 if (!change.isRemoved) named[change.note] = name
-                val note = if (change.isRemoved) Note(name.x, REMOVED) else change.note
-                last[name] = change.copy(note = note, origin = name.origin)
+                val note = if (change.isRemoved) Note(name.first, REMOVED) else change.note
+                last[name] = change.copy(note = note, origin = name.second)
             }
             for (note in beginning) take(NoteChange("", "", "", note.atNumber(), isRemoved = false))
             val ordered = changes.map { it to it.toLine() }.sortedWith(compareBy({ it.first.time }, { it.first.id }, { it.second }))
@@ -89,12 +88,10 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     }
 }
 
-/** What a note is known by. */
-private data class NoteName(val x: Double, val origin: String) {
-    companion object {
-        /** Returns the name of a note that began as [note]. Only a number, since the text may be changed because nobody is to read it. */
-        fun of(note: Note) = NoteName(note.x, note.text.hashCode().toString())
-    }
-}
+/** What a note is known by: its moment, and its origin. */
+private typealias NoteName = Pair<Double, String>
 
-private val NoteChange.name: NoteName get() = origin?.let { NoteName(note.x, it) } ?: NoteName.of(note)
+/** Returns the name of a note that began as [note]. Only a number, since the text may be changed because nobody is to read it. */
+private fun nameOf(note: Note): NoteName = note.x to note.text.hashCode().toString()
+
+private val NoteChange.name: NoteName get() = origin?.let { note.x to it } ?: nameOf(note)

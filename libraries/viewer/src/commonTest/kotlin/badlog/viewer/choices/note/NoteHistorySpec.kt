@@ -19,8 +19,9 @@ class NoteHistorySpec : FunSpec({
     }
 
     /** What a tab does that shows these notes. */
-    fun NoteHistory.changed(step: Notebook.() -> Notebook) =
-        changesTo(Notebook(notes).step().notes, notes, "Ada", ::time) { "id-${clock++}" }
+    fun NoteHistory.changed(step: Notebook.() -> Notebook) = changesTo(Notebook(notes).step().notes, notes, "Ada", ::time) {
+        "id-${clock++}"
+    }
 
     fun NoteHistory.after(changes: List<NoteChange>) = NoteHistory.of(unchanged, this.changes + changes)
 
@@ -43,9 +44,13 @@ class NoteHistorySpec : FunSpec({
                 val made = when {
                     // A copy is opened, in which the notes are that the tab showed.
                     deed.kind == 3 -> emptyList<NoteChange>().also { given[(deed.tab + 1) % 3] = tab }
+
                     deed.kind == 0 -> tab.changed { begun(10.0 + i).typed("new $i").kept() }.also { wanted[10.0 + i] = "new $i" }
+
                     seen == null -> emptyList()
+
                     deed.kind == 1 -> tab.changed { without(seen) }.also { wanted -= seen.x }
+
                     else -> tab.changed { changing(seen).typed("text $i").kept() }.also { wanted[seen.x] = "text $i" }
                 }
                 val read = noteChangesOf(stored.toLines()).changes
@@ -71,7 +76,7 @@ class NoteHistorySpec : FunSpec({
 
     test("a new note with the text that another of its moment began with is another note") {
         val changed = NoteHistory.of(start, emptyList()).let { it.after(it.changed { changing(start[0]).typed("x").kept() }) }
-        changed.after(changed.changed { begun(1.0).typed("a").kept() }).notes.take(2) shouldBe listOf(Note(1.0, "a"), Note(1.0, "x"))
+        changed.after(changed.changed { begun(1.0).typed("a").kept() }).notes.take(2) shouldBe listOf(Note(1.0, "x"), Note(1.0, "a"))
     }
 
     test("a removed note is back when somebody writes it once more") {

@@ -94,10 +94,8 @@ class PageAddressSpec : FunSpec({
             val text = address.seenIn(width).toText()
             withClue(text) { text.length shouldBeLessThanOrEqual 61 }
             val read = pageAddressOf(text)
-            for ((there, here) in listOf(
-                read.moment to address.moment, read.second to address.second,
-                read.visible?.from to address.visible?.from, read.visible?.to to address.visible?.to,
-            )) {
+            fun places(of: PageAddress) = listOf(of.moment, of.second, of.visible?.from, of.visible?.to)
+            for ((there, here) in places(read) zip places(address)) {
                 if (here == null) there shouldBe null else there!! shouldBe (here plusOrMinus width / 10_000)
             }
         }
