@@ -9,6 +9,7 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
+import badlog.page.view.isPlaced
 import badlog.page.view.end
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
@@ -246,7 +247,13 @@ internal class FindingList(
         body.textContent = ""
         rows.clear()
         listed = 0
-        val few = if (!isNarrow) FEW else if (incidentRows.isEmpty()) 1 else 0
+        val few = if (!isNarrow) {
+            FEW
+        } else if (incidentRows.isEmpty()) {
+            1
+        } else {
+            0
+        }
         // Nobody unfolds a list for two more lines.
         val slack = if (isNarrow && few == 0) 0 else SLACK
         list(if (outside <= few + slack) outside else few, isFolded = true)
