@@ -38,15 +38,14 @@ public class GraphSeries internal constructor(
      * Returns this line with [offset] added to each x, in the unit of x, and [suffix] behind its name and its topic's: so a line of one log
      * is drawn among those of another. The times of the topic itself stay.
      */
-    public fun moved(offset: Double, suffix: String): GraphSeries =
-        GraphSeries(
-            name + suffix,
-            unit,
-            topic.copy(name = topic.name + suffix),
-            states,
-            isDerived,
-            { recorded?.let { it.start + offset..it.endInclusive + offset } },
-        ) {
-            if (offset == 0.0) data else Series(DoubleArray(data.size) { data.x[it] + offset }, data.y)
-        }
+    public fun moved(offset: Double, suffix: String): GraphSeries = GraphSeries(
+        name + suffix,
+        unit,
+        topic.copy(name = topic.name + suffix),
+        states,
+        isDerived,
+        { recorded?.let { it.start + offset..it.endInclusive + offset } },
+    ) {
+        if (offset == 0.0) data else Series(DoubleArray(data.size) { data.x[it] + offset }, data.y)
+    }
 }

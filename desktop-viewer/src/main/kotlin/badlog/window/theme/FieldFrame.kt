@@ -17,12 +17,7 @@ import androidx.compose.ui.unit.dp
  * [isWrong].
  */
 @Composable
-internal fun Modifier.fieldFrame(
-    interactions: InteractionSource,
-    horizontal: Dp,
-    vertical: Dp,
-    isWrong: Boolean = false,
-): Modifier {
+internal fun Modifier.fieldFrame(interactions: InteractionSource, horizontal: Dp, vertical: Dp, isWrong: Boolean = false): Modifier {
     val palette = LocalPalette.current
     val isFocused by interactions.collectIsFocusedAsState()
     val color = when {

@@ -36,8 +36,7 @@ class SharedFolderSpec : FunSpec({
     val folders = generateSequence(0) { it + 1 }.map { Files.createDirectories(home.resolve("logs $it")) }.iterator()
     val layouts = FolderLayouts(home.resolve("layouts"))
 
-    fun arm(folder: Path, name: String = "one.bag", change: (String) -> String = { it }): OpenRecording =
-        recordingOf(change(armBag(50)), folder.resolve(name))
+    fun arm(folder: Path, name: String = "one.bag", change: (String) -> String = { it }): OpenRecording = recordingOf(change(armBag(50)), folder.resolve(name))
 
     /** Opens a window on [folder], in which [recording] is shown at last, and [before] is done before the folder is known. */
     fun window(folder: Path, recording: OpenRecording = arm(folder), before: Viewer.() -> Unit = {}): Viewer = runBlocking(Dispatchers.Swing) {

@@ -9,8 +9,8 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
 import badlog.page.view.Scene
-import badlog.page.view.isPlaced
 import badlog.page.view.end
+import badlog.page.view.isPlaced
 import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule

@@ -23,8 +23,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
 /** Returns the sentence about [file], which is where badlog was to write, and which it did not make. */
-fun foreignFileSentence(file: Path): String =
-    "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
+fun foreignFileSentence(file: Path): String = "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
 
 /** What helps where the folder is named, or the file. */
 private const val ELSEWHERE = "name another place with --out"

@@ -10,9 +10,8 @@ import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 
 class SwerveModulesSpec : FunSpec({
-    fun states(name: String, count: Int = 4): List<Topic> =
-        List(count) { i -> listOf("speed", "angle/value", "omega").map { poseTopic("$name[$i]/$it", "", "struct:SwerveModuleState[]") } }
-            .flatten()
+    fun states(name: String, count: Int = 4): List<Topic> = List(count) { i -> listOf("speed", "angle/value", "omega").map { poseTopic("$name[$i]/$it", "", "struct:SwerveModuleState[]") } }
+        .flatten()
 
     fun ruled(topics: List<Topic>): List<ModuleTopics> = moduleTopicsOf(topics.map { Signal(it.name, SignalKind.NUMBER, it.unit) }, emptyList())
 

@@ -5,8 +5,7 @@ import badlog.core.analysis.XAxis
 import kotlin.math.abs
 
 /** Returns [x] as a place on [axis], with the precision of a screen that shows [width] of it, without the unit. */
-fun placeText(x: Double, axis: XAxis, width: Double): String =
-    // There is nothing between two rows, so decimals would be meaningless.
+fun placeText(x: Double, axis: XAxis, width: Double): String = // There is nothing between two rows, so decimals would be meaningless.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
 /** Returns the cursor's place: `93.740 s · Teleop 1:31`, where [clocks] is the time of other clocks; without those, also in minutes. */

@@ -12,8 +12,7 @@ class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
     private var grip = OverviewGrip.NEW
 
     /** Returns what a drag that begins at [at] grabs. */
-    fun gripAt(at: PlotPointer): OverviewGrip =
-        target.place.range.let { OverviewGrip.at(placeAt(at), it, it.full.width / at.width) }
+    fun gripAt(at: PlotPointer): OverviewGrip = target.place.range.let { OverviewGrip.at(placeAt(at), it, it.full.width / at.width) }
 
     override fun placeAt(at: PlotPointer): Double =
         target.place.range.full.let { (it.from + at.shareX * it.width).coerceIn(it.from, it.to) }

@@ -14,13 +14,7 @@ import badlog.viewer.input.Wheel
  * @property seen what was visible when it began.
  * @property before the selected part then; null for all.
  */
-data class XyDrag(
-    val kind: DragKind,
-    val start: PlotPointer,
-    val seen: Plane,
-    val before: Plane?,
-    val at: PlotPointer = start,
-)
+data class XyDrag(val kind: DragKind, val start: PlotPointer, val seen: Plane, val before: Plane?, val at: PlotPointer = start)
 
 /** What gestures over a graph of y over x change. */
 interface XyTarget : GestureTarget {

@@ -1,8 +1,8 @@
 package badlog.viewer.session.gesture
 
 import badlog.core.analysis.Span
-import badlog.viewer.choices.range.Viewport
 import badlog.viewer.choices.board.Plane
+import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.input.PointerButton

@@ -10,8 +10,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class FirstStepSpec : FunSpec({
-    fun found(rule: String, time: Double, severity: Severity = Severity.WARNING) =
-        Finding(rule, severity, "Arm/Output", rule, time, if (time.isNaN()) emptyList() else listOf(Span(time, time + 1)), 1, "s")
+    fun found(rule: String, time: Double, severity: Severity = Severity.WARNING) = Finding(rule, severity, "Arm/Output", rule, time, if (time.isNaN()) emptyList() else listOf(Span(time, time + 1)), 1, "s")
 
     fun stepOf(vararg findings: Finding) = firstStep(findings.toList(), RuleSet.BUILT_IN.incidentsIn(findings.toList()))
 
