@@ -1,5 +1,8 @@
 package badlog.page
 
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
@@ -11,10 +14,12 @@ import org.openqa.selenium.By
 internal class FirstScreenSpec : PageSpec({
     val laptop = Screen(1366, 768)
 
+    fun ruled(sample: String) = TestPages.ofSample(sample, PageAdditions(rules = RuleSet.BUILT_IN))
+
     fun OpenPage.incidents() = elements(".incident").filter { it.isDisplayed }
 
     browserTest("the first screen of a laptop shows all incidents and a whole graph") {
-        onPage(TestPages.ofSample("qualification-42.bag"), laptop) {
+        onPage(ruled("qualification-42.bag"), laptop) {
             await("incidents") { incidents().size == 2 }
             number("return document.querySelector('.graph.card').getBoundingClientRect().bottom") shouldBeLessThan 768.0
         }
@@ -22,7 +27,7 @@ internal class FirstScreenSpec : PageSpec({
 
     for (sample in listOf("qualification-42.bag", "practice.bag", "wrong-turn.bag")) {
         browserTest("the first screen of a phone begins a graph of $sample") {
-            onPage(TestPages.ofSample(sample), Screen.PHONE) {
+            onPage(ruled(sample), Screen.PHONE) {
                 await("the rules") { element(".findings-skipped").isDisplayed }
                 number("return document.querySelector('.graph.card').getBoundingClientRect().top") shouldBeLessThan 700.0
             }
@@ -30,7 +35,7 @@ internal class FirstScreenSpec : PageSpec({
     }
 
     browserTest("a phone shows the worst incident, and the others when asked, or when a key goes to one") {
-        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
+        onPage(ruled("qualification-42.bag"), Screen.PHONE) {
             await("incidents") { incidents().size == 1 }
             val more = elements(".findings-more button")
             more[0].text shouldBe "Show 10 more"
@@ -53,7 +58,7 @@ internal class FirstScreenSpec : PageSpec({
     }
 
     browserTest("a phone shows what a file lost when asked") {
-        onPage(TestPages.ofSample("practice.bag"), Screen.PHONE) {
+        onPage(ruled("practice.bag"), Screen.PHONE) {
             val toggle = element(".problems-toggle")
             toggle.text shouldContain "Data is missing in 4 places"
             elements(".problem").isEmpty() shouldBe true
