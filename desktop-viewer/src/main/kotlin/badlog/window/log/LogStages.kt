@@ -1,7 +1,6 @@
 package badlog.window.log
 
 import badlog.core.analysis.LogView
-import badlog.expression.ViewWithVirtualTopics
 import badlog.files.LogFile
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.RobotBesideStation
@@ -49,16 +48,20 @@ internal class LogStages(
     /** The names of the topics from the [station]. */
     val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
 
-    private val calculated: ViewWithVirtualTopics? =
-        if (before?.logged === logged && before.definitions == definitions) {
-            before.calculated
-        } else {
-            if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
-        }
-
     /** The content of the files, and the topics of formulas. */
-    val view: LogView = calculated?.view ?: logged
+    val view: LogView
 
     /** The result of each of [definitions], in order. */
-    val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+    val formulas: List<Formula>
+
+    init {
+        if (before?.logged === logged && before.definitions == definitions) {
+            view = before.view
+            formulas = before.formulas
+        } else {
+            val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
+            view = calculated?.view ?: logged
+            formulas = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+        }
+    }
 }
