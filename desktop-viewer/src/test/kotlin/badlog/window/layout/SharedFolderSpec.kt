@@ -84,7 +84,7 @@ class SharedFolderSpec : FunSpec({
             for ((theirs, other) in edits) {
                 for (isFirst in listOf(true, false)) {
                     val folder = folders.next()
-                    layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Time")))
+                    layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")))
                     val (a, b) = List(2) { window(folder) }
                     a.edit("Arm/Angle")
                     b.other("Arm/Current")
@@ -94,7 +94,7 @@ class SharedFolderSpec : FunSpec({
                     val board = checkNotNull(layouts.read(folder)?.graphs)
                     board.graphs.map { it.id }.shouldBeUnique()
                     (done.getValue(mine)(board, "Arm/Angle") to done.getValue(theirs)(board, "Arm/Current")) shouldBe (true to true)
-                    stored(folder) shouldContain "Time"
+                    stored(folder) shouldContain "Arm/Mode"
                     a.board.arranged shouldBe board
                     b.board.arranged shouldBe board
                 }

@@ -105,7 +105,7 @@ internal class BoardSpec : PageSpec({
             elements("#board .plot").map { it.getDomAttribute("aria-label")?.substringBefore(';') } shouldBe titles().map { "Graph of $it" }
             elements("#board .graph-menu")[2].click()
             settle()
-            texts(".menu button").filter { it.startsWith("Add to") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
+            texts(".menu button").filter { it.startsWith("Add to “") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
         }
     }
 
