@@ -59,7 +59,7 @@ class TodoSpec : FunSpec({
             val done = badlog("todo", folder, "--no-cache", "--done", number, "--what", "new lead", "--by", "Ada")
             done.code shouldBe ExitCode.WHOLE
             done.err shouldContain "“Browned out” is done now."
-            done.out shouldContain "[x] Browned out\n      Done before the match after Qualification 42 by Ada: new lead"
+            done.out shouldContain "[x] Browned out\n      Done after Qualification 42 by Ada: new lead"
             val change = TodoFolder(folder).read().changes.single()
             change.deed shouldBe TodoDeed.Done("new lead", "the match after Qualification 42")
             change.author shouldBe "Ada"
@@ -71,7 +71,7 @@ class TodoSpec : FunSpec({
             TodoFolder(folder).read().changes.size shouldBe 1
             val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
             more.err shouldContain "“Browned out” is done now."
-            more.out shouldContain "[x] Browned out\n      Done before the match after Qualification 42 by Ben: new breaker"
+            more.out shouldContain "[x] Browned out\n      Done after Qualification 42 by Ben: new breaker"
             val correction = TodoDeed.Done("new breaker", "the match after Qualification 42")
             TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction)
             val opened = badlog("todo", folder, "--no-cache", "--open", place)
