@@ -8,6 +8,8 @@ import badlog.cli.console.unreachable
 import badlog.cli.console.withWildcards
 import badlog.cli.fetch.Robots
 import badlog.cli.part.PartLoader
+import badlog.files.bugSentence
+import badlog.files.tooLargeSentence
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.parse
 import java.io.IOException
@@ -50,10 +52,10 @@ internal class Badlog(
         return try {
             task.run(console)
         } catch (_: OutOfMemoryError) {
-            console.warn("This is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.")
+            console.warn(tooLargeSentence("What is asked for"))
             ExitCode.NOTHING
         } catch (e: Exception) {
-            console.warn("This is a bug in badlog; report it (${e.toString().lineSequence().first()}).")
+            console.warn(bugSentence(e))
             ExitCode.NOTHING
         }
     }
@@ -64,7 +66,7 @@ internal class Badlog(
             console.say(text)
             return ExitCode.WHOLE
         }
-        val unreachable = if (NO_PATH in text) unreachable(arguments, computer.system) else null
+        val unreachable = if (NO_PATH in text) unreachable(arguments, text, computer.system) else null
         if (unreachable != null) {
             console.warn(unreachable)
             return ExitCode.USAGE
@@ -80,7 +82,7 @@ internal class Badlog(
     private companion object {
         const val ERROR = "Error: "
 
-        /** How Java says on Windows that a text with a `?` is not a path. */
-        const val NO_PATH = "Illegal char <?>"
+        /** How Java says on Windows that a text with a `?` or `*` is not a path. */
+        const val NO_PATH = "Illegal char <"
     }
 }

@@ -31,7 +31,7 @@ private val IF_LINKS =
 private val IF_POSIX =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has other permissions")
 
-/** What every sub-command does with files that are no whole logs. */
+/** What every sub-command does with files that are not whole logs. */
 class BrokenFilesSpec : FunSpec({
     fun each(folder: Path, log: Path, check: (List<Any>) -> Unit) {
         val other = folder.with("other.bag", BAG)
@@ -157,7 +157,7 @@ class BrokenFilesSpec : FunSpec({
                 if (!Files.isReadable(locked)) {
                     val ended = badlog("info", folder)
                     ended.code shouldBe ExitCode.SALVAGED
-                    ended.err shouldContain "permission denied"
+                    ended.err shouldContain "$locked cannot be read: permission denied; change its permissions, or ask its owner."
                 }
             } finally {
                 Files.setPosixFilePermissions(locked, PosixFilePermissions.fromString("rwxr-xr-x"))
@@ -174,9 +174,9 @@ class BrokenFilesSpec : FunSpec({
                 val onto = arguments.dropLast(1).toTypedArray()
                 val ended = badlog(*onto, log, "--force")
                 ended.code shouldBe ExitCode.NOTHING
-                ended.err shouldContain "would overwrite a log that is read"
+                ended.err shouldContain "would overwrite a file that is read; name another place with --out."
                 val target = folder.with("there", "old")
-                badlog(*onto, target).err shouldContain "exists already; use --force"
+                badlog(*onto, target).err shouldContain "exists already; use --force to replace it, or name another place with --out."
                 target.readBytes().decodeToString() shouldBe "old"
                 badlog(*onto, target, "--force").code shouldBe ExitCode.SALVAGED
                 Files.delete(target)

@@ -15,6 +15,13 @@ internal fun interrupt(process: Process) {
     check(ProcessBuilder("kill", "-INT", "${process.pid()}").inheritIO().start().waitFor() == 0) { "SIGINT could not be sent." }
 }
 
+/** For tests that end a program so that it can still do something. */
+internal val IF_ENDED_GENTLY: Enabled =
+    if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows ends a program of another without a signal")
+
+/** Ends [process] as Ctrl+C does, or where that is ignored by SIGTERM, to which Java does the same. */
+internal fun endGently(process: Process) = if (isInterruptIgnored()) process.destroy() else interrupt(process)
+
 /** Whether programs started here ignore SIGINT, as far as the system says: only Linux does. */
 private fun isInterruptIgnored(): Boolean {
     val status = File("/proc/self/status").takeIf { it.canRead() } ?: return false

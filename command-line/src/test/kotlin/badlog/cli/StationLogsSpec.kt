@@ -33,7 +33,7 @@ class StationLogsSpec : FunSpec({
             }
             val said = badlog("info", folder / log).out
             said shouldContain "MILLC Qualification 42"
-            said shouldContain "format  driver station"
+            said shouldContain "format  Driver Station log"
         }
     }
 

@@ -86,7 +86,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         val file = session.file ?: return
         val wasUnknown = match.isEmpty()
         if (!learn()) return
-        // First, and whatever becomes of the name: this is what tells the match.
+        // First, and whatever becomes of the name: this is what shows the match.
         if (wasUnknown && match.isNotEmpty()) faults.note("Match $event $match")
         if (time == null) return
         val name = LogName.free(folder.path, currentName(), ending)

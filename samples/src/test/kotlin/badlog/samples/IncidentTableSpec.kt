@@ -27,7 +27,7 @@ private val CAUSES = mapOf(
     Fault.PULLED_ENCODER to "An encoder stopped reporting",
     Fault.CAN_CUT to "The CAN bus was interrupted",
     Fault.RADIO_REBOOT to "The robot lost its radio or driver station",
-    Fault.SLOW_VISION to "Vision held up the loop",
+    Fault.SLOW_VISION to "Vision blocked the loop",
     Fault.RESTART to "The robot code restarted during the match",
 )
 

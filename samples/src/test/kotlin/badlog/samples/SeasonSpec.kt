@@ -21,7 +21,7 @@ import io.kotest.matchers.string.shouldStartWith
 class SeasonSpec : FunSpec({
     fun viewOf(seed: Int, fault: Fault? = null) = LogView.of(BagParser().apply { accept(FaultyMatch(seed, fault, isFaint = false).bag()) }.finish())
 
-    fun figuresOf(view: LogView): LogFigures = figuresOf(view, RuleSet.BUILT_IN.signals)
+    fun figuresOf(view: LogView): LogFigures = figuresOf(view, RuleSet.BUILT_IN.signals, "match.bag")
 
     val season = (401..430).toList().parallelStream().map { figuresOf(viewOf(it)) }.toList()
 

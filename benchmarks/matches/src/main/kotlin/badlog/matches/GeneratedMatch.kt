@@ -1,6 +1,5 @@
 package badlog.matches
 
-import badlog.core.recording.RecordingFormat
 import badlog.matches.fault.Fault
 import badlog.matches.fault.Naming
 
@@ -32,9 +31,6 @@ class GeneratedMatch internal constructor(
     val evidence: List<String>,
     val bytes: ByteArray,
 ) {
-    /** The format of [bytes]. */
-    val format: RecordingFormat get() = if (naming.isBag) RecordingFormat.BAG else RecordingFormat.WPILOG
-
     /** The name of its file. */
     val fileName: String get() = name + if (naming.isBag) ".bag" else ".wpilog"
 }

@@ -2,6 +2,7 @@ package badlog.matches
 
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
+import badlog.formats.wpilog.WpilogFormat
 import badlog.matches.fault.FAULTS
 import badlog.matches.fault.Naming
 import badlog.matches.fault.STRENGTHS
@@ -87,7 +88,7 @@ class MatchGeneratorSpec : FunSpec({
             for (match in matches) {
                 withClue(match.name) {
                     val recording = recordingOf(match)
-                    recording.format shouldBe if (naming.isBag) RecordingFormat.BAG else RecordingFormat.WPILOG
+                    recording.format shouldBe if (naming.isBag) RecordingFormat.BAG else WpilogFormat
                     recording.problems.shouldBeEmpty()
                     recording.topics.filter { it.size == 0 }.map { it.name }.filterNot { "Console" in it || it == "messages" }.shouldBeEmpty()
                     recording.topics.map { it.name }.toSet().size shouldBe recording.topics.size

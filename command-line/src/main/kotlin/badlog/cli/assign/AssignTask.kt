@@ -7,11 +7,11 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
 import badlog.cli.input.Failure
-import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.jsonOf
 import badlog.core.analysis.LogView
+import badlog.files.requireRegularFile
 import badlog.rules.SignalsFile
 import badlog.signals.withSignals
 import kotlinx.serialization.Serializable
@@ -36,7 +36,7 @@ internal class AssignTask(
         val written = try {
             assign(console)
         } catch (e: Exception) {
-            console.warn(if (e is NotALog) e.message else LogLoop.sentenceOf(e, log))
+            console.warn(LogLoop.sentenceOf(e, log))
             return ExitCode.NOTHING
         }
         val above = generateSequence(folder.parent) { it.parent }.map { it.resolve(SignalsFile.NAME) }.firstOrNull(Files::isRegularFile)
@@ -55,7 +55,7 @@ internal class AssignTask(
 
     /** Returns the file that it is written in. */
     private fun assign(console: Console): Path {
-        if (Files.isDirectory(log)) throw Failure("$log is a folder; name one of its logs that has the topic.")
+        requireRegularFile(log)
         val vocabulary = signalsBeside(log)
         if (vocabulary.find(signal) == null) {
             val known = vocabulary.signals.map { it.name }
@@ -65,7 +65,7 @@ internal class AssignTask(
         val topics = recording.topics.map { it.name }
         if (topic !in topics) throw Failure("“$topic” is not a topic of $log${meantOf(topic, topics, "badlog info --topics")}")
         val assignment = SignalAssignment(log, library = null)
-        assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary))?.let { throw Failure(it) }
+        assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary, log.fileName.toString()))?.let { throw Failure(it) }
         return assignment.file
     }
 

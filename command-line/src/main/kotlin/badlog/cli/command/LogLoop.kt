@@ -4,11 +4,10 @@ import badlog.cli.console.Console
 import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
-import badlog.cli.input.NotALog
 import badlog.exporter.ExportException
-import badlog.files.UnreadableFileException
+import badlog.files.NotReadException
+import badlog.files.ReadResult
 import badlog.files.UnwritableFileException
-import badlog.report.TopicException
 import badlog.terminal.Progress
 import java.nio.file.Path
 
@@ -37,8 +36,8 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         val file = input.file
         try {
             outcomes.done(file, console.progress(label).use { work(input, it) })
-        } catch (e: NotALog) {
-            outcomes.unreadable(input, e.message, isNoLog = true)
+        } catch (e: NotReadException) {
+            outcomes.unreadable(input, e.why.sentence, e.why.isLasting)
         } catch (e: Throwable) {
             outcomes.failed(file, sentenceOf(e, file))
         }
@@ -48,21 +47,9 @@ internal class LogLoop(command: String, private val console: Console, isJson: Bo
         /** Returns the sentence about [failure], which ended the work on [file]. */
         fun sentenceOf(failure: Throwable, file: Path): String = when (failure) {
             is Failure -> failure.message
-
-            is TopicException -> failure.message
-
-            is UnreadableFileException -> failure.message
-
             is UnwritableFileException -> failure.message
-
             is ExportException -> failure.message.orEmpty()
-
-            is OutOfMemoryError -> "$file is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again."
-
-            else -> {
-                val defect = failure.toString().lineSequence().first()
-                "$file: this is a bug in badlog; report it with the file ($defect)."
-            }
+            else -> ReadResult.NotRead.of(file, failure).sentence
         }
     }
 }

@@ -6,6 +6,8 @@ import badlog.cli.input.LogInput
 import badlog.cli.text.counted
 import badlog.cli.text.grouped
 import badlog.cli.text.jsonOf
+import badlog.files.NO_LOGS_SENTENCE
+import badlog.files.naming
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
@@ -56,16 +58,14 @@ internal class Outcomes(
     /** Reports that [input] cannot be read because of [message]; [isNoLog] if it is something other than a log. */
     fun unreadable(input: LogInput, message: String, isNoLog: Boolean) {
         val file = input.file
-        if (isNoLog && input.isFound) skipped(file, message) else failed(file, named(file, message))
+        if (isNoLog && input.isFound) skipped(file, message) else failed(file, naming(file, message))
     }
 
     /** Reports that [file], found in a folder, is not a log; [message] says why. */
     private fun skipped(file: Path, message: String) {
-        skipped += named(file, message)
+        skipped += naming(file, message)
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message)))
     }
-
-    private fun named(file: Path, message: String) = if ("$file" in message) message else "$file: $message"
 
     /** Reports that [file], found in a folder, was skipped because of [message], which is printed at once. */
     fun passedOver(file: Path, message: String) {
@@ -92,7 +92,7 @@ internal class Outcomes(
         val done = whole + salvaged
         val isNothing = done + failed == 0
         if (isSummed && !isJson && done + failed > 1) console.warn(summary())
-        if (isNothing && !isNothingFine) console.warn("No logs found. Name a log, or the folder it is in.")
+        if (isNothing && !isNothingFine) console.warn(NO_LOGS_SENTENCE)
         return when {
             isNothing && isNothingFine -> if (isIncomplete) ExitCode.SALVAGED else ExitCode.WHOLE
             done == 0 -> ExitCode.NOTHING

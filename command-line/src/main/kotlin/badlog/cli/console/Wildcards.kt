@@ -1,5 +1,6 @@
 package badlog.cli.console
 
+import badlog.files.missingSentence
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -47,14 +48,27 @@ private fun matching(argument: String): List<String> {
     return if (names.size > 1 && '?' in argument) emptyList() else names.map { head + it }
 }
 
-/** Returns what to do about an argument that is not a path on Windows; null if they all are, on this [system]. */
-internal fun unreachable(arguments: List<String>, system: String = System.getProperty("os.name")): String? {
-    val argument = arguments.firstOrNull { '?' in it && !it.startsWith("-") }
-    if (argument == null || !system.startsWith("Windows")) return null
+/**
+ * Returns what to do about the one of [arguments] that is not a path on Windows, according to Java's [message], which ends with it;
+ * null if it is none of them, or this [system] is another one.
+ */
+internal fun unreachable(arguments: List<String>, message: String, system: String = System.getProperty("os.name")): String? {
+    val path = oneLine(message).split(BEFORE_PATH, limit = 2).getOrNull(1)
+    if (path == null || !system.startsWith("Windows")) return null
+    // A formula has these letters, too.
+    val argument = arguments.filter { it.any(WILD::contains) && path.startsWith(oneLine(it)) }.maxByOrNull { it.length } ?: return null
+    // Elsewhere, a pattern that matches no file is looked for as a file of that name.
+    if ('?' !in argument) return missingSentence(argument)
     return "“$argument” has letters that Windows did not pass on, or means several files; name the folder above it."
 }
 
+// The help may break long lines.
+private fun oneLine(text: String) = text.trim().replace(Regex("\\s+"), " ")
+
 private const val WILD = "*?"
+
+/** What is before the path in Java's message: `Illegal char <*> at index 0: *.bag`. */
+private val BEFORE_PATH = Regex("Illegal char <.> at index \\d+: ")
 
 /** `\\?\C:\…` or `\\?\UNC\server\…`, as an argument or as the value of an option. */
 private val LONG_PATH_PREFIX = Regex("""^(--[a-z-]+=)?\\\\\?\\(UNC\\)?""")

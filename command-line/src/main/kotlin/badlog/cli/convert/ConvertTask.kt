@@ -26,7 +26,6 @@ import badlog.cli.text.wrapped
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.resampled
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.formats.wpilog.Omission
 import badlog.formats.wpilog.record.RecordEntry
 import badlog.formats.wpilog.record.RecordLane
@@ -93,7 +92,7 @@ internal class ConvertTask(
     }
 
     private fun write(file: Path, recording: Recording, calculated: Recording, target: Path, progress: Progress): Omissions {
-        if (recording.format != RecordingFormat.WPILOG || format.hasRows) {
+        if (!recording.format.hasRecords || format.hasRows) {
             return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
         }
         val lostBytes = Damage(recording).bytesAtEnd

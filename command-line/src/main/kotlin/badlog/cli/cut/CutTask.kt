@@ -27,7 +27,6 @@ import badlog.cli.text.wrapped
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Value
 import badlog.rules.ofPart
 import badlog.signals.withSignals
@@ -51,7 +50,7 @@ internal class CutTask(
     override fun run(console: Console): ExitCode = LogLoop("cut", console, isJson).run(paths, ::cut)
 
     private fun cut(input: LogInput, progress: Progress): Outcome {
-        val view = LogView.of(readLog(input.file, progress, xTopic)).withSignals(signalsBeside(input.file))
+        val view = LogView.of(readLog(input.file, progress, xTopic)).withSignals(signalsBeside(input.file), input.file.fileName.toString())
         val part = try {
             partOf(view)
         } catch (e: Failure) {
@@ -86,7 +85,7 @@ internal class CutTask(
         target: Path,
         progress: Progress,
     ): Omissions {
-        if (format.hasRows || whole.format != RecordingFormat.WPILOG) {
+        if (format.hasRows || !whole.format.hasRecords) {
             val recording = part.recording.run { if (format == LogFormat.CSV) this else copy(values = values.ofPart(said)) }
             return writeLog(recording, format, target, part.rows, progress = progress)
         }

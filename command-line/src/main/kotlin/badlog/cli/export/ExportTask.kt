@@ -6,7 +6,6 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.LogInput
-import badlog.cli.input.NotALog
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
@@ -24,6 +23,7 @@ import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
 import badlog.expression.undefinedTopics
+import badlog.files.NotReadException
 import badlog.files.UnreadableFileException
 import badlog.files.requireRegularFile
 import badlog.protocol.PageAdditions
@@ -131,11 +131,11 @@ internal class ExportTask(
         val report = try {
             exporter.export(input.file, target, additions, progress)
         } catch (e: ExportException.NotARecording) {
-            throw NotALog(e.message.orEmpty())
+            throw NotReadException(e.why)
         }
         val view = LogView.of(report.recording)
         val undefined = undefinedTopics(view.namesWith(own.rules.signals), search.virtualTopics)
-        val skipped = own.rules.skippedFor(view, search.virtualTopics)
+        val skipped = own.rules.skippedFor(view, input.file.fileName.toString(), search.virtualTopics)
         refused += skipped
         val reported = search.reportedOf(skipped)
         val text = listOf("${input.file} -> $target") +

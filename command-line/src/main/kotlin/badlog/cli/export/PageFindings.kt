@@ -1,6 +1,8 @@
 package badlog.cli.export
 
 import badlog.cli.input.readLog
+import badlog.files.NotReadException
+import badlog.files.ReadResult
 import badlog.report.hook.HookException
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
@@ -28,9 +30,11 @@ internal class PageFindings private constructor(val hooks: List<HookOutcome>, va
         fun of(file: Path, hooks: List<HookRunner>, progress: Progress): PageFindings = try {
             val recording = readLog(file, progress)
             PageFindings(hooks.map { HookOutcome.of(it, recording) }, null)
-        } catch (_: OutOfMemoryError) {
-            // The page itself needs little.
-            PageFindings(emptyList(), "the log is too large for the available memory; set JAVA_OPTS=-Xmx8g, for example, and try again.")
+        } catch (e: NotReadException) {
+            // The page itself needs little memory.
+            if (e.why.cause == ReadResult.Cause.TOO_LARGE) PageFindings(emptyList(), e.why.sentence) else throw e
+        } catch (e: OutOfMemoryError) {
+            PageFindings(emptyList(), ReadResult.NotRead.of(file, e).sentence)
         }
     }
 }

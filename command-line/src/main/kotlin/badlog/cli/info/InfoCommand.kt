@@ -109,7 +109,8 @@ internal class InfoTask(
             val vocabulary = signalsBeside(input.file)
             val numbers = StreamedNumbers(NamedTopics(virtualTopics, xTopic, vocabulary.namedIn(virtualTopics.joinToString("\n"))))
             val recording = readLog(input.file, progress, xTopic, numbers)
-            val with = LogView.of(recording).withSignals(vocabulary).withVirtualTopics(virtualTopics, vocabulary)
+            val view = LogView.of(recording).withSignals(vocabulary, input.file.fileName.toString())
+            val with = view.withVirtualTopics(virtualTopics, vocabulary)
             val signals = signalTopicsOf(with.view, vocabulary).all
             val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers, only)
             val text = when {

@@ -27,7 +27,7 @@ internal class InfoJson private constructor(
 ) {
     /** Creates it for a log with [signals], to which some virtual topics could not be added because of [errors]. */
     constructor(summary: LogSummary, signals: List<SignalTopic>, errors: List<ExpressionError>) : this(
-        summary.view.recording.format.name.lowercase(),
+        summary.view.recording.format.id,
         summary.bytes,
         summary.view.title,
         summary.view.recording.rowCount,

@@ -60,7 +60,7 @@ internal class InfoText(
     private fun summaryLines(): List<String> = buildList {
         add(printable(summary.file.toString()))
         view.title?.let { add(wrapped("  match   ", it, width = lineWidth)) }
-        add("  format  ${recording.format.name.lowercase().replace('_', ' ')}, ${sizeText(summary.bytes)}")
+        add("  format  ${recording.format.title}, ${sizeText(summary.bytes)}")
         val sizes = listOf(
             if (recording.format.hasRows) counted(recording.rowCount.toLong(), "row") else counted(recording.sampleCount, "sample"),
             counted(recording.topics.size.toLong(), "topic"),

@@ -4,9 +4,11 @@ import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.UnreadableFileException
 import badlog.files.reading
+import badlog.files.unreadable
 import badlog.files.wholeLogs
 import badlog.signals.match.NaturalOrder
 import java.io.IOException
+import java.nio.file.AccessDeniedException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -55,9 +57,7 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
             val scan = reading(folder) { FolderScan.of(folder, checkpoint) }
             val files = scan.files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
             files.mapTo(inputs) { LogInput(it.path, folder, it) }
-            scan.unreadable.mapTo(failures) {
-                UnreadableFileException(it, "$it cannot be read: permission denied; ask its owner.")
-            }
+            scan.unreadable.mapTo(failures) { unreadable(it, AccessDeniedException("$it")) }
         } catch (e: UnreadableFileException) {
             failures += e
         }

@@ -1,10 +1,9 @@
 package badlog.cli.input
 
 import badlog.core.recording.NumberSinks
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
-import badlog.files.readRecording
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogFormat
 import badlog.report.withX
@@ -15,14 +14,12 @@ import java.nio.file.Path
  * Reads [file] with its samples, and with the topic [xTopic] as x axis unless it is null.
  *
  * @param sinks where numbers go that the recording is not to keep.
- * @throws NotALog if there is nothing to show.
+ * @throws badlog.files.NotReadException if there is nothing to show.
  * @throws badlog.report.TopicException if there is no such topic.
  * @throws Failure if the beginning of a WPILOG is lost.
- * @throws badlog.files.UnreadableFileException if it cannot be read.
  */
 internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
-    val recording = readRecording(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced)
-    recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw NotALog("$file: ${it.message}") }
+    val recording = readLog(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced).orThrow()
     if (isFormerWpilog(file, recording)) {
         throw Failure(
             "$file is named like a WPILOG, but does not begin like one: its beginning is lost, so nothing can be read.",
@@ -35,9 +32,6 @@ internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sin
 private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
         FileName.of(file).ending.lowercase() in WpilogFormat.endings
-
-/** Thrown if the bytes of a file are not a log at all. The message is one sentence for the user. */
-internal class NotALog(override val message: String) : Exception(message)
 
 /** Thrown if something cannot be done with a log. The message is one sentence for the user: what, where, and what to do. */
 internal class Failure(override val message: String) : Exception(message)

@@ -6,12 +6,13 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.part.McpService
 import badlog.cli.part.PartLoader
+import badlog.files.UnreadableFileException
 import badlog.files.UserFolders
+import badlog.files.requireFolder
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.types.path
 import java.io.InputStream
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** `badlog mcp`. */
@@ -35,8 +36,10 @@ internal class McpCommand(private val parts: PartLoader, private val input: Inpu
 /** Answers requests from [input] about the logs below [folder]. */
 internal class McpTask(private val folder: Path, private val parts: PartLoader, private val input: InputStream) : Task {
     override fun run(console: Console): ExitCode {
-        if (!Files.isDirectory(folder)) {
-            console.warn("$folder is not a folder; name the folder of logs that an assistant may ask about.")
+        try {
+            requireFolder(folder)
+        } catch (e: UnreadableFileException) {
+            console.warn(e.message)
             return ExitCode.NOTHING
         }
         val before = System.out

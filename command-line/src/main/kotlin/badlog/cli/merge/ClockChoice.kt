@@ -1,7 +1,6 @@
 package badlog.cli.merge
 
 import badlog.cli.input.Failure
-import badlog.cli.input.FileName
 import badlog.cli.search.signalsBeside
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
@@ -92,7 +91,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return MovedLogs(all, moves)
     }
 
-    private fun isOfMotors(part: LogPart) = FileName.of(part.file).ending.lowercase() in RevlogFormat.endings
+    private fun isOfMotors(part: LogPart) = part.recording.format == RevlogFormat
 
     /**
      * Returns the move of a log of REV's motor controllers, which does not show when the robot was enabled, beside [robot]; null if no
@@ -100,11 +99,9 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
      */
     private fun byMotors(part: LogPart, robot: LogPart): Move? {
         val signals = signalsBeside(robot.file)
-        val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals) }
+        val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals, it.file.fileName.toString()) }
         val fit = motorFit(own, others, signals)
-        if (fit == null &&
-            alignsEnabled
-        ) {
+        if (fit == null && alignsEnabled) {
             throw Failure("Nothing in ${part.file} matches ${robot.file}; use --offset ${part.file}=SECONDS instead.")
         }
         return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }
@@ -117,7 +114,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     }
 
     private fun edgesOf(part: LogPart): List<EnabledEdge> =
-        LogView.of(part.recording).withSignals(signalsBeside(part.file)).enabledEdges().ifEmpty {
+        LogView.of(part.recording).withSignals(signalsBeside(part.file), part.file.fileName.toString()).enabledEdges().ifEmpty {
             throw Failure("${part.file} does not show when the robot was enabled or disabled; use --offset ${part.file}=SECONDS instead.")
         }
 }

@@ -10,9 +10,9 @@ import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.stableOrder
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
+import badlog.formats.wpilog.WpilogFormat
 import java.nio.file.Path
 
 /**
@@ -26,7 +26,7 @@ internal class LogPart(
     val file: Path,
     val recording: Recording,
     val offset: Double = 0.0,
-    val isOfFile: Boolean = recording.format == RecordingFormat.WPILOG,
+    val isOfFile: Boolean = recording.format.hasRecords,
 ) {
     /** Its x axis. */
     val axis: XAxis = LogView.of(recording).xAxis
@@ -70,7 +70,7 @@ internal fun LogPart.withOwnTimes(): LogPart {
     val rows = stableOrder(at, at.indices.filter { !at[it].isNaN() }.toIntArray())
     val times = DoubleArray(rows.size) { at[rows[it]] }
     val topics = recording.topics.filter { it !== x }.map { topicAt(it, rows, times) }
-    return LogPart(file, Recording(RecordingFormat.WPILOG, null, recording.values, topics, 0, recording.problems), isOfFile = false)
+    return LogPart(file, Recording(WpilogFormat, null, recording.values, topics, 0, recording.problems), isOfFile = false)
 }
 
 private fun topicAt(topic: Topic, rows: IntArray, times: DoubleArray): Topic {

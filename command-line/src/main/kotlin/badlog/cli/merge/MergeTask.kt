@@ -9,15 +9,14 @@ import badlog.cli.console.Console
 import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
-import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
+import badlog.files.NotReadException
 import badlog.report.TopicException
 import badlog.report.withX
 import badlog.terminal.Progress
-import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -81,14 +80,12 @@ internal class MergeTask(
             val recording = console.progress(input.file.fileName.toString()).use { readLog(input.file, it) }
             val needsX = xTopic != null && recording.format.hasRows
             return LogPart(input.file, if (needsX) recording.withX(checkNotNull(xTopic), input.file) else recording)
-        } catch (e: NotALog) {
-            outcomes.unreadable(input, e.message, isNoLog = true)
+        } catch (e: NotReadException) {
+            outcomes.unreadable(input, e.why.sentence, e.why.isLasting)
         } catch (e: Failure) {
             outcomes.failed(input.file, e.message)
         } catch (e: TopicException) {
             outcomes.failed(input.file, e.message)
-        } catch (e: IOException) {
-            outcomes.failed(input.file, LogLoop.sentenceOf(e, input.file))
         }
         return null
     }

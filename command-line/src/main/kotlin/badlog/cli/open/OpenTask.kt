@@ -11,6 +11,7 @@ import badlog.cli.input.LogSearch
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.files.ResultPlace
+import badlog.files.missingSentence
 import badlog.terminal.browserCommand
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
@@ -32,7 +33,7 @@ internal class OpenTask(
 ) : Task {
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("open", console, isJson)
-        if (Files.exists(path)) open(outcomes, console) else outcomes.failed(path, "There is no file or folder $path; check the spelling.")
+        if (Files.exists(path)) open(outcomes, console) else outcomes.failed(path, missingSentence("$path"))
         return outcomes.end()
     }
 
@@ -67,9 +68,7 @@ internal class OpenTask(
         val search = Search(null, isWithoutRules = false, emptyList(), emptyList())
         val code = ExportTask(listOf(log), plan, emptyList(), emptyList(), null, search, isJson = false).run(console.withoutResults())
         // The page itself reports lost data.
-        if (code == ExitCode.NOTHING ||
-            code == ExitCode.USAGE
-        ) {
+        if (code == ExitCode.NOTHING || code == ExitCode.USAGE) {
             return outcomes.failed(log, "The page of $log was not made, so it cannot be opened.")
         }
         val address = page.toAbsolutePath().toUri().toString()

@@ -5,6 +5,7 @@ import badlog.cli.input.FileName
 import badlog.cli.topic.part
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.formats.wpilog.WpilogFormat
 import badlog.formats.wpilog.WpilogWriter
 import java.nio.file.Path
 
@@ -21,7 +22,7 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
     CSV(".csv", RecordingFormat.CSV),
 
     /** The log of WPILib's DataLog. */
-    WPILOG(".wpilog", RecordingFormat.WPILOG),
+    WPILOG(".wpilog", WpilogFormat),
     ;
 
     /** Its name for `--to`. */

@@ -5,6 +5,7 @@ import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.files.ResultPlace
+import badlog.files.requireTarget
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
@@ -44,6 +45,7 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
      * @param besideName its name beside its log.
      * @param folderName its name in the folder for all.
      * @throws Failure if that would replace something.
+     * @throws badlog.files.UnwritableFileException if it is a folder, or a file that is read.
      */
     fun place(input: LogInput, besideName: String, folderName: String): Path {
         file?.let { return checked(it) }
@@ -58,13 +60,9 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
     /** Returns [target] after checking that it is not an input, and does not exist unless it may be replaced. */
     fun checked(target: Path): Path {
         val read = read
-        if (Files.isDirectory(target)) throw Failure("$target is a folder; name another file, or one inside it.")
-        if (!Files.exists(target)) return target
-        if (target.toRealPath() in read) {
-            throw Failure("$target would overwrite a log that is read; name another file with --out.")
-        }
-        if (!isForced) throw Failure("$target exists already; use --force to replace it, or name another file with --out.")
-        return target
+        requireTarget(target, ELSEWHERE) { it.toRealPath() in read }
+        if (isForced || !Files.exists(target)) return target
+        throw Failure("$target exists already; use --force to replace it, or $ELSEWHERE.")
     }
 
     /** Returns a free path: if two logs would have the same result, the second gets a number. */
@@ -72,6 +70,11 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
         val folder = wanted.toAbsolutePath().normalize().parent
         val name = FileName.of(wanted).fitting().free { taken.add(folder.resolve(it).toString().lowercase()) }
         return wanted.resolveSibling(name)
+    }
+
+    private companion object {
+        /** What helps, whether `--out` names a file, a folder, or nothing. */
+        const val ELSEWHERE = "name another place with --out"
     }
 }
 

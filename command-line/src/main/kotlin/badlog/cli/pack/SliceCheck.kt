@@ -2,9 +2,9 @@ package badlog.cli.pack
 
 import badlog.cli.command.LogLoop
 import badlog.cli.input.Failure
-import badlog.cli.input.NotALog
 import badlog.cli.input.readLog
 import badlog.core.analysis.LogView
+import badlog.files.NotReadException
 import badlog.files.safeName
 import badlog.rules.LogFindings
 import badlog.rules.over
@@ -73,8 +73,9 @@ internal class SliceCheck(private val pack: RulePack) {
             Files.write(file, pack.bytesOf(slice))
             val recording = readLog(file, { _, _ -> })
             return rules.over(LogView.of(recording.overItsTime()), name)
-        } catch (_: NotALog) {
-            throw Failure("“${slice.name}” is not a log; cut a slice anew from one.")
+        } catch (e: NotReadException) {
+            if (e.why.isLasting) throw Failure("“${slice.name}” is not a log; cut a slice anew from one.")
+            throw Failure(e.why.sentence.replace("$file", slice.name))
         } catch (e: PackException) {
             throw Failure(e.message)
         } catch (e: Exception) {

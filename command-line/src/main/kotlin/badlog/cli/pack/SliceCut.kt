@@ -23,7 +23,8 @@ import badlog.terminal.Progress
  * @throws Failure if the log has no such moment.
  */
 internal class SliceCut(private val order: SliceOrder, progress: Progress) {
-    private val view = LogView.of(readLog(order.log, progress).overItsTime()).withSignals(signalsBeside(order.log))
+    private val view =
+        LogView.of(readLog(order.log, progress).overItsTime()).withSignals(signalsBeside(order.log), order.log.fileName.toString())
     private val unit get() = view.xAxis.unit
 
     /** A second on the x axis. */

@@ -18,7 +18,6 @@ import badlog.cli.output.copyRecords
 import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
@@ -66,7 +65,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
     private fun write(file: Path, recording: Recording, damage: Damage, target: Path, progress: Progress): Omissions {
         val format = LogFormat.of(recording)
         val lostBytes = damage.bytesAtEnd
-        if (recording.format != RecordingFormat.WPILOG) return writeLog(recording, format, target, progress = progress)
+        if (!recording.format.hasRecords) return writeLog(recording, format, target, progress = progress)
         if (lostBytes != null) {
             copyBeginning(file, lostBytes, target, progress)
         } else {

@@ -9,7 +9,6 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.input.NotALog
 import badlog.cli.input.Position
 import badlog.cli.input.position
 import badlog.cli.input.readLog
@@ -21,7 +20,6 @@ import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.replay.LoggedTopic
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
@@ -99,7 +97,7 @@ internal class ReplayTask(
         try {
             val recording = console.progress(file.fileName.toString()).use { readLog(file, it, xTopic) }
             val signals = signalsBeside(file)
-            val with = LogView.of(recording).withSignals(signals).withVirtualTopics(virtualTopics, signals)
+            val with = LogView.of(recording).withSignals(signals, file.fileName.toString()).withVirtualTopics(virtualTopics, signals)
             if (!isJson) undefinedLines(with.errors).forEach(console::warn)
             val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view), prefix = prefix)
             ReplayServer(with.view, options, loggedTopics(recording)).use { server ->
@@ -108,8 +106,6 @@ internal class ReplayTask(
                 outcomes.done(file, Outcome(recording.isSalvaged, text(server.port), json))
                 play(server, console)
             }
-        } catch (e: NotALog) {
-            outcomes.failed(file, e.message)
         } catch (e: UnavailablePortException) {
             outcomes.failed(file, e.message.orEmpty())
         } catch (e: Exception) {
@@ -122,7 +118,7 @@ internal class ReplayTask(
 
     /** Returns, for a WPILOG, the content of its records that its topics do not have: structs, arrays, raw bytes. */
     private fun loggedTopics(recording: Recording): List<LoggedTopic> {
-        if (recording.format != RecordingFormat.WPILOG) return emptyList()
+        if (!recording.format.hasRecords) return emptyList()
         return recordsOf(file).entries.filter { !it.isValue }.map { entry ->
             val times = DoubleArray(entry.size, entry::time)
             LoggedTopic(entry.name, entry.type, recording.topicOf(entry)?.unit.orEmpty(), times, entry::payload)

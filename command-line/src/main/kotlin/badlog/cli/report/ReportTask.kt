@@ -89,7 +89,7 @@ internal class ReportTask(
             return ExitCode.NOTHING
         }
         val result = console.progress("report").use { bar ->
-            report.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }) { log, hooks -> pages?.add(log, hooks) }
+            report.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) }, pages?.let { it::add })
         }
         if (result.logs.any { !it.isNoLog }) say(result, console)
         val outcomes = Outcomes("report", console, form == ResultForm.JSON)

@@ -2,6 +2,7 @@ package badlog.cli.sql
 
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
+import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.lake.refreshed
@@ -16,7 +17,6 @@ import badlog.cli.text.counted
 import badlog.cli.text.wrapped
 import badlog.files.UserFolders
 import java.io.InputStream
-import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -52,11 +52,9 @@ internal class SqlTask(
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
         val logs = LogFiles(listOf(folder), console)
         if (logs.files.isEmpty()) {
-            val isThere = Files.exists(folder)
-            console.warn(
-                if (isThere) "No logs found. Name a log, or the folder it is in." else "There is no file $folder; check the spelling.",
-            )
-            return null to ExitCode.NOTHING
+            val outcomes = Outcomes("sql", console, isJson = false)
+            logs.report(outcomes) { _, _ -> }
+            return null to outcomes.end()
         }
         val lake = LakeCache(UserFolders.ofSystem().answers, service.layoutVersion).lakeOf(folder)
         val report = refreshed(service, lake, listOf(folder), logs, console, waits = true)

@@ -33,7 +33,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         val robot = ClockedLog(file.name, view.recording, signals)
         val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
         found[file.path] = Found(station.log.name, station.fit)
-        return RobotBesideStation(view, station.station.recording, station.fit, signals).forRules
+        return RobotBesideStation(view, station.station, station.fit, signals).forRules
     }
 
     /** Returns a sentence that says which log was added to [file]; null for none. */

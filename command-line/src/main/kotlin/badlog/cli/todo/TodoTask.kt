@@ -7,11 +7,18 @@ import badlog.cli.command.LogFiles
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
+import badlog.cli.input.Failure
 import badlog.cli.search.rulesBeside
 import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
+import badlog.files.naming
+import badlog.files.requireFolder
+import badlog.files.requireTarget
 import badlog.files.writeAtomically
+import badlog.files.writing
 import badlog.report.LogReport
 import badlog.report.Report
+import badlog.report.page.foreignFileSentence
 import badlog.signals.match.localSecondOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -21,7 +28,6 @@ import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.isTodoPage
 import badlog.viewer.todo.toMarkdown
 import badlog.viewer.todo.toPage
-import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -30,15 +36,18 @@ import java.nio.file.Path
  *
  * @param page where it is also written as a page; null for nowhere.
  * @param cache the folder for cached findings; null for none.
+ * @param mark what is changed before; null for nothing.
  */
-internal class TodoTask(private val folder: Path, private val form: TodoForm, private val page: PagePlan?, private val cache: Path?) :
-    Task {
+internal class TodoTask(
+    private val folder: Path,
+    private val form: TodoForm,
+    private val page: PagePlan?,
+    private val cache: Path?,
+    private val mark: TodoMark?,
+) : Task {
     override fun run(console: Console): ExitCode {
-        if (!Files.isDirectory(folder)) {
-            console.warn("$folder is not a folder; name the folder of the logs, which has the list.")
-            return ExitCode.NOTHING
-        }
         val files = try {
+            requireFolder(folder)
             TodoFolder(folder).read()
         } catch (e: UnreadableFileException) {
             console.warn(e.message)
@@ -50,7 +59,16 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
             Report(rules, cache = cache).over(logs, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
         val now = localSecondOf(System.currentTimeMillis() / MILLIS)
-        val list = TodoList.of(files.changes, result.logs.filter { it.unreadable == null }.map { foundIn(it, now) })
+        val found = result.logs.filter { it.unreadable == null }.map { foundIn(it, now) }
+        val list = try {
+            marked(files, found, console)
+        } catch (e: Failure) {
+            console.warn(e.message)
+            return ExitCode.USAGE
+        } catch (e: UnwritableFileException) {
+            console.warn(e.message)
+            return ExitCode.NOTHING
+        }
         val lines = (rules.checklist + files.checklist).distinct()
         if (page != null && !written(page, list, lines, console)) return ExitCode.NOTHING
         when (form) {
@@ -61,19 +79,29 @@ internal class TodoTask(private val folder: Path, private val form: TodoForm, pr
         return codeOf(files, result.logs, console)
     }
 
+    /** Returns the list, with what is marked on it. */
+    private fun marked(files: TodoFiles, logs: List<FoundLog>, console: Console): TodoList {
+        val before = TodoList.of(files.changes, logs)
+        if (mark == null) return before
+        val change = mark.changeOf(before, logs, files.changes)
+        if (change != null) TodoFolder(folder).append(change)
+        if (form != TodoForm.JSON) console.warn(mark.sentenceFor(before, change))
+        return if (change == null) before else TodoList.of(files.changes + change, logs)
+    }
+
     private fun written(page: PagePlan, list: TodoList, lines: List<String>, console: Console): Boolean = try {
         page.write(list.toPage("${folder.toAbsolutePath().normalize().fileName ?: folder}", lines))
         if (form != TodoForm.JSON) console.warn("The page is ${page.file}.")
         true
-    } catch (e: IOException) {
-        console.warn(e.message ?: "${page.file} cannot be written.")
+    } catch (e: UnwritableFileException) {
+        console.warn(e.message)
         false
     }
 
     private fun codeOf(files: TodoFiles, logs: List<LogReport>, console: Console): ExitCode {
         files.problems.forEach(console::warn)
         val unreadable = logs.filter { it.unreadable != null && !it.isNoLog }
-        for (log in unreadable) console.warn("${log.file.path}: ${log.unreadable}")
+        for (log in unreadable) console.warn(naming(log.file.path, log.unreadable.orEmpty()))
         return if (files.problems.isEmpty() && unreadable.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
     }
 }
@@ -90,17 +118,15 @@ internal class PagePlan(val file: Path, private val isForced: Boolean) {
     /**
      * Writes [page].
      *
-     * @throws IOException with a sentence for the user, if it cannot be written or would replace something else.
+     * @throws UnwritableFileException if it cannot be written or would replace something else.
      */
     fun write(page: String) {
-        if (Files.isDirectory(file)) throw IOException("$file is a folder; name a file for the page, such as list.html.")
-        if (!isForced && Files.exists(file) && !isTodoPage(beginOf(file))) {
-            throw IOException("$file exists already and is not such a page; choose another name, or add --force.")
-        }
+        requireTarget(file)
+        if (!isForced && Files.exists(file) && !isTodoPage(beginOf(file))) throw UnwritableFileException(file, foreignFileSentence(file))
         writeAtomically(file) { it.write(page.encodeToByteArray()) }
     }
 
-    private fun beginOf(file: Path) = Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() }
+    private fun beginOf(file: Path) = writing(file) { Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() } }
 
     private companion object {
         const val BEGIN = 1024

@@ -16,20 +16,23 @@ import kotlinx.serialization.json.JsonObject
 /** Returns [list] and the [checklist] before the next match, in lines of [width]. */
 internal fun todoText(list: TodoList, checklist: List<String>, width: Int): String = buildString {
     append(if (list.open.isEmpty()) "Nothing is open." else "${counted(list.open.size.toLong(), "item")} to do:")
-    for (item in list.open) appendItem(item, width)
+    val digits = "${list.numbered.size}".length
+    val numbers = list.numbered.withIndex().associate { (place, item) -> item.task to "${place + 1}".padStart(digits) }
+    for (item in list.open) appendItem(numbers.getValue(item.task), item, width)
     val lines = list.checklist(checklist)
     if (lines.isNotEmpty()) append("\n\n${checklistTitle(list.next)}:")
     for (line in lines) {
         append('\n').append(wrapped(box(line.done != null), line.check.text + line.done?.let { " (${it.by})" }.orEmpty(), width = width))
     }
     if (list.done.isNotEmpty()) append("\n\nDone:")
-    for (item in list.done) appendItem(item, width)
+    for (item in list.done) appendItem(numbers.getValue(item.task), item, width)
 }
 
-private fun StringBuilder.appendItem(item: TodoItem, width: Int) {
+private fun StringBuilder.appendItem(number: String, item: TodoItem, width: Int) {
     val person = if (item.person.isEmpty()) "" else " (${item.person})"
-    append('\n').append(wrapped(box(!item.isOpen), oneLine(item.title) + person, width = width))
-    for (line in item.lines) append('\n').append(wrapped("    ", oneLine(line), width = width))
+    val begin = "$number ${box(!item.isOpen)}"
+    append('\n').append(wrapped(begin, oneLine(item.title) + person, width = width))
+    for (line in item.lines) append('\n').append(wrapped(" ".repeat(begin.length), oneLine(line), width = width))
 }
 
 private fun oneLine(text: String) = text.replace(Regex("\\s+"), " ")
@@ -38,13 +41,14 @@ private fun box(isTicked: Boolean) = if (isTicked) "[x] " else "[ ] "
 
 /** Returns an object for each item of [list], and for each line of the [checklist] before the next match. */
 internal fun todoJson(list: TodoList, checklist: List<String>): List<JsonObject> =
-    (list.open + list.done).map { jsonOf(ItemJson(it)) } + list.checklist(checklist).map { jsonOf(CheckJson(it)) }
+    list.numbered.mapIndexed { place, item -> jsonOf(ItemJson(place + 1, item)) } + list.checklist(checklist).map { jsonOf(CheckJson(it)) }
 
 /** An item, for programs. */
 @Serializable
 private class ItemJson(
     private val command: String,
     private val status: String,
+    private val number: Int,
     private val item: String,
     private val topic: String?,
     private val severity: String?,
@@ -55,7 +59,7 @@ private class ItemJson(
     private val log: String?,
     private val text: String?,
 ) {
-    constructor(item: TodoItem) : this(
+    constructor(number: Int, item: TodoItem) : this(
         command = "todo",
         status = if (item.isAgain) {
             "again"
@@ -64,6 +68,7 @@ private class ItemJson(
         } else {
             "done"
         },
+        number = number,
         item = item.title,
         topic = (item.task as? FaultTask)?.topic,
         severity = item.found?.severity?.name?.lowercase(),

@@ -67,7 +67,7 @@ class AssignSpec : FunSpec({
             refused("batery", "Power/My Volts") shouldContain "“batery” is not a signal; did you mean “battery”"
             refused("battery", "Power/My Vots") shouldContain "“Power/My Vots” is not a topic of $log; did you mean “Power/My Volts”?"
             refused("battery", "Arm") shouldContain "“Arm” cannot be “battery”, which is a number in V; choose another topic."
-            badlog("assign", folder, "battery", "Arm").err shouldContain "$folder is a folder; name one of its logs that has the topic."
+            badlog("assign", folder, "battery", "Arm").err shouldContain "$folder is a folder, not a file; name a file in it."
             folder.names() shouldContainExactly listOf("a.bag")
         }
     }

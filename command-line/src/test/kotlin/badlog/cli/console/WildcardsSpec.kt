@@ -11,6 +11,12 @@ import kotlin.io.path.writeText
 
 private const val WINDOWS = "Windows 11"
 
+/** What the help says when Java says on Windows that [path] is none. */
+private fun noPath(path: String): String {
+    val at = path.indexOfAny(charArrayOf('*', '?'))
+    return "Usage: badlog info [OPTIONS] [FILE]\n\nError: invalid value for FILE: Illegal char <${path[at]}> at index $at: $path"
+}
+
 class WildcardsSpec : FunSpec({
     test("on Windows, a pattern in quotes is the files that match it, whatever their case, in order") {
         inFolder { folder ->
@@ -41,16 +47,26 @@ class WildcardsSpec : FunSpec({
             (folder / "abc.bag").writeText("")
             val arguments = listOf("info", "$folder/???.bag")
             withWildcards(arguments, WINDOWS) shouldBe arguments
-            unreachable(arguments, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
-            unreachable(arguments, "Linux") shouldBe null
-            unreachable(listOf("info", "a.bag"), WINDOWS) shouldBe null
+            val told = noPath("$folder/???.bag")
+            unreachable(arguments, told, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
+            unreachable(arguments, told, "Linux") shouldBe null
+            unreachable(listOf("info", "a.bag"), told, WINDOWS) shouldBe null
+            val none = listOf("info", "$folder/*.wpilog")
+            withWildcards(none, WINDOWS) shouldBe none
+            unreachable(none, noPath("$folder/*.wpilog"), WINDOWS) shouldBe "There is no file or folder $folder/*.wpilog; check the spelling."
         }
+    }
+
+    test("the argument that is no path is named, not a formula before it") {
+        val arguments = listOf("find", "max(Speed) > 3 * 2", "logs/my *.wpilog", "*")
+        unreachable(arguments, noPath("logs/my *.wpilog"), WINDOWS) shouldBe "There is no file or folder logs/my *.wpilog; check the spelling."
+        unreachable(arguments, noPath("logs/my\n*.wpilog"), WINDOWS) shouldBe "There is no file or folder logs/my *.wpilog; check the spelling."
+        unreachable(arguments, "Error: missing argument FILE", WINDOWS) shouldBe null
     }
 
     test("a long path as Windows' own programs write it means the same path") {
         val arguments = listOf("info", """\\?\C:\logs\a.bag""", """\\?\UNC\pit\logs\b.bag""", """--out=\\?\D:\out""")
         withWildcards(arguments, WINDOWS) shouldContainExactly listOf("info", """C:\logs\a.bag""", """\\pit\logs\b.bag""", """--out=D:\out""")
-        unreachable(withWildcards(arguments, WINDOWS), WINDOWS) shouldBe null
         withWildcards(arguments, "Linux") shouldBe arguments
     }
 })

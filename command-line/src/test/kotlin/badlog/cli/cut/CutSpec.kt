@@ -64,7 +64,7 @@ class CutSpec : FunSpec({
         }
     }
 
-    test("a part says what of the log it is, in each format that has values, and what is put together again is no part") {
+    test("a part says what of the log it is, in each format that has values, and what is put together again is not a part") {
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")
             for (whole in listOf(SAMPLES / "practice.bag", log)) {

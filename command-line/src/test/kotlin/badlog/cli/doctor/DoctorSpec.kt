@@ -49,7 +49,7 @@ class DoctorSpec : FunSpec({
         }
     }
 
-    test("what is missing is no failure, but a folder that cannot be used is") {
+    test("what is missing is not a failure, but a folder that cannot be used is") {
         inFolder { folder ->
             val ended = badlogOn(computer(folder, emptyMap()), "doctor", "--json")
             ended.code shouldBe ExitCode.WHOLE

@@ -7,6 +7,7 @@ import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.WpilogFormat
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -47,7 +48,18 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("where no motor tells it, the log stays as it is, since both count from the start of the robot's program") {
+    test("it is called a REV log everywhere, and what is written of it is a WPILOG by name, too") {
+        inFolder { folder ->
+            val log = folder.with("REV_1.revlog", revlog(1.0, arm))
+            said("info", log) shouldContain "format REV log,"
+            badlog("info", log, "--json").out shouldContain "\"format\":\"revlog\""
+            said("info", log, "--x", "Time") shouldContain "is a REV log, whose x axis is always the time"
+            said("cut", log, "--from", "5")
+            readRecording(folder / "REV_1.cut.wpilog", LOG_FORMATS).format shouldBe WpilogFormat
+        }
+    }
+
+    test("where no motor shows it, the log stays as it is, since both count from the start of the robot's program") {
         inFolder { folder ->
             val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Angle", "double", "", outputs(arm))))
             val said = said("merge", robot, folder.with("REV_1.revlog", revlog(1.0, arm)), "-o", folder / "both.wpilog")

@@ -119,10 +119,12 @@ class PartLoaderSpec : FunSpec({
 
     test("what is not a folder is not asked about") {
         inFolder { folder ->
-            for (path in listOf(folder / "nowhere", folder.with("a.bag", BAG))) {
+            val log = folder.with("a.bag", BAG)
+            val nowhere = folder / "nowhere"
+            for ((path, reason) in listOf(nowhere to "There is no file or folder $nowhere", log to "$log is a file, not a folder")) {
                 val ended = badlog("mcp", path)
                 ended.code shouldBe ExitCode.NOTHING
-                ended.err shouldContain "$path is not a folder"
+                ended.err shouldContain reason
             }
         }
     }

@@ -138,7 +138,7 @@ class TableSpec : FunSpec({
             ended.code shouldBe ExitCode.SALVAGED
             column(ended.out, 1) shouldBe listOf("1.bag", "2.bag")
             ended.err shouldContain "Skipped ${logs / "photo.gz"}: This file is not a log"
-            ended.err shouldContain "There is no file ${folder / "nix.bag"}"
+            ended.err shouldContain "There is no file or folder ${folder / "nix.bag"}"
             val json = badlogJson("table", logs, folder / "nix.bag", "--value", "max(Speed)", "--no-cache")
             json.json.map { it.getValue("status").jsonPrimitive.content }.toSet() shouldBe setOf("whole", "salvaged", "skipped", "failed")
             table(none, "--value", "max(Speed)").run {

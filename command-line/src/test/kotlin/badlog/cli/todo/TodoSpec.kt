@@ -18,6 +18,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import kotlinx.serialization.json.int
 import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Files
 import java.nio.file.Path
@@ -47,7 +48,52 @@ class TodoSpec : FunSpec({
             after shouldNotContain "[ ] Browned out"
             after shouldContain "[ ] Check the radio (Ben)"
             after shouldContain "[x] Bumpers are tight (Ada)"
-            after shouldContain "Done:\n[x] Browned out\n    Done before Qualification 43 by Ada: new lead"
+            after shouldContain "[x] Browned out\n      Done before Qualification 43 by Ada: new lead"
+        }
+    }
+
+    test("an item is marked by its number as done and as to be done, in the file of this computer") {
+        inFolder { folder ->
+            folder.withMatch()
+            val number = badlog("todo", folder, "--no-cache").out.lines().first { "Browned out" in it }.trim().substringBefore(' ')
+            val done = badlog("todo", folder, "--no-cache", "--done", number, "--what", "new lead", "--by", "Ada")
+            done.code shouldBe ExitCode.WHOLE
+            done.err shouldContain "“Browned out” is done now."
+            done.out shouldContain "[x] Browned out\n      Done after Qualification 42 by Ada: new lead"
+            val change = TodoFolder(folder).read().changes.single()
+            change.deed shouldBe TodoDeed.Done("new lead", "the match after Qualification 42")
+            change.author shouldBe "Ada"
+            val again = badlog("todo", folder, "--no-cache").out
+            again shouldContain "[x] Browned out"
+            val place = again.lines().first { "Browned out" in it }.trim().substringBefore(' ')
+            badlog("todo", folder, "--no-cache", "--done", place, "--by", "Ben").err shouldContain
+                "“Browned out” was done already; nothing was written. Say with --what what was done."
+            TodoFolder(folder).read().changes.size shouldBe 1
+            val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
+            more.err shouldContain "“Browned out” is done now."
+            more.out shouldContain "[x] Browned out\n      Done after Qualification 42 by Ben: new breaker"
+            val correction = TodoDeed.Done("new breaker", "the match after Qualification 42")
+            TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction)
+            val opened = badlog("todo", folder, "--no-cache", "--open", place)
+            opened.out shouldContain "[ ] Browned out"
+            val openPlace = opened.out.lines().first { "Browned out" in it }.trim().substringBefore(' ')
+            badlog("todo", folder, "--no-cache", "--open", openPlace).err shouldContain
+                "“Browned out” is already to be done; nothing was written."
+            TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction, TodoDeed.Open)
+        }
+    }
+
+    test("what cannot be marked is refused, and nothing is written") {
+        inFolder { folder ->
+            folder.write(OwnTask("Radio"), TodoDeed.Open)
+            val missing = badlog("todo", folder, "--done", "2")
+            missing.code shouldBe ExitCode.USAGE
+            missing.err shouldContain "The list has 1 item, but no number 2; badlog todo prints the numbers."
+            badlog("todo", folder, "--done", "0").err shouldContain "no number 0"
+            badlog("todo", folder, "--done", "1", "--open", "1").code shouldBe ExitCode.USAGE
+            badlog("todo", folder, "--what", "new lead").code shouldBe ExitCode.USAGE
+            badlog("todo", folder, "--by", "Ada").code shouldBe ExitCode.USAGE
+            TodoFolder(folder, "pit").read().changes.size shouldBe 1
         }
     }
 
@@ -57,6 +103,7 @@ class TodoSpec : FunSpec({
             val lines = badlogJson("todo", folder, "--no-cache").json
             lines.map { it.getValue("status").jsonPrimitive.content to it["item"]?.jsonPrimitive?.content } shouldContain
                 ("open" to "Check the *radio*")
+            lines.map { it["number"]?.jsonPrimitive?.int }.filterNotNull() shouldBe (1..lines.count { "item" in it }).toList()
             badlog("todo", folder, "--markdown", "--no-cache").out shouldContain "- [ ] **Check the \\*radio\\***"
         }
     }
@@ -72,9 +119,9 @@ class TodoSpec : FunSpec({
             val mine = folder.with("mine.html", "<p>mine</p>")
             val refused = badlog("todo", folder, "--out", mine)
             refused.code shouldBe ExitCode.NOTHING
-            refused.err shouldContain "exists already and is not such a page; choose another name, or add --force."
+            refused.err shouldContain "exists already, and badlog did not make it; use --force to replace it, or name another place with --out."
             badlog("todo", folder, "--out", mine, "--force").code shouldBe ExitCode.WHOLE
-            badlog("todo", folder, "--out", folder).err shouldContain "is a folder; name a file"
+            badlog("todo", folder, "--out", folder).err shouldContain "$folder is a folder; name another file, or one inside it."
         }
     }
 
@@ -87,7 +134,7 @@ class TodoSpec : FunSpec({
             ended.err shouldContain "Line 2 of badlog-todo-pit.jsonl is skipped"
             ended.out shouldContain "[ ] Radio"
             ended.out shouldNotContain "No logs"
-            badlog("todo", folder.resolve("gone")).err shouldContain "is not a folder; name the folder of the logs, which has the list."
+            badlog("todo", folder.resolve("gone")).err shouldContain "There is no file or folder ${folder.resolve("gone")}"
         }
     }
 })

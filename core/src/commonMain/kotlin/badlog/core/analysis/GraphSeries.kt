@@ -11,6 +11,7 @@ import badlog.core.recording.Topic
  * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
  * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
  * null.
+ * @param range returns where its recording has samples, see [recorded].
  */
 public class GraphSeries internal constructor(
     public val name: String,
@@ -18,6 +19,7 @@ public class GraphSeries internal constructor(
     public val topic: Topic,
     public val states: List<String>?,
     public val isDerived: Boolean = false,
+    private val range: () -> ClosedFloatingPointRange<Double>?,
     compute: () -> Series,
 ) {
     /** Its samples, computed on first use. */
@@ -27,11 +29,23 @@ public class GraphSeries internal constructor(
     public val holds: Boolean get() = topic.times != null && !isDerived
 
     /**
+     * The part of x in which its recording has samples, of this line or of others: where values hold, the last one holds until its end.
+     * Null if there are none.
+     */
+    public val recorded: ClosedFloatingPointRange<Double>? get() = range()
+
+    /**
      * Returns this line with [offset] added to each x, in the unit of x, and [suffix] behind its name and its topic's: so a line of one log
      * is drawn among those of another. The times of the topic itself stay.
      */
-    public fun moved(offset: Double, suffix: String): GraphSeries =
-        GraphSeries(name + suffix, unit, topic.copy(name = topic.name + suffix), states, isDerived) {
-            if (offset == 0.0) data else Series(DoubleArray(data.size) { data.x[it] + offset }, data.y)
-        }
+    public fun moved(offset: Double, suffix: String): GraphSeries = GraphSeries(
+        name + suffix,
+        unit,
+        topic.copy(name = topic.name + suffix),
+        states,
+        isDerived,
+        { recorded?.let { it.start + offset..it.endInclusive + offset } },
+    ) {
+        if (offset == 0.0) data else Series(DoubleArray(data.size) { data.x[it] + offset }, data.y)
+    }
 }

@@ -163,7 +163,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             // A topic, or another derived graph, may already have the name that this one would get; both are shown.
             val name = freeName(derivation.name) { it !in topicNames && it !in graphOfName }
             addGraph(GraphDraft(name, unit, isVirtual = true)).series +=
-                GraphSeries(PathName.baseNameOf(name), unit, topic, null, isDerived = true) {
+                GraphSeries(PathName.baseNameOf(name), unit, topic, null, isDerived = true, range = xAxis::range) {
                     derivation.series(samplesOf(topic, xAxis))
                 }
         }
@@ -185,7 +185,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
             plan.report(ProblemKind.UNUSUAL_JOIN, "“${topic.name}” joins “$name”, which is the graph of a topic.")
         }
         val graph = graphOfName[name] ?: addGraph(GraphDraft(name, topic.unit, isVirtual = true))
-        val series = GraphSeries(PathName.baseNameOf(topic.name), topic.unit, topic, null) { samplesOf(topic, xAxis) }
+        val series = GraphSeries(PathName.baseNameOf(topic.name), topic.unit, topic, null, range = xAxis::range) { samplesOf(topic, xAxis) }
         if (graph.unit != topic.unit) {
             plan.report(
                 ProblemKind.UNUSUAL_JOIN,

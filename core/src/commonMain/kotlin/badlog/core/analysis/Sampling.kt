@@ -48,12 +48,12 @@ internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
     val name = PathName.baseNameOf(topic.name)
     return when (topic.kind) {
         TopicKind.STATE ->
-            GraphSeries(name, topic.unit, topic, topic.texts.dictionary) { statesOf(topic, xAxis) }
+            GraphSeries(name, topic.unit, topic, topic.texts.dictionary, range = xAxis::range) { statesOf(topic, xAxis) }
 
         TopicKind.BOOLEAN ->
-            GraphSeries(name, topic.unit, topic, listOf("false", "true")) { samplesOf(topic, xAxis) }
+            GraphSeries(name, topic.unit, topic, listOf("false", "true"), range = xAxis::range) { samplesOf(topic, xAxis) }
 
-        else -> GraphSeries(name, topic.unit, topic, null) { samplesOf(topic, xAxis) }
+        else -> GraphSeries(name, topic.unit, topic, null, range = xAxis::range) { samplesOf(topic, xAxis) }
     }
 }
 

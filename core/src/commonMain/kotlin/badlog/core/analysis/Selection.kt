@@ -77,7 +77,7 @@ public fun weightedPercentile(values: DoubleArray, weights: DoubleArray, count: 
 
 /**
  * Several percentiles of the same values, each defined as in [weightedPercentile]. The range of the values is divided into equal parts;
- * the weights of the parts tell which part contains a percentile, so it is selected from a few values only.
+ * the weights of the parts show which part contains a percentile, so it is selected from a few values only.
  */
 internal class WeightedPercentiles(private val values: DoubleArray, private val weights: DoubleArray, private val count: Int) {
     private var smallest = Double.POSITIVE_INFINITY

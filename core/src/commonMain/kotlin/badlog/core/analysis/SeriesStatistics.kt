@@ -88,16 +88,13 @@ private class Piece(series: Series, val part: Span) {
     }
 }
 
-/** Returns the statistics of [line], one of this view's. If its values hold, the last one holds until the end of the recording. */
-public fun LogView.statisticsOf(
-    line: GraphSeries,
-    from: Double = Double.NEGATIVE_INFINITY,
-    to: Double = Double.POSITIVE_INFINITY,
-): SeriesStatistics = statisticsOf(line, listOf(Span(from, to)))
+/** Returns the statistics of this line from [from] to [to]. If its values hold, the last one holds until the end of its recording. */
+public fun GraphSeries.statistics(from: Double = Double.NEGATIVE_INFINITY, to: Double = Double.POSITIVE_INFINITY): SeriesStatistics =
+    statistics(listOf(Span(from, to)))
 
 /** Returns the same for several [parts] together, which are in the order of x and do not touch. */
-public fun LogView.statisticsOf(line: GraphSeries, parts: List<Span>): SeriesStatistics =
-    line.data.statistics(parts, xAxis.range?.endInclusive?.takeIf { line.holds } ?: Double.NaN)
+public fun GraphSeries.statistics(parts: List<Span>): SeriesStatistics =
+    data.statistics(parts, recorded?.endInclusive?.takeIf { holds } ?: Double.NaN)
 
 private class WeighedFigures(most: Int) {
     private val values = DoubleArray(most)
@@ -148,7 +145,7 @@ private class WeighedFigures(most: Int) {
     }
 
     /**
-     * The weighted mean and standard deviation. The second pass tells by how much rounding put the mean of the first one off, so that
+     * The weighted mean and standard deviation. The second pass shows by how much rounding put the mean of the first one off, so that
      * neither suffers where all values are far from 0, or one is far from the others.
      */
     private fun moments(): Pair<Double, Double> {

@@ -36,7 +36,7 @@ public class RecordingWriter(private val recording: Recording, private val forma
         require(fromRow in 0..untilRow && untilRow <= recording.rowCount) {
             "There are no rows from $fromRow until $untilRow in a recording of ${recording.rowCount}."
         }
-        require(format.hasRows) { "This writes bags and CSV, not $format." }
+        require(format.hasRows) { "This writes bags and CSV, not ${format.title}s." }
         requireSamples()
         val out = RowWriter()
         header(out)
@@ -57,13 +57,11 @@ public class RecordingWriter(private val recording: Recording, private val forma
 
     private fun header(out: RowWriter) {
         val names = recording.topics.map { it.name }
-        when (format) {
-            RecordingFormat.BAG -> {
-                out.line(headerLineOf(recording))
-                if (names.isNotEmpty()) out.titles(names)
-            }
-
-            else -> if (names.isNotEmpty()) csvTitles(names, out)
+        if (format == RecordingFormat.BAG) {
+            out.line(headerLineOf(recording))
+            if (names.isNotEmpty()) out.titles(names)
+        } else if (names.isNotEmpty()) {
+            csvTitles(names, out)
         }
     }
 

@@ -4,12 +4,8 @@ package badlog.core.recording
  * A log format that may be read besides the bag, such as WPILOG. Formats are not registered anywhere: code that reads files
  * passes those it knows.
  */
-public interface LogFormat {
-    /** What people call one log of this format, such as `WPILOG`; an `s` makes it several. */
-    public val title: String
-
-    /** What the names of such files end in: in lower case, each with its dot. A file's content decides what it really is. */
-    public val endings: List<String>
+public interface LogFormat : RecordingFormat {
+    override val hasRows: Boolean get() = false
 
     /** The number of bytes at a file's start that [matches] needs. */
     public val signatureSize: Int

@@ -32,30 +32,14 @@ public class Recording(
     /** The number of samples of all topics together, gaps included. */
     public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
 
-    /** False for bytes that are not a log at all, so that there is nothing to show but [problems]. */
-    public val isReadable: Boolean get() = problems.none { it.kind == ProblemKind.NOT_A_RECORDING }
+    /** Why the bytes are not a log at all, as a sentence, so that there is nothing to show but [problems]; null if they are one. */
+    public val refusal: String? get() = problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.message
+
+    /** Whether the bytes are a log: there is no [refusal]. */
+    public val isReadable: Boolean get() = refusal == null
 
     /** True if part of the file's data is lost: one of [problems] is an [error][Severity.ERROR]. */
     public val isSalvaged: Boolean get() = problems.any { it.severity == Severity.ERROR }
-}
-
-/**
- * The format that a [Recording] was read from.
- *
- * @property hasRows whether all topics share rows; otherwise each has times of its own.
- */
-public enum class RecordingFormat(public val hasRows: Boolean) {
-    /** A JSON line, then CSV. */
-    BAG(true),
-
-    /** CSV alone: a bag without units, attributes and values. */
-    CSV(true),
-
-    /** The log of WPILib's DataLog. */
-    WPILOG(false),
-
-    /** A log of the FRC Driver Station: its records, its events, or both. */
-    DRIVER_STATION(false),
 }
 
 /**

@@ -35,6 +35,14 @@ class MixedClocksSpec : FunSpec({
         view.xAxis.clocks.map { it.toList() } shouldBe listOf(listOf(1.0, 2.0), listOf(0.25, 7.5))
     }
 
+    test("each line knows where its recording has samples, also where it is drawn elsewhere") {
+        val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
+        val line = view.seriesOf(view.recording.topics.single { it.name == "a" })
+        line.recorded shouldBe 0.25..7.5
+        line.moved(2.0, " (other)").recorded shouldBe 2.25..9.5
+        LogView.of(BagParser().finish()).run { recording.topics.map { seriesOf(it).recorded } }.filterNotNull().shouldBeEmpty()
+    }
+
     test("topics of one clock are one clock, even if others stand between them") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         val one = view.recording.topics.last()

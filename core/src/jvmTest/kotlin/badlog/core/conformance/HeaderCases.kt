@@ -167,7 +167,7 @@ internal val HEADER_CASES = listOf(
     ),
     case(
         "titles-torn-by-a-newline",
-        "What a newline has torn off the titles is no row, for it holds no number and has not the cells of one.",
+        "What a newline has torn off the titles is not a row: it holds no number and lacks the cells of one.",
         "$DRIVE_JSON\nTime,Mo\nde,Volts\n1,auto,12\n2,teleop,11\n",
         bag(time(1, 2), mode("auto", "teleop"), volts(12, 11), problems = listOf(TITLES_DAMAGED at 2)),
     ),

@@ -18,7 +18,7 @@ internal fun parse(text: String, piece: Int = Int.MAX_VALUE): Recording = parse(
 
 /** All that a recording holds, as text, so that two can be compared and a difference can be read. */
 internal fun describe(recording: Recording): String = buildString {
-    appendLine("${recording.format} ${recording.rowCount} rows ${recording.headerLine}")
+    appendLine("${recording.format.id} ${recording.rowCount} rows ${recording.headerLine}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")
     for (topic in recording.topics) {
         val texts = List(topic.texts.size) { "${topic.texts.rows[it]}:${topic.texts[it]}" }

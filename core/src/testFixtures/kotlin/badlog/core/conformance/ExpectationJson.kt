@@ -5,7 +5,7 @@ import kotlin.math.abs
 /** The expectation as the corpus holds it: JSON in a canonical form, so that texts can be compared. */
 internal fun expectationJson(description: String, expectation: Expectation): String = buildString {
     append("{\n  \"description\": ").append(quoted(description)).append(",\n")
-    append("  \"format\": ").append(quoted(expectation.format.name.lowercase())).append(",\n")
+    append("  \"format\": ").append(quoted(expectation.format.id)).append(",\n")
     appendList("values", expectation.values) { "{\"name\": ${quoted(it.name)}, \"value\": ${quoted(it.text)}}" }
     appendList("topics", expectation.topics, ::topicJson)
     append("  \"rowCount\": ").append(expectation.rowCount).append(",\n")

@@ -39,7 +39,7 @@ internal class Actions(
     /** Performs [action]; most need an open log. */
     fun perform(action: Action) {
         val open = current.recording ?: return if (action == Action.CURSOR_VALUES) perform(Request.Values) else Unit
-        val outcome = after(Session(view.place, board.history, graph = board.current?.id), ShownRecording(open), action)
+        val outcome = after(Session(view.place, board.history, board.state, board.current?.id), ShownRecording(open), action)
         view.go { outcome.session.place }
         board.take(outcome.session.board)
         outcome.request?.let(::perform)

@@ -1,6 +1,7 @@
 package badlog.window.app
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.files.missingSentence
 import badlog.window.folder.Library
 import badlog.window.layout.LayoutStore
 import badlog.window.log.RecordingLoader
@@ -44,7 +45,7 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
                 named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; check the spelling.")
                 Files.isDirectory(named) -> StartPlace(named, null, null)
                 Files.exists(named) -> StartPlace(named.parent, named, null)
-                else -> StartPlace(folder, null, "There is no file or folder $named; check the spelling.")
+                else -> StartPlace(folder, null, missingSentence("$named"))
             }
         }
     }

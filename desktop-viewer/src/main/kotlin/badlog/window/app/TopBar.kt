@@ -6,12 +6,10 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.window.findings.LogFindings
@@ -25,6 +23,8 @@ import badlog.window.sidebar.MainView
 import badlog.window.sidebar.WindowPanels
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 
 /**
@@ -53,12 +53,11 @@ internal fun TopBar(
         verticalAlignment = Alignment.CenterVertically,
     ) {
         if (!isNarrow) PanelButtons(panels, showsTopics, hasLabels)
-        Text(
+        NameText(
             current.recording?.label ?: "badlog",
             Modifier.weight(1f).padding(horizontal = 8.dp),
             fontWeight = FontWeight.SemiBold,
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
+            cut = NameCut.MIDDLE,
         )
         if (!isNarrow) InspectorTabs(current, findings, notes, panels, hasLabels)
         ToolButton("Statistics across logs", Icons.Compare, "Across logs".takeIf { hasLabels }, isOn = open.main == MainView.STATISTICS) {

@@ -102,7 +102,7 @@ internal class Viewer(
     val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
     val view = AxisView()
-    val board = GraphBoard()
+    val board: GraphBoard = GraphBoard(::isDrawn)
     private val reader = RecordingReader({ library.state.folder }, ::choicesFor)
     val compared: ComparedRecordings = ComparedRecordings(current, tasks, reader)
     val axis = AxisChoice(current)
@@ -340,6 +340,11 @@ internal class Viewer(
 
     /** The log that this window is recording now; null for none. */
     private fun recordedNow(): Path? = recording.state.file
+
+    private fun isDrawn(line: String): Boolean {
+        val open = current.recording ?: return true
+        return open.signal(line) != null || formulas.isAwaited(line, open)
+    }
 
     private fun placing(show: () -> Unit) = layouts.following(show)
 

@@ -51,6 +51,8 @@ import badlog.window.folder.LibraryActions
 import badlog.window.folder.ReadingLine
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
@@ -186,7 +188,7 @@ private fun MatchRow(
     val own = remember(match) { BatterySeason(null, listOf(match)) }
     Row(Modifier.fillMaxWidth().padding(start = FOLD, top = 2.dp, bottom = 2.dp), verticalAlignment = Alignment.CenterVertically) {
         Column(Modifier.width((BatteryColumn.BATTERY.width + BatteryColumn.MATCHES.width).dp)) {
-            Text(
+            NameText(
                 match.title,
                 Modifier.clickable(
                     role = Role.Button,
@@ -194,7 +196,7 @@ private fun MatchRow(
                     onClick = onOpen,
                 ).padding(start = 8.dp),
                 color = palette.accent,
-                maxLines = 1,
+                cut = NameCut.MIDDLE,
             )
         }
         for (column in columns.filter { it.isOfMatch }) Cell(column, column.text(own).orEmpty(), color = palette.muted)
@@ -203,14 +205,16 @@ private fun MatchRow(
 }
 
 @Composable
-private fun Cell(column: BatteryColumn, text: String, isBold: Boolean = false, color: Color = LocalPalette.current.text) = Text(
-    text,
-    Modifier.width(column.width.dp).padding(horizontal = 8.dp),
-    color = color,
-    fontWeight = if (isBold) FontWeight.SemiBold else FontWeight.Normal,
-    textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
-    maxLines = 1,
-)
+private fun Cell(column: BatteryColumn, text: String, isBold: Boolean = false, color: Color = LocalPalette.current.text) {
+    val place = Modifier.width(column.width.dp).padding(horizontal = 8.dp)
+    val weight = if (isBold) FontWeight.SemiBold else FontWeight.Normal
+    // Without a part of it, a number would be another one.
+    if (column.isNumber) {
+        Text(text, place, color, fontWeight = weight, textAlign = TextAlign.End, maxLines = 1)
+    } else {
+        NameText(text, place, color, fontWeight = weight, cut = NameCut.MIDDLE)
+    }
+}
 
 /** Whether it stands in the row of a match too, below that of its battery, at the same place. */
 private val BatteryColumn.isOfMatch get() = this != BatteryColumn.BATTERY && this != BatteryColumn.MATCHES

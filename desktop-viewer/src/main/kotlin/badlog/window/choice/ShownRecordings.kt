@@ -83,7 +83,7 @@ internal class ShownRecordings(
         val before = current.recording?.takeIf { it.file == made.file } ?: return
         // The time has a graph only if it is not the axis, and the Driver Station's topics have some.
         val isOtherAxis = made.isOverTime != before.isOverTime
-        val isDefault = (if (isOtherAxis) board.kept else board.state).showsSame(before.standardGraphs)
+        val isDefault = (if (isOtherAxis) board.arranged else board.history.now).showsSame(before.standardGraphs)
         current.replace(made)
         live.staying { if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) } }
         made.field.problem?.takeIf { it != before.field.problem }?.let(notices::complain)

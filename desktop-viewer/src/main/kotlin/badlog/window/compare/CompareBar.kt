@@ -2,6 +2,7 @@ package badlog.window.compare
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -36,7 +37,6 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.comparison.Alignment
 import badlog.viewer.choices.comparison.OFFSET_STEPS
@@ -48,8 +48,11 @@ import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
+import badlog.window.theme.fieldFrame
 import androidx.compose.ui.Alignment as Place
 
 /** The logs compared with the open one, and their alignment; empty if there are none. */
@@ -85,7 +88,7 @@ internal fun CompareBar(current: CurrentRecording, compared: ComparedRecordings)
             for (file in comparison.checked) {
                 if (file != open.file && file !in comparison.loaded) {
                     Row(Modifier.padding(horizontal = 8.dp, vertical = 6.dp)) {
-                        Text("Reading ${file.fileName}…".take(60), color = palette.muted, maxLines = 1)
+                        NameText("Reading ${file.fileName}…", color = palette.muted, cut = NameCut.MIDDLE)
                     }
                 }
             }
@@ -107,12 +110,7 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
     ) {
         Box(Modifier.size(10.dp).background(color, RoundedCornerShape(2.dp)))
         Tip("${recording.label} (${recording.file.fileName})", Modifier.weight(1f, fill = false).padding(start = 6.dp, end = 6.dp)) {
-            Text(
-                shortLabel(drawn.name, letters = 28),
-                Modifier.padding(vertical = 5.dp),
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
+            NameText(shortLabel(drawn.name, letters = 28), Modifier.padding(vertical = 5.dp), cut = NameCut.MIDDLE)
         }
         if (isOpen) {
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
@@ -135,6 +133,7 @@ private fun Nudge(label: String, sign: String, step: Double, onClick: () -> Unit
 @Composable
 internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
     val palette = LocalPalette.current
+    val interactions = remember { MutableInteractionSource() }
     // What is being typed; null while nothing is.
     var draft by remember(offset) { mutableStateOf<String?>(null) }
     val isMistyped = draft?.let { offsetOf(it) == null } == true
@@ -147,9 +146,7 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
         { draft = it },
         Modifier
             .width(88.dp)
-            .background(palette.raised, RoundedCornerShape(4.dp))
-            .border(1.dp, if (isMistyped) palette.error else palette.border, RoundedCornerShape(4.dp))
-            .padding(horizontal = 5.dp, vertical = 3.dp)
+            .fieldFrame(interactions, horizontal = 5.dp, vertical = 3.dp, isWrong = isMistyped)
             .onFocusChanged { if (!it.isFocused) finish() }
             .onKeyEvent { event ->
                 val isEnter = event.type == KeyEventType.KeyDown && (event.key == Key.Enter || event.key == Key.NumPadEnter)
@@ -159,6 +156,7 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
             .semantics { contentDescription = "Offset of $label" },
         textStyle = LocalTextStyle.current.copy(textAlign = TextAlign.End),
         singleLine = true,
+        interactionSource = interactions,
         cursorBrush = SolidColor(palette.accent),
     )
 }

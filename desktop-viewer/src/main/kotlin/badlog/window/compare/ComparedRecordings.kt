@@ -69,7 +69,7 @@ internal class ComparedRecordings(
 
     private fun nameOf(recording: OpenRecording): LogName {
         val file = recording.file.fileName.toString()
-        val match = recording.match.orNamed(file)
+        val match = recording.match
         return LogName(match.event, match.match, recording.label, file)
     }
 

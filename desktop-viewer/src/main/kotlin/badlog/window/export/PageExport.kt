@@ -6,7 +6,8 @@ import badlog.exporter.ExportException
 import badlog.exporter.HtmlExporter
 import badlog.exporter.layoutFor
 import badlog.expression.undefinedTopics
-import badlog.files.readRecording
+import badlog.files.ReadResult
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.protocol.PageAdditions
 import badlog.rules.folder.FolderRules
@@ -15,7 +16,6 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.draw.path.FieldFile
 import badlog.window.log.OpenRecording
-import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -102,14 +102,13 @@ internal class Additions(
     private fun workingIn(log: Path): List<String> {
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }
-        return try {
-            val undefined = undefinedTopics(
-                LogView.of(readRecording(log, LOG_FORMATS, keepSamples = false)).namesWith(FolderRules.of(log, library).rules.signals),
-                definitions,
-            )
-            definitions - undefined.mapTo(HashSet()) { it.text }
-        } catch (_: IOException) {
-            emptyList()
+        return when (val read = readLog(log, LOG_FORMATS, keepSamples = false)) {
+            is ReadResult.NotRead -> emptyList()
+
+            is ReadResult.Read -> {
+                val names = LogView.of(read.recording).namesWith(FolderRules.of(log, library).rules.signals)
+                definitions - undefinedTopics(names, definitions).mapTo(HashSet()) { it.text }
+            }
         }
     }
 }

@@ -9,12 +9,12 @@ import badlog.rules.folder.FolderRules
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
-import badlog.rules.incident.firstToSee
 import badlog.rules.incident.incidentsIn
 import badlog.rules.incident.nextOf
 import badlog.rules.over
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.shown.finding.firstStep
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -92,13 +92,13 @@ internal class LogFindings(
     private fun goToWorst() {
         worstWanted = null
         val list = state.list ?: return
-        firstToSee(list.all, list.incidents)?.let { goTo(it.begin) }
+        firstStep(list.all, list.incidents)?.let { goTo(it.place.finding, it.place.span.from) }
     }
 
     /** Adds the graphs of the first result, unless somebody has arranged others. */
     private fun beginWithFirst(list: FindingList) {
         val open = current.recording ?: return
-        if (!board.state.showsSame(open.standardGraphs)) return
+        if (!board.shows(open.standardGraphs)) return
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
     }
 

@@ -12,7 +12,6 @@ import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Icon
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -24,7 +23,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.catalog.folder.LogEntry
 import badlog.signals.match.NaturalOrder
@@ -35,6 +33,8 @@ import badlog.window.menu.MenuLine
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
@@ -99,12 +99,11 @@ internal fun FolderMenu(library: Library, settings: SettingsStore, actions: Libr
             ) {
                 val palette = LocalPalette.current
                 Icon(Icons.Folder, contentDescription = null, Modifier.size(16.dp), palette.muted)
-                Text(
+                NameText(
                     folder?.let(::nameOf) ?: "No folder",
                     Modifier.weight(1f, fill = false),
                     fontWeight = FontWeight.SemiBold,
-                    maxLines = 1,
-                    overflow = TextOverflow.Ellipsis,
+                    cut = NameCut.MIDDLE,
                 )
                 Icon(Icons.Down, contentDescription = null, Modifier.size(12.dp), palette.muted)
             }

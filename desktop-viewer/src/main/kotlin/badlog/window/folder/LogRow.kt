@@ -51,6 +51,8 @@ import badlog.window.findings.findingColor
 import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.Tip
 
@@ -85,7 +87,7 @@ internal fun LogRow(
         }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-                Text(rowTitle(entry, isOneOfMatch, palette), Modifier.weight(1f), maxLines = 1, overflow = TextOverflow.Ellipsis)
+                RowTitle(entry, isOneOfMatch, Modifier.weight(1f))
                 AllianceMark(entry)
                 ProblemBadge(entry)
             }
@@ -138,12 +140,17 @@ private fun FoundLine(entry: LogEntry) {
     }
 }
 
-private fun rowTitle(entry: LogEntry, isOneOfMatch: Boolean, palette: Palette): AnnotatedString = buildAnnotatedString {
+/** The title of [entry], and in the room that it leaves what else tells it from others. */
+@Composable
+private fun RowTitle(entry: LogEntry, isOneOfMatch: Boolean, modifier: Modifier) {
+    val palette = LocalPalette.current
     val color = if (entry.isGray) palette.muted else palette.text
     val weight = if (entry.isGray) FontWeight.Normal else FontWeight.SemiBold
-    withStyle(SpanStyle(color, fontWeight = weight)) { append(entry.title) }
     val more = if (isOneOfMatch) entry.fileName else entry.summary.match.event.takeIf { entry.summary.match.match != null }
-    more?.let { withStyle(SpanStyle(palette.muted)) { append("  $it") } }
+    Row(modifier, Arrangement.spacedBy(8.dp)) {
+        NameText(entry.title, color = color, fontWeight = weight, cut = NameCut.MIDDLE)
+        if (more != null) NameText(more, Modifier.weight(1f), palette.muted, cut = NameCut.MIDDLE)
+    }
 }
 
 private fun rowFacts(entry: LogEntry, palette: Palette): AnnotatedString = buildAnnotatedString {

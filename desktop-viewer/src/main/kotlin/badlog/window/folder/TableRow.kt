@@ -136,12 +136,12 @@ internal fun TableRow(
         for (column in LogColumn.entries) {
             if (column == LogColumn.FILE) RowPreview(entry, previews, palette)
             val color = cellColor(entry, column, palette)
-            val isWay = column == LogColumn.FINDINGS && entry.found?.worst != null
+            val isLink = column == LogColumn.FINDINGS && entry.found?.worst != null
             val cell = @Composable { width: Modifier ->
                 val text = cellText(entry, column, folder)
                 val place = width.padding(horizontal = 8.dp)
                 val weight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal
-                if (column == LogColumn.FILE) {
+                if (column == LogColumn.FILE || column == LogColumn.EVENT) {
                     NameText(text, place, color, fontWeight = weight, cut = NameCut.MIDDLE)
                 } else {
                     Text(
@@ -151,15 +151,15 @@ internal fun TableRow(
                         fontWeight = weight,
                         textAlign = if (column.isNumber) TextAlign.End else TextAlign.Start,
                         maxLines = 1,
-                        textDecoration = TextDecoration.Underline.takeIf { isWay && isHovered },
+                        textDecoration = TextDecoration.Underline.takeIf { isLink && isHovered },
                         overflow = TextOverflow.Ellipsis,
                     )
                 }
             }
             val width = Modifier.width(widthOf(column, spare))
-            if (isWay) {
+            if (isLink) {
                 // Always the same, because a click may begin before the tooltip appears.
-                Box(width.then(wayTo(entry, onFindings)), propagateMinConstraints = true) {
+                Box(width.then(linkTo(entry, onFindings)), propagateMinConstraints = true) {
                     // A tooltip costs as much as the rest of the row, so only the one under the pointer has it.
                     if (isHovered) Tip(foundLines(entry)) { cell(Modifier.fillMaxWidth()) } else cell(Modifier)
                 }
@@ -171,7 +171,7 @@ internal fun TableRow(
 }
 
 /** Makes a click go to the findings; keys are for moving from log to log, and have the findings of the open one. */
-private fun wayTo(entry: LogEntry, onFindings: () -> Unit) = Modifier
+private fun linkTo(entry: LogEntry, onFindings: () -> Unit) = Modifier
     .focusProperties { canFocus = false }
     .clickable(role = Role.Button, onClick = onFindings)
     .semantics { contentDescription = "Findings of ${entry.fileName}" }

@@ -1,10 +1,8 @@
 package badlog.window.formula
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.interaction.MutableInteractionSource
-import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -19,7 +17,6 @@ import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
-import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -54,6 +51,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.ToolButton
+import badlog.window.theme.fieldFrame
 import badlog.window.theme.sheet
 
 /** The dialog for the formula of [sheet] for the open recording; shown above the window. */
@@ -134,20 +132,12 @@ internal fun FormulaField(writer: FormulaWriter) {
     LaunchedEffect(writer) { focus.requestFocus() }
     val error = writer.error
     val interactions = remember { MutableInteractionSource() }
-    val isFocused by interactions.collectIsFocusedAsState()
-    val border = when {
-        error != null -> palette.error
-        isFocused -> palette.accent
-        else -> palette.border
-    }
     BasicTextField(
         writer.field,
         { writer.field = it },
         Modifier
             .fillMaxWidth()
-            .background(palette.raised, RoundedCornerShape(5.dp))
-            .border(if (isFocused) 2.dp else 1.dp, border, RoundedCornerShape(5.dp))
-            .padding(horizontal = 10.dp, vertical = 8.dp)
+            .fieldFrame(interactions, horizontal = 10.dp, vertical = 8.dp, isWrong = error != null)
             .focusRequester(focus)
             .semantics { contentDescription = "Definition of the formula" },
         textStyle = LocalTextStyle.current.copy(color = palette.text, fontFamily = FontFamily.Monospace),

@@ -59,7 +59,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
     fun replace(before: String, definition: String, name: String) {
         removed = removed + before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
-        nameIn(before)?.let { board.change { renamed(it, name) } }
+        nameIn(before)?.let { board.changeEverywhere { renamed(it, name) } }
     }
 
     /** Removes [definition], also from the graphs, and returns true; false, with a notice, if other formulas need it. */
@@ -70,9 +70,12 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
         }
         removed = removed + definition
         definitions = definitions - definition
-        nameIn(definition)?.let { board.change { withoutSignal(it) } }
+        nameIn(definition)?.let { board.changeEverywhere { withoutSignal(it) } }
         return true
     }
+
+    /** Returns whether [name] is that of a formula that is still to be calculated in [open]. */
+    fun isAwaited(name: String, open: OpenRecording): Boolean = definitions.any { it !in open.definitions && nameIn(it) == name }
 
     /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed; on any thread. */
     fun with(others: List<String>): List<String> {

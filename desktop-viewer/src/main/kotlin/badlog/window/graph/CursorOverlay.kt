@@ -11,14 +11,10 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import badlog.core.analysis.Span
-import badlog.viewer.draw.color.PenColors
-import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.drawCursors
-import badlog.viewer.draw.plot.drawSample
+import badlog.viewer.draw.plot.drawSamples
 import badlog.viewer.input.DragKind
-import badlog.viewer.shown.cursor.dotAt
-import badlog.viewer.shown.cursor.indexAt
 import badlog.window.graph.mark.drawBand
 import badlog.window.graph.mark.drawShownFinding
 import badlog.window.graph.plot.PlotPicture
@@ -44,7 +40,7 @@ internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
             val pen = pen()
             pen.drawCursors(frame, scene.view.cursors, palette.pen)
             val cursor = scene.view.cursor ?: return@drawBehind
-            if (cursor in visible) scene.pictureOf(state)?.let { pen.drawSamples(frame, it, cursor, palette.pen) }
+            scene.pictureOf(state)?.let { pen.drawSamples(frame, it.plot, it.lines, cursor, palette.pen) }
         },
     )
 }
@@ -60,32 +56,19 @@ internal fun DrawScope.drawSelection(selection: Span, visible: Span, palette: Pa
 }
 
 private fun DrawScope.drawGesture(gesture: PlotGesture, id: Int, visible: Span, picture: PlotPicture?, palette: Palette) {
-    when (gesture.kind) {
+    val drag = gesture.drag
+    when (drag.kind) {
         DragKind.PAN -> Unit
 
-        DragKind.ZOOM, DragKind.SELECT -> drawSelection(gesture.xSpan, visible, palette)
+        DragKind.ZOOM, DragKind.SELECT -> drawSelection(drag.xSpan, visible, palette)
 
         DragKind.ZOOM_Y -> {
-            val axis = picture?.axes?.firstOrNull() ?: return
-            if (gesture.graph != id) return
-            val top = axis.pixelOf(gesture.ySpan.to, picture.plotHeight)
-            val bottom = axis.pixelOf(gesture.ySpan.from, picture.plotHeight)
+            if (gesture.graph != id || picture == null) return
+            val top = drag.ySpan.from.toFloat() * picture.plotHeight
+            val bottom = drag.ySpan.to.toFloat() * picture.plotHeight
             drawRect(palette.accent.copy(alpha = BAND_OPACITY), Offset(0f, top), Size(size.width, bottom - top))
             for (y in listOf(top, bottom)) drawLine(palette.accent, Offset(0f, y), Offset(size.width, y), strokeWidth = density)
         }
-    }
-}
-
-/** Draws a dot on each line of [picture] where the legend reads it: at the sample, or where its value holds. */
-internal fun Pen.drawSamples(frame: PlotFrame, picture: PlotPicture, cursor: Double, colors: PenColors) {
-    val lines = frame.part(0.0, 1 - picture.plot.laneShare)
-    for (line in picture.lines) {
-        val read = line.line.signal.line
-        val index = read.indexAt(cursor - line.line.offset)
-        if (index < 0) continue
-        val x = frame.x.placeOf(read.dotAt(cursor - line.line.offset) + line.line.offset)
-        val y = lines.scaleOf(picture.axes[line.axis].shown).placeOf(read.data.y[index])
-        if (x in frame.left..frame.right && y in lines.top..lines.bottom) drawSample(x, y, line.line.color, colors)
     }
 }
 

@@ -40,7 +40,7 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 internal fun NoGraphs(board: GraphBoard, open: OpenRecording, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or start with the default graphs.", modifier) {
         ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) {
-            board.change { open.standardGraphs }
+            board.changeAll(open.standardGraphs)
         }
         if (board.canUndo) ToolButton("Show the previous graphs", Icons.Undo, text = "Undo") { board.undo() }
     }

@@ -48,7 +48,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             .height(height.dp)
             .background(palette.surface)
             .hoverable(interactions)
-            .semantics { contentDescription = "Graph ${spec.title}" },
+            .semantics { contentDescription = "Graph ${scene.board.titleOf(spec)}" },
     ) {
         Column {
             ContextArea({ graphActions(scene, spec).flatten().map { ContextMenuItem(it.label, it.run) } }) {

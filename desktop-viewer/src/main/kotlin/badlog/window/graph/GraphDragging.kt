@@ -92,7 +92,7 @@ internal fun DraggedGraph(scene: GraphScene, height: Int) {
         }
     }
     NameText(
-        graph.title,
+        scene.board.titleOf(graph),
         Modifier
             .offset { IntOffset(drag.pointer.x.toInt() + BESIDE.dp.roundToPx(), drag.pointer.y.toInt() + BESIDE.dp.roundToPx()) }
             .widthIn(max = 260.dp)

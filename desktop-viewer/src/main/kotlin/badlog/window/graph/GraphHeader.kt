@@ -29,6 +29,7 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.isTitledByPath
 import badlog.viewer.text.countText
 import badlog.window.graph.plot.DrawnLine
 import badlog.window.graph.plot.drawnLines
@@ -46,7 +47,7 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
     val room = modifier.fillMaxWidth().heightIn(min = (GraphScene.HEADER_HEIGHT - 2).dp).padding(start = 10.dp, end = MENU_ROOM, top = 2.dp)
     if (spec.isXy) {
         FlowRow(room, Arrangement.spacedBy(14.dp), itemVerticalAlignment = Alignment.CenterVertically, maxLines = maxLines) {
-            GraphTitle(spec.title)
+            GraphTitle(scene, spec)
             XyLegend(scene, spec)
         }
         return
@@ -57,7 +58,7 @@ internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, mod
         count = maxOf(lines.size, 1),
         maxLines,
         room,
-        title = { GraphTitle(spec.title) },
+        title = { GraphTitle(scene, spec) },
         // A line may already be gone before the next layout.
         entry = { i -> lines.getOrNull(i)?.let { LegendEntry(scene, spec, it, hasName = !isAlone) } ?: NoLines(lines) },
         more = { first -> MoreLines(scene, spec, lines.drop(first)) },
@@ -83,7 +84,7 @@ private fun MoreLines(scene: GraphScene, spec: BoardGraph, lines: List<DrawnLine
             "+${lines.size}",
             Modifier
                 .clickable(role = Role.Button) { isOpen = !isOpen }
-                .semantics { contentDescription = "${countText(lines.size, "more line")} of ${spec.title}" }
+                .semantics { contentDescription = "${countText(lines.size, "more line")} of ${scene.board.titleOf(spec)}" }
                 .padding(horizontal = 4.dp),
             color = LocalPalette.current.accent,
             fontSize = 12.sp,
@@ -93,14 +94,16 @@ private fun MoreLines(scene: GraphScene, spec: BoardGraph, lines: List<DrawnLine
 }
 
 @Composable
-private fun GraphTitle(title: String) {
+private fun GraphTitle(scene: GraphScene, spec: BoardGraph) {
     val palette = LocalPalette.current
-    val folder = title.substringBeforeLast('/', "").takeLast(MAX_FOLDER_LETTERS)
+    val title = scene.board.titleOf(spec)
+    val cut = if (spec.isTitledByPath) title.lastIndexOf('/') else -1
+    val folder = title.take(maxOf(cut, 0)).takeLast(MAX_FOLDER_LETTERS)
     Row(Modifier.pointerHoverIcon(PointerIcon(Cursor(Cursor.MOVE_CURSOR)))) {
         NameText(
             buildAnnotatedString {
                 if (folder.isNotEmpty()) withStyle(SpanStyle(color = palette.muted)) { append("$folder / ") }
-                withStyle(SpanStyle(fontWeight = FontWeight.Medium)) { append(title.substringAfterLast('/')) }
+                withStyle(SpanStyle(fontWeight = FontWeight.Medium)) { append(title.substring(cut + 1)) }
             },
             Modifier.widthIn(max = 420.dp),
         )

@@ -12,15 +12,16 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.canSwapAxes
 import badlog.viewer.draw.axis.AxisSide
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.xyLabelOf
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.xy.drawnXys
+import badlog.window.log.GraphBoard
 import badlog.window.menu.MenuBox
 import badlog.window.menu.MenuLine
 import badlog.window.theme.Icons
@@ -63,7 +64,7 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
         if (spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField }) fieldActions(scene, spec) else emptyList(),
-        additionsOf(scene, spec),
+        additionsOf(board, spec),
     ).filter { it.isNotEmpty() }
 }
 
@@ -74,20 +75,20 @@ private fun fieldActions(scene: GraphScene, spec: BoardGraph) = FieldOrigin.entr
     GraphAction("Deselect the field file", run = scene.fields::deselect).takeIf { scene.fields.isSelected },
 )
 
-private fun additionsOf(scene: GraphScene, spec: BoardGraph) = scene.board.state.graphs.filter { it.id != spec.id }.map { other ->
-    GraphAction("Add to ${quoted(other)}") { scene.board.change { joined(other.id, spec.id) } }
+private fun additionsOf(board: GraphBoard, spec: BoardGraph) = board.state.graphs.filter { it.id != spec.id }.map { other ->
+    GraphAction("Add to ${quoted(board, other)}") { board.change { joined(other.id, spec.id) } }
 }
 
-/** Returns the title of [graph] for a menu. */
-internal fun quoted(graph: BoardGraph): String = "“${shortLabel(graph.title, TITLE_LETTERS)}”"
+/** Returns the title of [graph], one of those of [board], for a menu. */
+internal fun quoted(board: GraphBoard, graph: BoardGraph): String = "“${shortLabel(board.titleOf(graph), TITLE_LETTERS)}”"
 
 private const val TITLE_LETTERS = 36
 
 /** Fixes or unfixes the visible y range of [spec]. */
 private fun fixY(scene: GraphScene, spec: BoardGraph) {
     if (spec.yRange != null || spec.rightYRange != null) return scene.board.change { withYRange(spec.id, null) }
-    val axes = scene.pictureOf(scene.plots.state(spec.id))?.axes.orEmpty()
-    fun shown(side: AxisSide) = axes.find { it.axis.side == side }?.shown
+    val axes = scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty()
+    fun shown(side: AxisSide) = axes.find { it.side == side }?.shown
     scene.board.change { withYRange(spec.id, shown(AxisSide.LEFT), shown(AxisSide.RIGHT)) }
 }
 

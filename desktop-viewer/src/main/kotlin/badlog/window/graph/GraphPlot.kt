@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
@@ -22,13 +23,14 @@ import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawModes
 import badlog.viewer.draw.plot.drawPlot
+import badlog.viewer.session.gesture.PlotGestures
 import badlog.window.graph.plot.PictureEffect
-import badlog.window.graph.plot.PlotPicture
 import badlog.window.graph.plot.PlotRequest
 import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.drawLines
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.scene.plotPointer
+import badlog.window.graph.scene.ViewTarget
+import badlog.window.graph.scene.receives
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 
@@ -36,6 +38,7 @@ import badlog.window.theme.LocalPalette
 @Composable
 internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val state = scene.plots.state(spec.id)
+    val gestures = remember(scene, spec.id) { PlotGestures(ViewTarget(scene, spec.id) { scene.pictureOf(state) }) }
     val latest by rememberUpdatedState(spec)
     val density = LocalDensity.current.density
     val palette = LocalPalette.current
@@ -60,8 +63,8 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .onSizeChanged { state.size = it }
                 .pointerHoverIcon(PointerIcon.Crosshair)
-                .semantics { contentDescription = "Plot ${spec.title}" }
-                .plotPointer(scene, spec.id) { y, height -> yAt(scene.pictureOf(state), y, height) },
+                .semantics { contentDescription = "Plot ${scene.board.titleOf(spec)}" }
+                .receives(gestures),
         ) {
             CursorOverlay(scene, spec.id, state)
         }
@@ -82,16 +85,9 @@ private fun GraphDrawing(scene: GraphScene, state: PlotState) {
             val modes = scene.current.recording?.modes ?: return@drawBehind
             val picture = scene.pictureOf(state) ?: return@drawBehind pen().drawModes(frame, modes, palette.pen)
             val marks = PlotMarks(modes, scene.events.matching, findings = null, scene.notes.all.map { it.x })
-            pen().drawPlot(frame, picture.plot, marks, palette.pen, xHeight = 0.0, hasRoom = true, picture.frame()) {
+            pen().drawPlot(frame, picture.plot, marks, palette.pen, xHeight = 0.0, hasRoom = true, picture.request.frame) {
                 drawLines(picture, frame)
             }
         },
     )
-}
-
-/** Returns the value on the left axis at [y] pixels from the top of a plot; NaN if there is no axis. */
-private fun yAt(picture: PlotPicture?, y: Float, height: Float): Double {
-    if (picture == null) return Double.NaN
-    val plotHeight = picture.plotHeight / picture.request.height * height
-    return picture.axes.firstOrNull()?.valueAt(y.coerceIn(0f, plotHeight), plotHeight) ?: Double.NaN
 }

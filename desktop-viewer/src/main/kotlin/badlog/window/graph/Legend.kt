@@ -123,7 +123,8 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
 }
 
 /** Returns the text beside [line] while there is no cursor: its unit, and its axis unless that is the left one. */
-private fun PlotPicture.legendOf(line: DrawnLine): String? = lines.find { it.line == line }?.let { axes[it.axis].axis.legend }
+private fun PlotPicture.legendOf(line: DrawnLine): String? =
+    plot.lines.getOrNull(lines.indexOf(line))?.let { drawn -> plot.axes[drawn.axis].run { side.legendOf(unit) } }
 
 private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
     isComparing -> if (line.signal.states == null) 330.dp else 180.dp
@@ -142,9 +143,7 @@ internal fun readingOf(
     second: Double? = null,
     sampleText: (Double) -> String = ::numberText,
 ): String {
-    if (picture == null || cursor == null) return ""
-    val isThere = picture.lines.any { it.line == line } || picture.lanes.any { it.line == line }
-    if (!isThere) return ""
+    if (picture == null || cursor == null || line !in picture) return ""
     val a = cursor - line.offset
     if (second == null) return valueText(line.signal, a, sampleText)
     return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit, sampleText)

@@ -28,10 +28,10 @@ import androidx.compose.ui.unit.dp
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
-import badlog.viewer.draw.plot.drawEventMarks
-import badlog.viewer.draw.plot.drawFindingMarks
-import badlog.viewer.draw.plot.drawModes
+import badlog.viewer.draw.plot.drawOverview
+import badlog.viewer.session.gesture.OverviewGestures
 import badlog.viewer.shown.outline.everChanges
 import badlog.window.graph.mark.drawShownFinding
 import badlog.window.graph.plot.OVERVIEW
@@ -41,7 +41,8 @@ import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.drawLines
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.scene.overviewPointer
+import badlog.window.graph.scene.ViewTarget
+import badlog.window.graph.scene.receives
 import badlog.window.log.OpenRecording
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
@@ -52,6 +53,7 @@ import badlog.window.theme.Palette
 internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current
     val state = scene.plots.state(OVERVIEW)
+    val gestures = remember(scene) { OverviewGestures(ViewTarget(scene)) }
     val density = LocalDensity.current.density
     val spec = remember(scene.current.recording) { scene.current.recording?.let(::overviewSpec) }
     PictureEffect(state, scene.plots.curves) {
@@ -69,7 +71,7 @@ internal fun Overview(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, top = 2.dp, bottom = 3.dp)
                 .onSizeChanged { state.size = it }
                 .semantics { contentDescription = "Overview" }
-                .overviewPointer(scene),
+                .receives(gestures),
         ) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind { drawWhole(scene, state, palette) },
@@ -92,12 +94,10 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
 
 private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
     val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.full)
-    val pen = pen()
     drawRect(palette.page)
-    scene.current.recording?.let { pen.drawModes(frame, it.modes, palette.pen, hasNames = true) }
-    scene.pictureOf(state)?.let { drawLines(it, frame) }
-    pen.drawEventMarks(frame, scene.events.matching, palette.pen, hasLines = false)
-    scene.findings.state.list?.let { pen.drawFindingMarks(frame, it.timeline, palette.pen) }
+    val modes = scene.current.recording?.modes ?: return
+    val marks = PlotMarks(modes, scene.events.matching, scene.findings.state.list?.timeline, scene.notes.all.map { it.x })
+    pen().drawOverview(frame, marks, palette.pen) { scene.pictureOf(state)?.let { drawLines(it, frame) } }
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {

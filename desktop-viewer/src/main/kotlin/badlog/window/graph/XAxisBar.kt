@@ -28,12 +28,14 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.Span
 import badlog.viewer.draw.axis.Ticks
+import badlog.viewer.session.gesture.PlotGestures
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.text.cursorText
 import badlog.viewer.text.differenceText
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.scene.plotPointer
+import badlog.window.graph.scene.ViewTarget
+import badlog.window.graph.scene.receives
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameCut
 import badlog.window.theme.Palette
@@ -43,6 +45,7 @@ import badlog.window.theme.measureName
 @Composable
 internal fun XAxisBar(scene: GraphScene) {
     val palette = LocalPalette.current
+    val gestures = remember(scene) { PlotGestures(ViewTarget(scene), isAxis = true) }
     val letters = rememberTextMeasurer(cacheSize = TEXTS)
     val style = remember(palette) { TextStyle(color = palette.muted, fontSize = 11.sp) }
     val strong = remember(palette) { TextStyle(color = palette.surface, fontSize = 11.sp) }
@@ -53,7 +56,7 @@ internal fun XAxisBar(scene: GraphScene) {
                 .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
                 .pointerHoverIcon(PointerIcon.Hand)
                 .semantics { contentDescription = "Axis" }
-                .plotPointer(scene, id = null) { _, _ -> Double.NaN }
+                .receives(gestures)
                 .drawBehind {
                     val axis = scene.current.recording?.view?.xAxis ?: return@drawBehind
                     val visible = scene.view.viewport.visible

@@ -52,8 +52,10 @@ internal data class Layout(
 internal object BoardSerializer : KSerializer<Board> {
     override val descriptor: SerialDescriptor = JsonElement.serializer().descriptor
 
-    override fun serialize(encoder: Encoder, value: Board) =
-        encoder.encodeSerializableValue(JsonElement.serializer(), Json.parseToJsonElement(value.toJson()).jsonObject.getValue(GRAPHS))
+    override fun serialize(encoder: Encoder, value: Board) {
+        val board = Json.parseToJsonElement(value.toJson(haveIds = true)).jsonObject
+        encoder.encodeSerializableValue(JsonElement.serializer(), board.getValue(GRAPHS))
+    }
 
     override fun deserialize(decoder: Decoder): Board =
         boardOfJson("{\"$GRAPHS\":${decoder.decodeSerializableValue(JsonElement.serializer())}}")

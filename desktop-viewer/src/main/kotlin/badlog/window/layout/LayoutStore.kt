@@ -2,9 +2,7 @@ package badlog.window.layout
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.core.analysis.Span
-import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
-import badlog.viewer.choices.board.FittedBoard
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.formula.joined
 import badlog.window.choice.AxisChoice
@@ -20,6 +18,7 @@ import badlog.window.sidebar.WindowPanels
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.suspendCancellableCoroutine
@@ -60,6 +59,7 @@ internal class LayoutStore(
 
     /** The layout as it was read or written last: what other windows have changed since is merged with it. */
     private var stored: Layout? = null
+    private val graphs = ArrangedGraphs(current, board, notices, ::whenStillOpen) { saved?.graphs?.takeIf { _ -> isInFolder(it.file) } }
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
@@ -76,10 +76,10 @@ internal class LayoutStore(
             val open = current.recording
             // While another folder is opened, it is still that of the log.
             val place = folder ?: library.state.folder
-            val isDefault = open == null || board.kept.showsSame(open.standardGraphs)
+            val isDefault = open == null || board.arranged.showsSame(open.standardGraphs)
             return Layout(
                 version = Layout.VERSION,
-                graphs = if (isDefault) null else board.kept.renumbered(),
+                graphs = if (isDefault) null else board.arranged.renumbered(),
                 recording = open?.let { pathText(it.file, place) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
@@ -91,7 +91,7 @@ internal class LayoutStore(
         }
 
     /** The part of the layout for others: the graphs and the formulas. */
-    val shared: BoardLayout get() = BoardLayout(board.kept.renumbered(), formulas = formulas.definitions)
+    val shared: BoardLayout get() = BoardLayout(board.arranged.renumbered(), formulas = formulas.definitions)
 
     /** Returns the log that was last open in [folder]; null if it is gone. */
     fun lastOpenIn(folder: Path): LastOpen? {
@@ -100,42 +100,16 @@ internal class LayoutStore(
         return LastOpen(file, layouts.writtenAt(folder))
     }
 
-    /** Returns the graphs for [recording], which was just opened: as arranged for this folder, or else the default ones. */
-    fun graphsOf(recording: OpenRecording): Board {
-        val fitted = fittedTo(recording) ?: return recording.standardGraphs
-        fitted.sentence?.let(notices::say)
-        return fitted.board
-    }
-
     /** Remembers what was arranged a moment ago, before another log is shown. */
     fun keepArranged() {
-        saved = change()?.second ?: stored ?: return
+        saved = change() ?: stored ?: return
     }
 
-    /**
-     * Shows the graphs for [recording], which was just opened; those of formulas that are still to be calculated appear with them. That is so
-     * if the log was read before the formulas of its folder were known. If it is a log that has just begun, [isGrowing], nothing is said of
-     * those that it lacks.
-     */
-    fun showGraphs(recording: OpenRecording, isGrowing: Boolean = false) {
-        val first = placedFor(recording)
-        board.replace(first)
-        whenStillOpen { open ->
-            val all = if (isGrowing) placedFor(open) else graphsOf(open)
-            if (board.kept.showsSame(first) && !all.showsSame(first)) board.replaceKept(all)
-        }
-    }
+    /** See [ArrangedGraphs.show]. */
+    fun showGraphs(recording: OpenRecording, isGrowing: Boolean = false) = graphs.show(recording, isGrowing)
 
-    /**
-     * Calls [show], which shows the open log with what was written or calculated since. Its graphs are still those arranged for its folder, of which it now may
-     * have more, unless a person has changed them.
-     */
-    fun following(show: () -> Unit) {
-        val isPlaced = current.recording?.let { board.kept.showsSame(placedFor(it)) } == true
-        show()
-        val now = current.recording?.let(::placedFor) ?: return
-        if (isPlaced && !board.kept.showsSame(now)) board.replaceKept(now)
-    }
+    /** See [ArrangedGraphs.following]. */
+    fun following(show: () -> Unit) = graphs.following(show)
 
     /**
      * Returns the formulas to calculate in the log in [file]: including those of the [layout] beside it, if nobody has arranged the graphs
@@ -157,7 +131,7 @@ internal class LayoutStore(
         compared.restore(layout.compared, library.state.folder)
         // The range is one of the axis that was chosen above, and graphs may draw the formulas.
         whenStillOpen { open ->
-            applyGraphs(layout)
+            graphs.apply(layout.graphs, open)
             if (layout.overTime == null || layout.overTime == open.isOverTime || open.timeColumn == null) applyRange(layout)
         }
     }
@@ -168,7 +142,7 @@ internal class LayoutStore(
      */
     fun switchTo(layout: Layout) {
         formulas.replaceAll(formulas.with(layout.formulas))
-        whenStillOpen { applyGraphs(layout) }
+        whenStillOpen { graphs.apply(layout.graphs, it) }
     }
 
     /** Calls [action] when all is shown as it is chosen, unless a person has opened another log by then. */
@@ -180,17 +154,18 @@ internal class LayoutStore(
     /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */
     fun showStartBoard() {
         val open = current.recording ?: return
-        val before = board.state
-        board.change { open.standardGraphs }
+        val before = board.history.now
+        board.changeAll(open.standardGraphs)
         view.change { reset() }
-        if (before.showsSame(board.state)) return
-        val undo = NoticeAction("Undo") { board.change { before } }
+        val after = board.history.now
+        if (before.showsSame(after)) return
+        val undo = NoticeAction("Undo") { board.takeBack(before, after) }
         notices.say("The graphs that this log begins with are shown.", undo)
     }
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */
     suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
-        if (folder != opened) saveNow()
+        if (folder != opened) save()
         folder = opened
         // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
         saved = opened?.let(layouts::read)
@@ -204,6 +179,7 @@ internal class LayoutStore(
         current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
         var wanted = saved
         wanted?.let(::restore)
+        whenShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
         var since: TimeSource.Monotonic.ValueTimeMark? = null
         snapshotFlow { arrangement() }.collectLatest {
             suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
@@ -216,11 +192,15 @@ internal class LayoutStore(
         }
     }
 
-    /** Saves immediately what would otherwise be saved a moment later, because the window or its folder is about to close. */
+    /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
     fun saveNow() {
-        val (place, layout) = change() ?: return
+        val place = folder ?: return
+        if (change() == null) return
+        val (known, written) = merged(layouts.read(place)) ?: return
+        saved = known
         try {
-            layouts.write(place, written(place, layout))
+            layouts.write(place, written)
+            stored = known
         } catch (_: IOException) {
             // There is no longer a window to report it in.
         }
@@ -229,7 +209,7 @@ internal class LayoutStore(
     // Everything that affects a layout; the parts themselves are compared, so that checking costs nothing.
     private fun arrangement() = listOf(
         current.recording,
-        board.kept,
+        board.arranged,
         view.viewport.visible,
         view.selection,
         compared.state,
@@ -238,14 +218,16 @@ internal class LayoutStore(
         formulas.definitions,
     )
 
-    private suspend fun save() {
-        val (place, layout) = change() ?: run {
+    // Also if something changes meanwhile, such as by what another window did: what is written counts as stored.
+    private suspend fun save() = withContext(NonCancellable) {
+        val place = folder ?: return@withContext
+        if (change() == null) {
             // What could not be stored may have been taken back.
             saved = stored
-            return
+            return@withContext
         }
-        val written = written(place, layout)
-        val known = layout.copy(formulas = written.formulas)
+        val theirs = withContext(Dispatchers.IO) { layouts.read(place) }
+        val (known, written) = merged(theirs) ?: return@withContext
         saved = known
         try {
             withContext(Dispatchers.IO) { layouts.write(place, written) }
@@ -255,30 +237,33 @@ internal class LayoutStore(
         }
     }
 
-    /** Returns what to save and where, if it is not saved yet. The state of another folder's recording does not count. */
-    private fun change(): Pair<Path, Layout>? {
-        val place = folder ?: return null
-        val open = current.recording?.takeIf { isInFolder(it.file) }
-        if (open == null) {
-            val kept = (saved ?: Layout(Layout.VERSION)).copy(formulas = formulas.definitions)
-            return if (kept == (stored ?: Layout(Layout.VERSION))) null else place to kept
+    /** Returns what to save, if it is not saved yet. The state of another folder's recording does not count. */
+    private fun change(): Layout? {
+        if (folder == null) return null
+        val open = openInFolder()
+        val changed = if (open == null) {
+            (saved ?: Layout(Layout.VERSION)).copy(formulas = formulas.definitions)
+        } else {
+            // A recording that lacks a signal must not make all others forget it.
+            layout.copy(graphs = graphs.toStore(open))
         }
-        val shown = layout
-        // A recording that lacks a signal must not make all others forget it.
-        val isAsSaved = board.kept.showsSame(placedFor(open))
-        val layout = if (isAsSaved) shown.copy(graphs = saved?.graphs) else shown
-        return if (layout == stored) null else place to layout
+        return changed.takeIf { it != (stored ?: Layout(Layout.VERSION)) }
     }
 
     /**
-     * Returns what to write of [mine], the layout of this window for the folder of [place]: what it has not changed stays as another
-     * window has written it. Changes of formulas by the other window are also made here.
+     * Takes over the formulas and graphs that other windows have changed in [theirs], the layout that is stored now; null if it cannot be
+     * read. Returns the layout of this window, and what to write of it: what this window has not changed is as the others have written it.
+     * Null if nothing is to be saved.
      */
-    private fun written(place: Path, mine: Layout): Layout {
-        val theirs = layouts.read(place) ?: return mine
-        val both = merged(mine, stored ?: Layout(Layout.VERSION), theirs)
+    private fun merged(theirs: Layout?): Pair<Layout, Layout>? {
+        val mine = change() ?: return null
+        val before = stored ?: Layout(Layout.VERSION)
+        val now = theirs ?: before
+        val both = merged(mine, before, now)
         if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
-        return both
+        val all = openInFolder()?.let { graphs.mergedWith(now.graphs, before.graphs, removedFormulas(both, mine, before, now), it) }
+        val written = if (openInFolder() == null) both else both.copy(graphs = all)
+        return mine.copy(graphs = written.graphs, formulas = written.formulas) to written
     }
 
     private fun restore(layout: Layout) {
@@ -287,18 +272,6 @@ internal class LayoutStore(
             compared.restore(layout.compared, library.state.folder)
             restoredChecks = compared.state.checked
         }
-        whenShown {
-            val open = current.recording?.takeIf { isInFolder(it.file) }
-            if (open != null && board.kept.showsSame(open.standardGraphs)) board.replace(graphsOf(open))
-        }
-    }
-
-    private fun applyGraphs(layout: Layout) {
-        val open = current.recording ?: return
-        val graphs = layout.graphs ?: return board.change { open.standardGraphs }
-        val fitted = fitted(graphs, open)
-        board.change { fitted.board }
-        fitted.sentence?.let(notices::say)
     }
 
     /** Shows the part of x that [layout] shows, and selects what it selects; if the recording has neither, all of it is shown. */
@@ -312,7 +285,7 @@ internal class LayoutStore(
 
     /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */
     private fun restoreRange(layout: Layout): Boolean {
-        val open = current.recording?.takeIf { isInFolder(it.file) } ?: return false
+        val open = openInFolder() ?: return false
         if (pathText(open.file, folder) == layout.recording) {
             applyRange(layout)
             restoredVisible = view.viewport.visible
@@ -321,12 +294,7 @@ internal class LayoutStore(
         return true
     }
 
-    private fun placedFor(recording: OpenRecording) = fittedTo(recording)?.board ?: recording.standardGraphs
-
-    private fun fittedTo(recording: OpenRecording): FittedBoard? {
-        val graphs = saved?.graphs?.takeIf { isInFolder(recording.file) } ?: return null
-        return fitted(graphs, recording).takeIf { it.board.graphs.isNotEmpty() }
-    }
+    private fun openInFolder() = current.recording?.takeIf { isInFolder(it.file) }
 
     private fun isInFolder(file: Path) = folder?.let { file.startsWith(it.toAbsolutePath().normalize()) } ?: false
 

@@ -1,17 +1,20 @@
 package badlog.window.layout
 
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.mergedWith
 import badlog.viewer.choices.formula.keyOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * Returns the merged layout of two windows on one folder: what [mine] has not changed since [before] is as in [theirs], formula by
- * formula; otherwise it is as in [mine]. The open log and its visible range belong together.
+ * Returns the merged layout of two windows on one folder: what [mine] has not changed since [before] is as in [theirs], graph by graph and
+ * formula by formula; otherwise it is as in [mine]. The open log and its visible range belong together, and graphs do not draw formulas
+ * that one of the two has removed.
  */
 internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
     val place = if (placeIn(mine) == placeIn(before)) theirs else mine
-    return Layout(
+    val both = Layout(
         version = mine.version,
-        graphs = (if (mine.graphs == before.graphs) theirs else mine).graphs,
+        graphs = mergedGraphs(mine.graphs, before.graphs, theirs.graphs),
         recording = place.recording,
         visible = place.visible,
         selection = place.selection,
@@ -20,6 +23,18 @@ internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
         overTime = (if (mine.overTime == before.overTime) theirs else mine).overTime,
         formulas = mine.formulas.mergedWith(theirs.formulas, before.formulas, key = ::keyOf),
     )
+    val removed = removedFormulas(both, mine, before, theirs)
+    return both.copy(graphs = both.graphs?.let { removed.fold(it, Board::withoutSignal) })
+}
+
+/** Returns the names of the formulas that one of [layouts] has, and [merged] has not. */
+internal fun removedFormulas(merged: Layout, vararg layouts: Layout): Set<String> =
+    layouts.flatMapTo(HashSet()) { it.formulas.map(::keyOf) } - merged.formulas.map(::keyOf).toSet()
+
+private fun mergedGraphs(mine: Board?, before: Board?, theirs: Board?): Board? = when {
+    mine == before -> theirs
+    theirs == before || mine == null || theirs == null -> mine
+    else -> mine.mergedWith(theirs, before ?: Board())
 }
 
 private fun placeIn(layout: Layout) = listOf(layout.recording, layout.visible, layout.selection)

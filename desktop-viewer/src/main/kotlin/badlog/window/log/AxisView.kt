@@ -81,12 +81,8 @@ internal class AxisView {
      */
     fun cancel(): Boolean {
         val before = state
-        val gesture = before.gesture
-        state = if (gesture == null) {
-            before.copy(place = before.place.cancelled())
-        } else {
-            AxisState(before.place.copy(range = gesture.before))
-        }
+        val drag = before.gesture?.drag
+        state = if (drag == null) before.copy(place = before.place.cancelled()) else AxisState(drag.cancelledAt(before.place))
         return state != before
     }
 

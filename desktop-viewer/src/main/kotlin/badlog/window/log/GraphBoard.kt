@@ -1,16 +1,26 @@
 package badlog.window.log
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardHistory
+import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.mergedWith
+import badlog.viewer.choices.board.titleOf
+import kotlin.random.Random
 
-/** The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread. */
-internal class GraphBoard {
-    /** The graphs with their history. */
-    var history by mutableStateOf(BoardHistory())
+/**
+ * The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread.
+ *
+ * @param isDrawn returns whether the open log can draw the line of a name; graphs without any such line stay on the board, and are not
+ * shown.
+ */
+internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
+    /** All graphs, also those that the open log cannot draw, with their history. */
+    var history by mutableStateOf(historyOf(Board()))
         private set
 
     /**
@@ -19,8 +29,14 @@ internal class GraphBoard {
      */
     private var added: Set<BoardGraph> by mutableStateOf(emptySet())
 
-    /** The graphs. Composables that draw them are recomposed when they change. */
-    val state: Board get() = history.now
+    /** The graphs that are shown. Composables that draw them are recomposed when they change. */
+    val state: Board by derivedStateOf {
+        val whole = history.now
+        drawn(whole).takeIf { it != whole } ?: whole
+    }
+
+    /** All graphs that a person arranged, also those that the open log cannot draw. */
+    val arranged: Board get() = Board(history.now.graphs - added)
 
     /** Whether there is something to undo. */
     val canUndo: Boolean get() = history.canUndo
@@ -29,7 +45,9 @@ internal class GraphBoard {
     val canRedo: Boolean get() = history.canRedo
 
     /** The graphs that were put on top to show a finding, unless a person has changed them. */
-    val evidence: Board get() = Board(state.graphs.filter { it in added })
+    val evidence: Board get() = ofEvidence.let { ids -> Board(state.graphs.filter { it.id in ids }) }
+
+    private val ofEvidence: Set<Int> get() = history.now.graphs.filter { it in added }.mapTo(HashSet()) { it.id }
 
     /** The graph to scroll to; null if it is visible. */
     var wanted: Int? by mutableStateOf(null)
@@ -44,8 +62,8 @@ internal class GraphBoard {
     /** The graph that a key has just moved: until the pointer moves, keys go on with it, whatever is below the pointer now. */
     private var moved: Int? = null
 
-    /** The graphs that a person arranged, without those that were put on top to show a finding. */
-    val kept: Board get() = Board(state.graphs - added)
+    /** The shown graphs that a person arranged, without those that were put on top to show a finding. */
+    val kept: Board get() = ofEvidence.let { ids -> Board(state.graphs.filter { it.id !in ids }) }
 
     /** The graph that keys apply to: the one just moved, the one last pointed at, or else the first visible one; null if there are none. */
     val current: BoardGraph?
@@ -53,8 +71,31 @@ internal class GraphBoard {
             ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
             ?: state.graphs.firstOrNull()
 
-    /** Changes the graphs by [transition]; [undo] restores the previous ones. */
-    fun change(transition: Board.() -> Board) = take(history.changed(state.transition()))
+    /** Returns the title of [graph], which no other graph has. */
+    fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
+
+    /** Changes the shown graphs by [transition]; [undo] restores the previous ones. */
+    fun change(transition: Board.() -> Board) = take(history.changed(state.transition(), state))
+
+    /** Returns whether what is shown is what the open log can draw of [board]. */
+    fun shows(board: Board): Boolean = state.showsSame(drawn(board))
+
+    /** Shows [board] instead of all graphs; [undo] restores the previous ones. */
+    fun changeAll(board: Board) = take(history.changed(board))
+
+    /** Takes back the change from the graphs [before] to [after]; what was changed since stays. */
+    fun takeBack(before: Board, after: Board) = take(history.changed(before, after))
+
+    /** Changes the graphs by [change], also those that [undo] restores. */
+    fun changeEverywhere(change: Board.() -> Board) {
+        added = Board(added.toList()).change().graphs.toSet()
+        history = history.everywhere(change)
+    }
+
+    /** Shows what another window has changed of the arranged graphs, which are [stored] now and were [read] by this one. */
+    fun follow(stored: Board, read: Board) {
+        history = history.mergedWith(stored, read)
+    }
 
     /** Goes to [changed], a step from [history]; the first new graph is scrolled to if it is out of sight. */
     fun take(changed: BoardHistory) {
@@ -70,7 +111,7 @@ internal class GraphBoard {
     /** Shows [board] instead, as for another log, without a history. */
     fun replace(board: Board) {
         added = emptySet()
-        history = BoardHistory(board)
+        history = historyOf(board)
     }
 
     /** Shows [board] instead of the graphs that a person arranged, without a history; those that show a finding stay above it. */
@@ -78,7 +119,7 @@ internal class GraphBoard {
         val first = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1
         val shown = evidence.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
         added = shown.toSet()
-        history = BoardHistory(Board(shown + board.graphs))
+        history = historyOf(Board(shown + board.graphs))
     }
 
     /**
@@ -86,9 +127,10 @@ internal class GraphBoard {
      */
     fun beginWith(board: Board) {
         if (canUndo) return
-        val before = state.graphs.map { it.lines }
-        history = BoardHistory(board)
-        added = board.graphs.filterNot { it.lines in before }.toSet()
+        val ids = state.graphs.associate { it.lines to it.id }
+        val known = Board(drawn(board).graphs.map { it.copy(id = ids[it.lines] ?: it.id) })
+        added = known.graphs.filterNot { it.lines in ids }.toSet()
+        history = historyOf(known.mergedWith(history.now, state))
     }
 
     /** Undoes the last change. */
@@ -121,10 +163,11 @@ internal class GraphBoard {
     fun showEvidence(board: Board) {
         if (!evidence.showsSame(board)) {
             val others = kept.graphs
-            val first = (state.graphs.maxOfOrNull { it.id } ?: 0) + 1
+            val first = (history.now.graphs.maxOfOrNull { it.id } ?: 0) + 1
             val graphs = board.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
-            added = added + graphs
-            history = history.changed(Board(graphs + others))
+            val known = history.now.graphs.mapTo(HashSet()) { it.id }
+            history = history.changed(Board(graphs + others), state)
+            added = added + history.now.graphs.filter { it.id !in known }
         }
         evidence.graphs.firstOrNull()?.let { wanted = it.id }
     }
@@ -134,11 +177,16 @@ internal class GraphBoard {
 
     /** Keeps graph [id], which shows a finding, or all of them for null: they then count as arranged by a person. */
     fun keep(id: Int? = null) {
-        added = added - state.graphs.filter { id == null || it.id == id }.toSet()
+        added = added - history.now.graphs.filter { id == null || it.id == id }.toSet()
     }
 
     /** Goes to graph [id]; null if it is visible. */
     fun goTo(id: Int?) {
         wanted = id
     }
+
+    private fun drawn(board: Board) = board.fittedTo(isThere = isDrawn).board
+
+    // Other windows must not give a graph of theirs the same id.
+    private fun historyOf(board: Board) = BoardHistory(board) { Random.nextInt(Int.MAX_VALUE) }
 }

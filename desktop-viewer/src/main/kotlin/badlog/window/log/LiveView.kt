@@ -2,8 +2,7 @@ package badlog.window.log
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import badlog.core.analysis.Span
-import badlog.viewer.session.Place
+import badlog.viewer.session.Stay
 import badlog.window.state.StateHolder
 import java.nio.file.Path
 
@@ -11,14 +10,13 @@ import java.nio.file.Path
  * Whether a person follows a log that is being written.
  *
  * @property growing the file that another program was writing when it was looked at last; null for none.
- * @property place where a person who wanted to stay at the end was put last; null for one who does not.
- * @property held the visible range that a person wants to keep, though it ends where the log ended; null for none.
+ * @property stay whether the person stays at its end.
  */
-internal data class Live(val growing: Path? = null, val place: Place? = null, val held: Span? = null)
+internal data class Live(val growing: Path? = null, val stay: Stay = Stay())
 
 /**
  * Stays at the newest moment of the open log while its file grows: the cursor is there, and the visible range moves along, until a person
- * goes elsewhere. Use it only on the window's thread.
+ * goes elsewhere, see [Stay]. Use it only on the window's thread.
  *
  * @param recorded returns the file that this window itself records; null for none.
  */
@@ -30,10 +28,10 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     val isGrowing: Boolean get() = current.recording?.file?.let { it == recorded() || it == state.growing } == true
 
     /** Whether the person is at the end of the log, and has not gone elsewhere. */
-    val isStaying: Boolean by derivedStateOf { state.place?.let(::isAt) == true }
+    val isStaying: Boolean by derivedStateOf { state.stay.isAt(view.place) }
 
     /** Whether nothing was looked at since the end was shown: no part of it, and no selected range. */
-    val isUntouched: Boolean get() = isStaying && state.place?.range?.visible == view.viewport.visible && view.selection == null
+    val isUntouched: Boolean get() = state.stay.isUntouched(view.place)
 
     /** The newest moment of the open log if that is being written; null otherwise. */
     val newest: Double? get() = current.recording?.span?.to?.takeIf { isGrowing }
@@ -42,11 +40,11 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     fun begin() {
         if (current.recording == null) return
         view.go { atEnd() }
-        if (isGrowing) stayHere()
+        if (isGrowing) change { copy(stay = stay.begun(view.place)) }
     }
 
     /** Stays where it is from now on, though the log grows. */
-    fun pause() = change { copy(place = null, held = view.viewport.visible.takeIf { view.viewport.isZoomed }) }
+    fun pause() = change { copy(stay = stay.paused(view.place)) }
 
     /** Begins with [log] as soon as it is open. */
     fun await(log: Path) {
@@ -66,24 +64,10 @@ internal class LiveView(private val current: CurrentRecording, private val view:
 
     /** Calls [show], which shows the open log as it was read or calculated anew, and stays at its end if the person was there. */
     fun staying(show: () -> Unit) {
-        val isThere = isStaying
-        val held = state.held?.takeIf { it == view.viewport.visible }
-        val begin = view.viewport.full.from
+        val before = view.place
         show()
-        if (isThere) {
-            view.go { movedToEnd() }
-            return stayHere()
-        }
-        val isHeld = held != null && view.viewport.full.from == begin
-        if (held != null && isHeld) view.change { moved(held.from, held.to) }
-        change { copy(place = null, held = view.viewport.visible.takeIf { isHeld }) }
-    }
-
-    private fun stayHere() = change { copy(place = view.place, held = null) }
-
-    /** Zooming and looking at what is beside the end do not go elsewhere. */
-    private fun isAt(place: Place): Boolean {
-        val isHere = view.viewport.isAtEnd && view.viewport.full == place.range.full
-        return isHere && view.cursors.pinned == place.cursors.pinned && view.secondCursor == place.cursors.second
+        val stayed = state.stay.grown(before, view.place)
+        view.go { stayed.place }
+        change { copy(stay = stayed.stay) }
     }
 }

@@ -7,13 +7,12 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.enabledSpans
 import badlog.core.recording.Topic
 import badlog.files.LogFile
-import badlog.files.readRecording
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
 import badlog.signals.clock.FoundStation
-import badlog.signals.clock.RobotBesideStation
 import badlog.signals.clock.secondsPerX
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchOf
@@ -22,32 +21,30 @@ import badlog.signals.overItsTime
 import badlog.signals.pose.Pose
 import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
+import badlog.signals.swerve.swerveModulesOf
 import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.withSignals
-import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.FolderLayout
-import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.identifiedByLines
+import badlog.viewer.choices.board.orAlso
 import badlog.viewer.choices.board.standardBoard
 import badlog.viewer.choices.formula.Formula
-import badlog.viewer.choices.formula.formulasOf
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.FieldFile
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.flipIn
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive
-import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.window.pen.SkiaImage
 import org.jetbrains.skia.Image
 import java.awt.EventQueue
-import java.io.IOException
 import java.nio.file.Path
 
 /**
@@ -60,6 +57,7 @@ import java.nio.file.Path
  * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
+ * @param before the stages of the same file for other choices; null for none.
  */
 internal class OpenRecording(
     val file: Path,
@@ -69,6 +67,7 @@ internal class OpenRecording(
     val layout: FolderLayout = FolderLayout.NONE,
     private val rows: LogView? = null,
     val field: FieldFile = FieldFile.NONE,
+    before: LogStages? = null,
 ) {
     /** The definitions of the formulas calculated in it. */
     val definitions: List<String> get() = choices.definitions
@@ -76,28 +75,25 @@ internal class OpenRecording(
     /** The Driver Station's log of the same match that is shown with it; null for none. */
     val station: FoundStation<LogFile>? get() = choices.station
 
-    private val own = read.withSignals(vocabulary)
-    private val beside = station?.let { RobotBesideStation(own, it.station.recording, it.fit, vocabulary) }
+    private val stages = LogStages(read, file.fileName.toString(), vocabulary, station, definitions, before)
 
     /** The content of the file, and of its [station]'s. */
-    val logged: LogView = beside?.both ?: own
+    val logged: LogView get() = stages.logged
 
     /** The view on which rules run. */
-    val forRules: LogView get() = beside?.forRules ?: own
+    val forRules: LogView get() = stages.forRules
 
     /** The names of the topics from its [station]. */
-    val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
+    val stationTopics: Set<String> get() = stages.stationTopics
 
     /** What match it is of. */
-    val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording) }
-
-    private val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
+    val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording, file.fileName.toString()) }
 
     /** The content of the file, and the topics of formulas. */
-    val view: LogView = calculated?.view ?: logged
+    val view: LogView get() = stages.view
 
     /** The result of each of [definitions], in order. */
-    val formulas: List<Formula> = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+    val formulas: List<Formula> get() = stages.formulas
 
     /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
     val signals: List<Signal> = signalsOf(view, formulas)
@@ -114,15 +110,17 @@ internal class OpenRecording(
     /** Returns what can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** The initial graphs: those of the [layout] beside it, as far as it has them, or else of its topics. */
+    /**
+     * The initial graphs: those of the [layout] beside it, also those that it cannot draw, or else of its topics; if it can draw none of
+     * the [layout], both.
+     */
     val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
 
     /**
      * Returns [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway.
      */
     fun standardGraphs(pointed: List<String>): Board =
-        layout.layout?.board?.fittedTo { signal(it) != null }?.board?.takeIf { it.graphs.isNotEmpty() }
-            ?: standardBoard(logged, vocabulary, pointed)
+        (layout.layout?.board ?: Board()).identifiedByLines().orAlso({ standardBoard(logged, vocabulary, pointed) }) { signal(it) != null }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
@@ -150,9 +148,6 @@ internal class OpenRecording(
 
     /** Its name for people: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
-
-    /** Until where the last value of [signal] holds; null where the samples of [signal] are joined by straight lines. */
-    fun holdsUntil(signal: Signal): Double? = if (signal.holds) span.to else null
 
     /** The poses in its topics. */
     val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
@@ -202,29 +197,36 @@ internal class OpenRecording(
         }
         val isSameField = wanted.field == choices.field && wanted.fieldSelections == choices.fieldSelections
         val itsField = if (isSameField) field else fieldOf(file, wanted.field, library)
-        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField).also { it.prepare() }
+        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField, stages).also { it.prepare() }
     }
 
-    /** Calculates in advance what the first frame needs, so that the window's thread does not have to. */
+    /** Calculates in advance what graphs, panels and keys ask for, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
         forRules
         modes
+        clocks
         events
         standardGraphs
         timeColumn
+        signalTopics
+        poses
+        modules
         drive
+        match
+        fieldPicture
     }
 
     companion object {
         /**
-         * Reads [file], an absolute path; see [readRecording] for what it may throw besides.
+         * Reads [file], an absolute path.
          *
          * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
          * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
          * @param choices returns, once it is read, what a person has chosen of what is shown of the log with this layout beside it.
          * @param progress is called with the share that is done, from 0 to 1.
-         * @throws IOException with a sentence for the person, when it is not a recording.
+         * @throws badlog.files.NotReadException if there is nothing to show of it.
+         * @throws InterruptedException if the thread was interrupted.
          */
         fun read(
             file: Path,
@@ -234,12 +236,11 @@ internal class OpenRecording(
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             assertOffWindow()
-            val recording = readRecording(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
+            val recording = readLog(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
-            }
-            if (!recording.isReadable) throw IOException("${file.fileName}: ${recording.problems.last().message}")
+            }.orThrow()
             val vocabulary = FolderRules.of(file, library).rules.signals
-            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording).type }
+            val layout = FolderLayout.of(file, library) { vocabulary.matchOf(recording, file.fileName.toString()).type }
             val read = LogView.of(recording.overItsTime())
             val wanted = choices(layout)
             val column = if (wanted.overTime) read.recording.timeColumn() else null

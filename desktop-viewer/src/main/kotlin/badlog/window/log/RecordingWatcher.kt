@@ -1,5 +1,7 @@
 package badlog.window.log
 
+import badlog.files.NotReadException
+import badlog.files.ReadResult
 import badlog.window.task.Notices
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
@@ -49,10 +51,10 @@ internal class RecordingWatcher(
             val began = TimeSource.Monotonic.markNow()
             val again = try {
                 readAgain(shown, isGrowing = hasChanged)
-            } catch (_: OutOfMemoryError) {
-                val name = shown.file.fileName
-                notices.complain("$name has grown larger than the available memory; the data read so far stays open.")
-                return ended()
+            } catch (e: NotReadException) {
+                return outgrown(shown.file, e)
+            } catch (e: OutOfMemoryError) {
+                return outgrown(shown.file, e)
             }
             if (again == null) {
                 isSettled = false
@@ -65,10 +67,17 @@ internal class RecordingWatcher(
         }
     }
 
+    private fun outgrown(file: Path, failure: Throwable) {
+        notices.complain("${ReadResult.NotRead.of(file, failure).sentence} The data read so far stays open.")
+        ended()
+    }
+
+    /** Returns what [shown] is now; null if it could not be read: the next check of the file shows whether it is gone. */
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
+    } catch (e: NotReadException) {
+        if (e.why.cause == ReadResult.Cause.TOO_LARGE) throw e else null
     } catch (_: IOException) {
-        // The next check of the file shows whether it is gone.
         null
     }
 

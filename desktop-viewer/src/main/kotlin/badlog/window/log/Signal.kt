@@ -35,9 +35,6 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
     /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
     val hasFigures: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.STATE && topic.kind != TopicKind.EVENT
 
-    /** Whether a sample's value holds until the next one: that of a topic with times of its own, logged when it changes. */
-    val holds: Boolean get() = line.holds
-
     /** Whether it has no logged values. */
     val isEmpty: Boolean get() = topic.samples.isEmpty() && topic.texts.size == 0
 

@@ -45,6 +45,8 @@ import badlog.window.folder.LibraryActions
 import badlog.window.folder.ReadingLine
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.ToolButton
 import badlog.window.todo.FolderTodo
@@ -121,7 +123,7 @@ private fun EarlierLog(log: LogEntry, modifier: Modifier, onOpen: () -> Unit) {
             .padding(16.dp),
         Arrangement.spacedBy(4.dp),
     ) {
-        Large(log.title, Modifier, SMALL, weight = FontWeight.SemiBold, lines = 1)
+        NameText(log.title, fontSize = SMALL, fontWeight = FontWeight.SemiBold, cut = NameCut.MIDDLE)
         Large(verdictText(log.found), Modifier, SMALL, log.color(palette), lines = 2)
     }
 }

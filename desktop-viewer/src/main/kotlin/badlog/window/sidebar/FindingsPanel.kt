@@ -60,6 +60,8 @@ import badlog.window.log.OpenRecording
 import badlog.window.menu.ContextArea
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 import badlog.window.todo.FolderTodo
@@ -240,7 +242,7 @@ internal fun FindingLine(
             Time(if (finding.time.isFinite()) times.logged(finding.time) else "whole log")
         }
         Column(Modifier.weight(1f)) {
-            Text(finding.rule, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            NameText(finding.rule, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
             Text(finding.text)
             details()
         }
@@ -282,7 +284,7 @@ internal fun SkippedHead(text: String, isOpen: Boolean, onToggle: () -> Unit) {
 internal fun SkippedLine(rule: SkippedRule) {
     val palette = LocalPalette.current
     Column(Modifier.fillMaxWidth().padding(start = 26.dp, end = 14.dp, top = 3.dp, bottom = 3.dp)) {
-        Text(rule.rule, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        NameText(rule.rule, cut = NameCut.MIDDLE)
         if (rule.isMistake) {
             PointedText(rule.message)
         } else {

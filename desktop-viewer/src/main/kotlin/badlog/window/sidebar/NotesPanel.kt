@@ -1,9 +1,6 @@
 package badlog.window.sidebar
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.interaction.MutableInteractionSource
-import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -11,13 +8,11 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
-import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -42,6 +37,7 @@ import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
+import badlog.window.theme.fieldFrame
 import badlog.window.todo.FolderTodo
 import badlog.window.todo.TodoButtons
 import badlog.window.todo.TodoMark
@@ -79,7 +75,6 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
     val palette = LocalPalette.current
     val focus = remember { FocusRequester() }
     val interactions = remember { MutableInteractionSource() }
-    val isFocused by interactions.collectIsFocusedAsState()
     LaunchedEffect(draft.x, draft.replaced) { focus.requestFocus() }
     Column(Modifier.fillMaxWidth().padding(8.dp), Arrangement.spacedBy(4.dp)) {
         Text("Note at ${times.logged(draft.x)}", color = palette.muted)
@@ -88,9 +83,7 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
             notes::type,
             Modifier
                 .fillMaxWidth()
-                .background(palette.raised, RoundedCornerShape(5.dp))
-                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
-                .padding(horizontal = 8.dp, vertical = 6.dp)
+                .fieldFrame(interactions, horizontal = 8.dp, vertical = 6.dp)
                 .focusRequester(focus)
                 .onPreviewKeyEvent { hears(it, notes) }
                 .semantics { contentDescription = "Text of the note" },

@@ -2,9 +2,9 @@ package badlog.window.sidebar
 
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.Topic
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.Channels
 import badlog.viewer.shown.statistics.Histogram
@@ -77,12 +77,12 @@ internal fun rangeStatistics(
             val signal = recording.signal(name) ?: return@mapIndexedNotNull null
             if (signal.series.size == 0) return@mapIndexedNotNull null
             val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
-            val statistics = recording.view.statisticsOf(signal.line, parts)
+            val statistics = signal.line.statistics(parts)
             val cells = when {
                 signal.hasFigures && signal.states == null -> cellsOf(signal, statistics, recording.view.xAxis.unit)
                 else -> cellsOf(recording, signal, statistics, parts)
             }
-            val histogram = if (name == opened) Histogram.of(recording.view, signal.line, parts, statistics) else null
+            val histogram = if (name == opened) Histogram.of(signal.line, parts, statistics) else null
             SignalStatistics(name, signal.unit, if (drawn.size > 1) recordingName else "", place, cells, histogram)
         }
     }
@@ -107,7 +107,7 @@ private fun differencesIn(drawn: List<DrawnRecording>, lines: List<String>, part
         val known = lines.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
         val parts = part.parts.map { Span(it.from - offset, it.to - offset) }
         val names = known.map { it.line }.zip(shortNames(known.map { it.name })).toMap()
-        NamedDifference.of(known.map { it.line }, parts, recording.span.to).map { difference ->
+        NamedDifference.of(known.map { it.line }, parts).map { difference ->
             val texts = difference.texts(recording.view.xAxis, offset)
             val exact = difference.exactTexts(offset)
             val cells = NamedDifference.TITLES.mapIndexed { i, title ->
@@ -130,7 +130,7 @@ private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String)
 private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
     val states = signal.states.orEmpty()
     val axis = recording.view.xAxis
-    val times = StateRuns(signal.series, recording.span.to).timesOf(states, parts)
+    val times = signal.line.stateRuns().timesOf(states, parts)
     return listOf(
         StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
         StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),

@@ -33,7 +33,6 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.draw.plot.HISTOGRAM_HEIGHT
@@ -53,6 +52,7 @@ import badlog.window.log.OpenRecording
 import badlog.window.pen.pen
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
 import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
@@ -211,7 +211,7 @@ private fun HistogramPicture(signal: SignalStatistics) {
 private fun Cell(cell: StatCell, modifier: Modifier, nameWidth: Int = NAME) {
     Row(modifier.padding(end = 4.dp)) {
         val muted = LocalPalette.current.muted
-        Text(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        NameText(cell.name, Modifier.width(nameWidth.dp), color = muted, fontSize = 12.sp, cut = NameCut.MIDDLE)
         // A number that is cut off would be a different one, so two lines are better.
         Tip(withUnit(cell.exact, cell.unit), Modifier.weight(1f)) {
             Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp)

@@ -38,9 +38,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
-import badlog.viewer.shown.comparison.shortLabel
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
 import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import java.nio.file.Path
@@ -127,14 +127,14 @@ private fun RecordingRow(grid: StatisticsGrid, row: StatisticsRow, isOpen: Boole
                 grid.isHighest(column, row) -> palette.accentSoft
                 else -> Color.Transparent
             }
-            Text(
-                grid.textOf(column, row).let { if (column == LabelColumn) shortLabel(it, letters = 38) else it },
-                Modifier.width(widthOf(column)).background(background).padding(horizontal = 10.dp, vertical = 5.dp),
-                fontWeight = if (isOpen && column == LabelColumn) FontWeight.SemiBold else null,
-                textAlign = if (column is FigureColumn) TextAlign.End else TextAlign.Start,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
+            val text = grid.textOf(column, row)
+            val place = Modifier.width(widthOf(column)).background(background).padding(horizontal = 10.dp, vertical = 5.dp)
+            if (column == LabelColumn) {
+                NameText(text, place, fontWeight = if (isOpen) FontWeight.SemiBold else null, cut = NameCut.MIDDLE)
+            } else {
+                val align = if (column is FigureColumn) TextAlign.End else TextAlign.Start
+                Text(text, place, textAlign = align, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
         }
     }
 }

@@ -1,8 +1,7 @@
 package badlog.window.sidebar
 
 import badlog.catalog.folder.LogEntry
-import badlog.core.analysis.matchTitle
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.PathName
 import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query
@@ -64,7 +63,7 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
         label = recording.label,
         date = date,
         path = recording.file,
-        statistics = signals.associate { it.name to recording.view.statisticsOf(it.line) },
+        statistics = signals.associate { it.name to it.line.statistics() },
         units = signals.associate { it.name to it.unit },
         xUnit = recording.view.xAxis.unit,
     )
@@ -84,7 +83,7 @@ private fun sortableText(second: Long): String = isoText(second).replace('T', ' 
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(
-            label = with(log.summary.match) { matchTitle(event, type, number) } ?: log.fileName,
+            label = log.summary.match.title ?: log.fileName,
             date = sortableText(log.summary.date.second),
             path = log.file,
             statistics = log.summary.topics.associate { it.name to it.statistics },

@@ -1,16 +1,11 @@
 package badlog.window.theme
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.interaction.MutableInteractionSource
-import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.material3.Icon
 import androidx.compose.material3.LocalTextStyle
@@ -63,7 +58,6 @@ internal fun SearchField(
     val palette = LocalPalette.current
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
-    val isFocused by interactions.collectIsFocusedAsState()
     var edited by remember { mutableStateOf(TextFieldValue(text, TextRange(0, if (isSelectedAtFirst) text.length else 0))) }
     // The whole area is the field: a click beside the text must give it the keyboard focus, or else typing would run commands.
     BasicTextField(
@@ -95,9 +89,7 @@ internal fun SearchField(
         Row(
             Modifier
                 .fillMaxWidth()
-                .background(palette.raised, RoundedCornerShape(5.dp))
-                .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
-                .padding(horizontal = 8.dp, vertical = 5.dp),
+                .fieldFrame(interactions, horizontal = 8.dp, vertical = 5.dp),
             horizontalArrangement = Arrangement.spacedBy(6.dp),
             verticalAlignment = Alignment.CenterVertically,
         ) {

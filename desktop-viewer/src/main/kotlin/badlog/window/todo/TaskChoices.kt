@@ -52,9 +52,7 @@ internal fun TodoButtons(todo: FolderTodo, task: TodoTask) {
 }
 
 /** Returns the context menu of [task]. */
-internal fun todoMenu(todo: FolderTodo, task: TodoTask): List<ContextMenuItem> = if (todo.state.folder ==
-    null
-) {
+internal fun todoMenu(todo: FolderTodo, task: TodoTask): List<ContextMenuItem> = if (todo.state.folder == null) {
     emptyList()
 } else {
     todoOffers(todo, todo.state.list.itemOrNew(task)).map { ContextMenuItem(it.label, it.run) }

@@ -1,21 +1,16 @@
 package badlog.window.todo
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.interaction.MutableInteractionSource
-import androidx.compose.foundation.interaction.collectIsFocusedAsState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
-import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateListOf
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -43,6 +38,7 @@ import badlog.viewer.todo.matchText
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
+import badlog.window.theme.fieldFrame
 import badlog.window.theme.sheet
 
 /** The dialog [sheet] about the list; shown above the window. */
@@ -174,15 +170,12 @@ private fun AskedSheet(
 private fun AnswerField(text: String, label: String, modifier: Modifier, onChange: (String) -> Unit) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
-    val isFocused by interactions.collectIsFocusedAsState()
     BasicTextField(
         text,
         onChange,
         modifier
             .fillMaxWidth()
-            .background(palette.raised, RoundedCornerShape(5.dp))
-            .border(if (isFocused) 2.dp else 1.dp, if (isFocused) palette.accent else palette.border, RoundedCornerShape(5.dp))
-            .padding(horizontal = 10.dp, vertical = 8.dp)
+            .fieldFrame(interactions, horizontal = 10.dp, vertical = 8.dp)
             .semantics { contentDescription = label },
         textStyle = LocalTextStyle.current.copy(color = palette.text),
         singleLine = true,

@@ -50,9 +50,7 @@ internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: F
     val names = current.recording?.takeIf { !signal.isDerived }?.let { withCounterparts(it.view, signal.name) } ?: listOf(signal.name)
     val own = board.state.graphs.filter { it.lines == listOf(signal.name) || it.lines == names }
     val seen = board.inSight
-    if (own.isNotEmpty() && seen != null &&
-        own.none { it.id in seen }
-    ) {
+    if (own.isNotEmpty() && seen != null && own.none { it.id in seen }) {
         board.goTo(own[0].id)
     } else {
         board.change { withOwnToggled(signal.name, names) }

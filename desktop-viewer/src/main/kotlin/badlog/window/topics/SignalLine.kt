@@ -173,7 +173,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
         },
         ContextMenuItem("New formula with $these…") { formulas.write(names) },
     ) + board.state.graphs.map { graph ->
-        ContextMenuItem("Add $these to ${quoted(graph)}") {
+        ContextMenuItem("Add $these to ${quoted(board, graph)}") {
             board.change { names.fold(this) { all, name -> all.withLine(graph.id, name) } }
         }
     } + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()

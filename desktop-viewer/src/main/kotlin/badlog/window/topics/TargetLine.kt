@@ -32,7 +32,7 @@ internal fun TargetLine(board: GraphBoard, topics: TopicListing) {
         Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text("Click topics to add to ${quoted(target)}", Modifier.weight(1f), maxLines = 3, overflow = TextOverflow.Ellipsis)
+        Text("Click topics to add to ${quoted(board, target)}", Modifier.weight(1f), maxLines = 3, overflow = TextOverflow.Ellipsis)
         ToolButton("Stop adding topics (Esc)", text = "Done") { topics.change { adding(null) } }
     }
 }

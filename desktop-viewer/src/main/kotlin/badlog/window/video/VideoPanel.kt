@@ -17,11 +17,12 @@ import androidx.compose.ui.layout.ContentScale
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 import java.util.Locale
 
@@ -36,12 +37,11 @@ internal fun VideoPanel(video: LogVideo, open: OpenRecording, modifier: Modifier
             return@Column
         }
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-            Text(
+            NameText(
                 file?.fileName?.toString() ?: "No video",
                 Modifier.weight(1f),
                 fontWeight = FontWeight.Medium,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
+                cut = NameCut.MIDDLE,
             )
             ToolButton("Open a video", Icons.Folder, onClick = video::askForVideo)
             if (file != null) ToolButton("Close the video", Icons.Close, onClick = video::close)

@@ -18,6 +18,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeSameInstanceAs
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
@@ -41,6 +42,18 @@ class ShownRecordingsSpec : FunSpec({
                 shouldThrow<AssertionError> { work() }.message shouldContain "the window’s thread"
             }
         }
+    }
+
+    test("what depends on no choice that was changed is not made anew: another field calculates no formula, a formula adds no signals again") {
+        val open = log("a.bag").with(RecordingChoices(definitions = listOf("Twice = 2 * Arm/Angle")))
+        val otherField = open.with(open.choices.copy(fieldSelections = 1))
+        otherField.view shouldBeSameInstanceAs open.view
+        otherField.formulas shouldBeSameInstanceAs open.formulas
+        val otherFormula = open.with(open.choices.copy(definitions = listOf("Half = Arm/Angle / 2")))
+        otherFormula.logged shouldBeSameInstanceAs open.logged
+        otherFormula.signal("Twice").shouldBeNull()
+        otherFormula.signal("Half")?.series?.y?.last() shouldBe 9.5
+        open.with(open.choices.copy(overTime = true)).signal("Twice")?.series?.x?.first() shouldBe 10.0
     }
 
     test("a choice is shown in the open log and in the compared ones, and nothing waits any more") {

@@ -8,8 +8,11 @@ import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.doubleClick
+import androidx.compose.ui.test.hasAnyAncestor
+import androidx.compose.ui.test.hasContentDescription
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -30,6 +33,8 @@ import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.floats.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.floats.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.launch
@@ -68,6 +73,19 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithContentDescription("Log practice.bag").performClick()
             waitFor { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()
+        }
+    }
+
+    test("the match of a log is whole in the list; its event has the room that is left") {
+        onFolder(sampleFolder()) {
+            val row = onNodeWithContentDescription("Log qualification-42.bag").fetchSemanticsNode().boundsInRoot
+            val isInRow = hasAnyAncestor(hasContentDescription("Log qualification-42.bag"))
+
+            fun placeOf(text: String) = onAllNodes(hasText(text) and isInRow, useUnmergedTree = true).onFirst().fetchSemanticsNode().boundsInRoot
+            val match = placeOf("Qualification 42")
+            val event = placeOf("Mill Creek Regional")
+            event.left shouldBeGreaterThanOrEqual match.right
+            event.right shouldBeLessThanOrEqual row.right
         }
     }
 

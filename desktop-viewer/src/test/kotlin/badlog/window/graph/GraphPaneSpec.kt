@@ -99,11 +99,11 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a name of 500 letters, a row alone, and a graph of signals that are not there break nothing") {
+    test("a name of 500 letters, a row alone, and a graph of a formula that is not calculated yet break nothing") {
         val name = "Folder ".repeat(40) + "/" + "n".repeat(300)
         val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
         val viewer = viewerOf(recordingOf(text))
-        viewer.board.change { withGraph(listOf("Not there")) }
+        viewer.formulas.add("Not there = 1", "Not there")
         viewer.view.placeCursor(0.0)
         viewer.view.select(Span(-0.2, 0.2))
         runDesktopComposeUiTest(360, 500) {

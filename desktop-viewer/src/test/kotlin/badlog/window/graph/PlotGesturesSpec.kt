@@ -12,6 +12,7 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performMultiModalInput
+import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.window.app.Viewer
@@ -193,40 +194,19 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("the cursor follows the pointer until a click pins it, and again after another click on it") {
+    test("two fingers zoom into what is between them") {
         graph { viewer ->
-            plot().performMouseInput { moveTo(Offset(width * 0.3f, centerY)) }
-            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
-            plot().performMouseInput {
-                click(Offset(width * 0.3f, centerY))
-                moveTo(Offset(width * 0.8f, centerY))
+            plot().performTouchInput {
+                down(0, Offset(width * 0.4f, centerY))
+                down(1, Offset(width * 0.6f, centerY))
+                moveTo(0, Offset(width * 0.2f, centerY))
+                moveTo(1, Offset(width * 0.8f, centerY))
+                up(0)
+                up(1)
             }
-            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
-            plot().performMouseInput {
-                advanceEventTime(1000)
-                click(Offset(width * 0.3f, centerY))
-                moveTo(Offset(width * 0.8f, centerY))
-            }
-            viewer.view.cursor.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
-        }
-    }
-
-    test("a click with Shift sets a second cursor, which Escape takes away first, and the pointer moves neither") {
-        graph { viewer ->
-            plot().performMouseInput { click(Offset(width * 0.3f, centerY)) }
-            plot().performMultiModalInput {
-                key { keyDown(Key.ShiftLeft) }
-                mouse { click(Offset(width * 0.5f, centerY)) }
-                key { keyUp(Key.ShiftLeft) }
-                mouse { moveTo(Offset(width * 0.8f, centerY)) }
-            }
-            viewer.view.cursor.shouldNotBeNull() shouldBe (30.0 plusOrMinus 0.2)
-            viewer.view.secondCursor.shouldNotBeNull() shouldBe (50.0 plusOrMinus 0.2)
-            viewer.view.cursors.hover.shouldNotBeNull() shouldBe (80.0 plusOrMinus 0.2)
-            viewer.view.viewport.isZoomed shouldBe false
-            viewer.view.cancel()
-            viewer.view.secondCursor.shouldBeNull()
-            viewer.view.isCursorPinned shouldBe true
+            viewer.view.viewport.visible.from shouldBe (100.0 / 3 plusOrMinus 0.3)
+            viewer.view.viewport.visible.to shouldBe (200.0 / 3 plusOrMinus 0.3)
+            viewer.view.isCursorPinned shouldBe false
         }
     }
 

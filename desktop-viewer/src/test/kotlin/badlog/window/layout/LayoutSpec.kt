@@ -64,7 +64,7 @@ class LayoutSpec : FunSpec({
         Files.writeString(file, LAYOUT_1)
         val viewer = viewerOver()
         choosing(viewer) { viewer.layouts.apply(readLayout(file)) }
-        viewer.board.state.graphs shouldBe listOf(
+        viewer.board.state.renumbered().graphs shouldBe listOf(
             BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 12.5)),
             BoardGraph(2, "Mode", listOf("Arm/Mode"), includesZero = true),
         )

@@ -40,9 +40,9 @@ class LayoutStoreSpec : FunSpec({
             }
             viewer.library.change { LibraryState(folder) }
             waitForIdle()
-            viewer.board.replace(viewer.layouts.graphsOf(recording))
             viewer.view.show(recording.span)
             viewer.current.replace(recording)
+            viewer.layouts.showGraphs(recording)
             waitFor { viewer.board.state.graphs.isNotEmpty() }
             waitForIdle()
             then(viewer)

@@ -43,10 +43,10 @@ class GraphBoardSpec : FunSpec({
         val board = abc()
         board.inSight = setOf(1, 2)
         board.change { withGraph(listOf("D")) }
-        board.wanted shouldBe 4
+        board.wanted shouldBe board.state.graphs.last().id
         board.goTo(null)
         board.change { withLinesInLast(listOf("E")) }
-        board.wanted shouldBe 4
+        board.wanted shouldBe board.state.graphs.last().id
         board.goTo(null)
         board.change { withLine(1, "F").without(3) }
         board.wanted shouldBe null

@@ -2,6 +2,8 @@ package badlog.window.log
 
 import badlog.catalog.folder.loggedTopic
 import badlog.catalog.folder.wpilogOf
+import badlog.files.NotReadException
+import badlog.files.ReadResult
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -19,6 +21,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.cancel
 import kotlinx.coroutines.withContext
+import kotlinx.coroutines.withTimeout
 import java.io.IOException
 import java.nio.file.Files
 import kotlin.time.Duration.Companion.seconds
@@ -28,12 +31,22 @@ class RecordingWatcherSpec : FunSpec({
     val shown = recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage"), listOf("0,1", "1,2")), file.path)
     val before = FileStamp(size = 1, modifiedMillis = 0)
 
-    test("a log that outgrows the memory stays as it was, and that is said once") {
-        val viewer = viewerOf(shown)
-        val watcher = RecordingWatcher(viewer.notices, { _, _ -> throw OutOfMemoryError() }, { read, _ -> viewer.current.replace(read) })
-        withContext(Dispatchers.Main) { watcher.watch(shown, before) }
-        viewer.notices.all.single().text shouldContain "larger than the available memory"
-        viewer.current.recording shouldBe shown
+    listOf(
+        "while it is read" to NotReadException(ReadResult.NotRead.of(shown.file, OutOfMemoryError())),
+        "while it is prepared for the screen" to OutOfMemoryError(),
+    ).forEach { (moment, failure) ->
+        test("a log that outgrows the memory $moment stays as it was, which is reported once, and is not read again") {
+            val viewer = viewerOf(shown)
+            var hasEnded = false
+            val watcher =
+                RecordingWatcher(viewer.notices, { _, _ -> throw failure }, { read, _ -> viewer.current.replace(read) }, { hasEnded = true })
+            withTimeout(20.seconds) { withContext(Dispatchers.Main) { watcher.watch(shown, before) } }
+            val text = viewer.notices.all.single().text
+            text shouldContain "${shown.file} does not fit into"
+            text shouldContain "The data read so far stays open."
+            viewer.current.recording shouldBe shown
+            hasEnded shouldBe true
+        }
     }
 
     test("a log that is gone when it is to be read again stays, and that is said once") {

@@ -42,7 +42,7 @@ import kotlin.io.path.name
 
 /** A robot that plays a match, over and over. */
 private fun robot(): ReplayServer {
-    val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals)
+    val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals, "qualification-42.bag")
     return ReplayServer(match, ReplayOptions(0, speed = 5.0, isLooping = true))
 }
 

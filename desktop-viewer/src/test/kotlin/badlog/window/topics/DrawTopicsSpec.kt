@@ -2,7 +2,7 @@ package badlog.window.topics
 
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.window.graph.bagOf
+import badlog.window.bagOf
 import badlog.window.graph.recordingOf
 import badlog.window.graph.viewerOf
 import io.kotest.core.spec.style.FunSpec
@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 
 class DrawTopicsSpec : FunSpec({
     test("a click on a topic goes to its graph where that is out of sight, and only then takes it away") {
-        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage", "B"), listOf("0,1,2", "1,2,3"))))
         val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
         val board = Board(listOf(BoardGraph(1, "B", listOf("B")), BoardGraph(2, "A/Voltage", listOf("A/Voltage"))))
         viewer.board.replace(board)
@@ -25,7 +25,7 @@ class DrawTopicsSpec : FunSpec({
     }
 
     test("topics that are added to a graph are clicked into it and out again, until that ends") {
-        val viewer = viewerOf(recordingOf(bagOf(10) { 1.0 }))
+        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage", "B"), listOf("0,1,2", "1,2,3"))))
         val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
         viewer.board.replace(Board(listOf(BoardGraph(7, "B", listOf("B")))))
         fun click() = toggleIn(viewer.current, viewer.board, viewer.events, viewer.topics, viewer.panels, signal)

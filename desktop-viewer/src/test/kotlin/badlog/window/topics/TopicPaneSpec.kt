@@ -75,7 +75,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("the values are those under the cursor, or the last ones without it") {
+    test("the values are those under the cursor, none before the log, or the last ones without a cursor") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -83,8 +83,11 @@ class TopicPaneSpec : FunSpec({
             onNodeWithText("1 event").assertExists()
             viewer.view.placeCursor(1.4)
             onNodeWithText("20 V").assertExists()
-            viewer.view.placeCursor(-5.0)
+            viewer.view.placeCursor(0.0)
             onNodeWithText("10 V").assertExists()
+            viewer.view.placeCursor(-5.0)
+            waitFor { onAllNodesWithText("–").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithText("10 V").assertDoesNotExist()
         }
     }
 

@@ -43,7 +43,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("without any log one click shows a match, which is no folder of the person’s") {
+    test("without any log one click shows a match, which is not a folder of the person’s") {
         atFirstStart { viewer ->
             onNodeWithContentDescription("Open the sample match").performClick()
             waitFor { viewer.current.recording != null }

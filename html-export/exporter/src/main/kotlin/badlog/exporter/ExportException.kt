@@ -1,5 +1,6 @@
 package badlog.exporter
 
+import badlog.files.ReadResult
 import java.io.IOException
 import java.nio.file.Path
 
@@ -9,8 +10,10 @@ sealed class ExportException(message: String, cause: Throwable? = null) : IOExce
     class Unreadable internal constructor(val file: Path, message: String, cause: Throwable? = null) :
         ExportException(message, cause)
 
-    /** The [input] is neither a bag, nor CSV, nor another log that this version reads. */
-    class NotARecording internal constructor(val input: Path, message: String) : ExportException(message)
+    /** The file to read is neither a bag, nor CSV, nor another log that this version reads; [why] has the reason. */
+    class NotARecording private constructor(val why: ReadResult.NotRead) : ExportException(why.sentence) {
+        internal constructor(input: Path, refusal: String) : this(ReadResult.NotRead.noLog(input, refusal))
+    }
 
     /** The [page] cannot be written: no permission, a full disk, or a folder of that name. */
     class Unwritable(val page: Path, message: String, cause: Throwable? = null) : ExportException(message, cause)

@@ -3,6 +3,7 @@ package badlog.exporter
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
 import badlog.files.requireRegularFile
+import badlog.files.requireTarget
 import java.io.FilterInputStream
 import java.io.IOException
 import java.io.InputStream
@@ -39,11 +40,5 @@ internal fun <T> writing(page: Path, work: () -> T): T = try {
 internal fun checkReadable(file: Path) = refusing { requireRegularFile(file) }
 
 /** Checks, before any work, that [page] can be written while [files] are read. */
-internal fun checkWritable(page: Path, files: List<Path>) {
-    if (Files.isDirectory(page)) {
-        throw ExportException.Unwritable(page, "$page is a folder; give the page another name, or put it inside.")
-    }
-    if (Files.exists(page) && files.any { Files.isSameFile(it, page) }) {
-        throw ExportException.Unwritable(page, "$page would overwrite a file that is read; give the page another name.")
-    }
-}
+internal fun checkWritable(page: Path, files: List<Path>) =
+    refusing { requireTarget(page) { target -> files.any { Files.isSameFile(it, target) } } }

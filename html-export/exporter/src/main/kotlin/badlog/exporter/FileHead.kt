@@ -1,20 +1,28 @@
 package badlog.exporter
 
-import badlog.core.analysis.matchTitle
 import badlog.core.bag.RecordingParser
-import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
 import badlog.files.GzipReader
 import badlog.formats.LOG_FORMATS
+import badlog.signals.match.matchOf
+import badlog.signals.vocabulary.SignalVocabulary
 
 /**
  * What the first bytes of a file show before the rest is read.
  *
  * @property isGzip whether the file is compressed.
- * @property hasLines whether it is text in lines.
- * @property title the match, from the values in the header, or null if they name none.
  * @property refusal why the file is certainly not a recording, whatever follows; null if it may be one.
  */
-internal class FileHead private constructor(val isGzip: Boolean, val hasLines: Boolean, val title: String?, val refusal: String?) {
+internal class FileHead private constructor(val isGzip: Boolean, private val recording: Recording, val refusal: String?) {
+    /** Whether it is text in lines. */
+    val hasLines: Boolean get() = recording.format.hasRows
+
+    /** Returns the title of the match, as far as it is known from this beginning of the file called [name]; null if it is unknown. */
+    fun titleIn(name: String, signals: SignalVocabulary): String? = signals.matchOf(recording, name).title
+
+    /** Returns whether this beginning of the file tells the match by itself, whatever the file is called. */
+    fun tellsMatch(signals: SignalVocabulary): Boolean = titleIn(name = "", signals) != null
+
     companion object {
         /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */
         const val BYTES = 1 shl 18
@@ -31,10 +39,7 @@ internal class FileHead private constructor(val isGzip: Boolean, val hasLines: B
             }
             val recording = parser.finish()
             // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers further down.
-            val refusal = recording.problems
-                .firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING && parser.rowCount == 0 }
-                ?.message
-            return FileHead(isGzip, recording.format.hasRows, matchTitle(recording.values), refusal)
+            return FileHead(isGzip, recording, recording.refusal.takeIf { parser.rowCount == 0 })
         }
     }
 }

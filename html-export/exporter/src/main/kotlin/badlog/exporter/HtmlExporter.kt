@@ -1,8 +1,6 @@
 package badlog.exporter
 
 import badlog.core.bag.RecordingParser
-import badlog.core.recording.ProblemKind
-import badlog.core.recording.Recording
 import badlog.exporter.NotesFile
 import badlog.files.AtomicFile
 import badlog.files.Unpacked
@@ -76,7 +74,7 @@ class HtmlExporter(
     ): ExportReport = reading(input) { Files.newInputStream(log.path) }.use { stream ->
         val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
         val head = FileHead.of(first)
-        if (head.refusal != null) throw ExportException.NotARecording(input, "$input: ${head.refusal}")
+        if (head.refusal != null) throw ExportException.NotARecording(input, head.refusal)
         val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
         withOthers(source, logParts).use { whole ->
             passingOn(progress) { heard -> writing(page) { write(log, logParts, input, whole, head, page, additions, heard) } }
@@ -90,8 +88,8 @@ class HtmlExporter(
 
     private fun withNotes(additions: PageAdditions, log: Path): PageAdditions {
         val read = NotesFile.read(log)
-        if (read.notes.isEmpty() && read.problems.isEmpty()) return additions
-        return additions.withNotes(read.notes, read.problems.joinToString(" ").ifEmpty { null })
+        if (read.history.isEmpty && read.problems.isEmpty()) return additions
+        return additions.withNotes(read.history, read.problems.joinToString(" ").ifEmpty { null })
     }
 
     private fun write(
@@ -111,7 +109,11 @@ class HtmlExporter(
         Files.createDirectories(page.parent)
         return AtomicFile(page).use { file ->
             val writer = PageWriter(file.out, parts)
-            writer.begin(head.title ?: logParts.drop(1).firstNotNullOfOrNull(::titleIn) ?: name, additions.video != null)
+            val signals = additions.rules.signals
+            val heads = sequenceOf(head) + logParts.asSequence().drop(1).map(::headOf)
+            // A file's name may be that of another match, and only decides where no part of the log tells the match.
+            val telling = heads.firstOrNull { it.tellsMatch(signals) } ?: head
+            writer.begin(telling.titleIn(name, signals) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only a large file is worth several workers, and reading while the page is still being loaded.
@@ -132,24 +134,20 @@ class HtmlExporter(
             val parsed = parser.finish()
             val read = if (embeddedFile.isCut) parsed.withGzipCut(embeddedFile.inflatedBytes) else parsed
             val recording = read.copy(problems = log.problems + read.problems)
-            recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { problem ->
-                throw ExportException.NotARecording(input, "$input: ${problem.message}")
-            }
+            recording.refusal?.let { throw ExportException.NotARecording(input, it) }
             writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
             file.commit()
             ExportReport(page, recording, embeddedFile.originalBytes, embeddedFile.inflatedBytes)
         }
     }
 
-    private fun titleIn(file: Path): String? = reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } }
-        .let(FileHead::of).title
+    private fun headOf(file: Path): FileHead =
+        FileHead.of(reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } })
 
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
         // A folder's pages compare with the same logs.
         if (input !in readable) {
-            val read = readRecording(input, LOG_FORMATS, keepSamples = false)
-            val refusal = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-            if (refusal != null) throw ExportException.NotARecording(input, "$input: ${refusal.message}")
+            readRecording(input, LOG_FORMATS, keepSamples = false).refusal?.let { throw ExportException.NotARecording(input, it) }
             readable.add(input)
         }
         val parts = if (log.path == input) partsOfLog(input) else listOf(log.path)

@@ -1,6 +1,7 @@
 package badlog.exporter
 
 import badlog.files.UnreadableFileException
+import badlog.files.UnwritableFileException
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.signals.match.matchOf
@@ -19,11 +20,15 @@ fun layoutFor(log: Path, signals: SignalVocabulary, top: Path? = null): FolderLa
     FolderLayout.of(log, top) { matchTypeOf(log, signals) }
 
 private fun matchTypeOf(log: Path, signals: SignalVocabulary): String? = try {
-    val recording = readRecording(log, LOG_FORMATS, keepSamples = false)
-    // A bag has the type at its beginning; a log of records mostly has it in numbers.
-    signals.matchOf(recording).type
-        ?: if (recording.format.hasRows) null else signals.matchOf(readRecording(log, LOG_FORMATS)).type
+    val head = readRecording(log, LOG_FORMATS, keepSamples = false)
+    // A log of records mostly has the type in numbers, which are not kept at first, and always count more than its file's name.
+    val isTold = head.format.hasRows || signals.matchOf(head, fileName = "").type != null
+    val recording = if (isTold) head else readRecording(log, LOG_FORMATS)
+    signals.matchOf(recording, log.fileName.toString()).type
 } catch (_: UnreadableFileException) {
     // The caller, which makes the page, reports the reason.
+    null
+} catch (_: UnwritableFileException) {
+    // There is no room for temporary files, which the caller reports, too.
     null
 }

@@ -8,9 +8,9 @@ import badlog.files.reading
 import badlog.viewer.choices.changeTime
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteChange
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.NotesException
 import badlog.viewer.choices.note.noteChangesOf
-import badlog.viewer.choices.note.notesOf
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toLine
 import java.io.IOException
@@ -42,7 +42,7 @@ object NotesFile {
             problems += e.message.orEmpty()
             emptyList()
         }
-        return ReadNotes(notesOf(beginning, changes(log, problems)), problems)
+        return ReadNotes(NoteHistory.of(beginning, changes(log, problems)), problems)
     }
 
     /**
@@ -51,12 +51,9 @@ object NotesFile {
      * @throws IOException with a sentence for the user, if it cannot be written.
      */
     fun update(log: Path, notes: List<Note>, read: List<Note>): ReadNotes {
-        val times = changes(log, ArrayList()).groupBy({ it.note }, { it.time }).mapValues { (_, times) -> times.max() }
         val author = System.getProperty("user.name").orEmpty()
-        // A new text comes before the removal of the one that it replaces: if the lines are cut off, both are there rather than neither.
-        val lines = ((notes - read.toSet()).map { it to false } + (read - notes.toSet()).map { it to true }).map { (note, isRemoved) ->
-            NoteChange(UUID.randomUUID().toString(), changeTime(times[note]), author, note, isRemoved).toLine()
-        }
+        val made = read(log).history.changesTo(notes, read, author, ::changeTime) { UUID.randomUUID().toString() }
+        val lines = made.map { it.toLine() }
         if (lines.isNotEmpty()) appendLines(of(log), lines)
         return read(log)
     }
@@ -103,7 +100,10 @@ object NotesFile {
 /**
  * The notes of a log, as its files have them.
  *
- * @property notes the notes, in the order of x.
+ * @property history the notes, and what became of those that are removed.
  * @property problems what could not be read, each as a sentence.
  */
-class ReadNotes(val notes: List<Note>, val problems: List<String>)
+class ReadNotes(val history: NoteHistory, val problems: List<String>) {
+    /** The notes, in the order of x. */
+    val notes: List<Note> = history.notes
+}

@@ -1,6 +1,7 @@
 package badlog.exporter
 
 import badlog.files.gzip
+import badlog.signals.vocabulary.SignalVocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
@@ -24,7 +25,7 @@ class FileHeadSpec : FunSpec({
     test("a header is read for the page's title") {
         FileHead.of(gzip(BAG.encodeToByteArray())).run {
             isGzip shouldBe true
-            title shouldBe "OHCL Match 42"
+            titleIn("practice-3.bag", SignalVocabulary.NONE) shouldBe "OHCL Match 42"
             refusal.shouldBeNull()
         }
     }

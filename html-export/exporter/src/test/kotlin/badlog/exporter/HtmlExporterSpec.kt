@@ -18,6 +18,7 @@ import java.io.IOException
 import java.nio.channels.ClosedByInterruptException
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.div
 import kotlin.io.path.name
 import kotlin.io.path.readText
@@ -27,6 +28,13 @@ import kotlin.io.path.writeText
 class HtmlExporterSpec : FunSpec({
     val parts = PageParts("draw()", "main{}", "p{}")
     val exporter = HtmlExporter(parts = parts)
+
+    // The two files of a Driver Station log.
+    val head = byteArrayOf(0, 0, 0, 4, 0, 0, 0, 0, -27, -47, 3, 5, 0, 0, 0, 0, 0, 0, 0, 0)
+    val record = byteArrayOf(10, 0, 12, 0, 80, 0xDB.toByte(), 60, 0, 0, 0, 0, 0, 0, 0)
+    val said = "FMS Event Name: MILLC FMS Connected:   Qualification - 42:1, Field Time: 26/3/7 10:4:5".encodeToByteArray()
+    val first = head + record + record
+    val second = head + head.copyOfRange(4, 20) + byteArrayOf(0, 0, 0, said.size.toByte()) + said
 
     fun pageOf(bytes: ByteArray, name: String = "match.bag", check: (ReadPage, ExportReport) -> Unit) = inFolder { folder ->
         val input = folder / name
@@ -55,7 +63,8 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("a page without match values has the file's name for a title") {
+    test("a page without match values has the match in the file's name for a title, otherwise that name") {
+        pageOf("a,b\n1,2\n".encodeToByteArray(), "Q42.csv") { page, _ -> page.title shouldBe "Qualification 42" }
         pageOf("a,b\n1,2\n".encodeToByteArray(), "practice run") { page, _ -> page.title shouldBe "practice run" }
     }
 
@@ -127,21 +136,30 @@ class HtmlExporterSpec : FunSpec({
     }
 
     test("a log of two files is in the page whole, with where the second begins, and is called by what that says") {
-        val head = byteArrayOf(0, 0, 0, 4, 0, 0, 0, 0, -27, -47, 3, 5, 0, 0, 0, 0, 0, 0, 0, 0)
-        val record = byteArrayOf(10, 0, 12, 0, 80, 0xDB.toByte(), 60, 0, 0, 0, 0, 0, 0, 0)
-        val text = "FMS Event Name: MILLC FMS Connected:   Qualification - 42:1, Field Time: 26/3/7 10:4:5".encodeToByteArray()
-        val events = head + head.copyOfRange(4, 20) + byteArrayOf(0, 0, 0, text.size.toByte()) + text
         inFolder { folder ->
             val log = folder / "2026_03_07 10_04_05 Sat.dslog"
-            log.writeBytes(head + record + record)
-            (folder / "2026_03_07 10_04_05 Sat.dsevents").writeBytes(events)
+            log.writeBytes(first)
+            (folder / "2026_03_07 10_04_05 Sat.dsevents").writeBytes(second)
             val report = exporter.export(log, folder / "p.html")
             report.recording.topics.map { it.name } shouldContainAll listOf("Driver Station/Battery Voltage", "Driver Station/Events")
             val page = ReadPage(folder / "p.html")
-            page.inflated() shouldBe head + record + record + events
+            page.inflated() shouldBe first + second
             page.title shouldBe "MILLC Qualification 42"
             page.about.getValue("second").jsonPrimitive.content shouldBe "2026_03_07 10_04_05 Sat.dsevents"
             page.about.getValue("firstBytes").jsonPrimitive.content shouldBe "48"
+        }
+    }
+
+    test("the second file of a log says what its page is called, even if the name of both says something else") {
+        inFolder { folder ->
+            val log = folder / "Q7.dslog"
+            log.writeBytes(first)
+            (folder / "Q7.dsevents").writeBytes(second)
+            exporter.export(log, folder / "p.html")
+            ReadPage(folder / "p.html").title shouldBe "MILLC Qualification 42"
+            (folder / "Q7.dsevents").deleteExisting()
+            exporter.export(log, folder / "p.html")
+            ReadPage(folder / "p.html").title shouldBe "Qualification 7"
         }
     }
 
@@ -239,7 +257,7 @@ class HtmlExporterSpec : FunSpec({
     test("a missing input, or a folder, is named") {
         inFolder { folder ->
             shouldThrow<ExportException.Unreadable> { exporter.export(folder / "nix", folder / "p.html") }
-                .message shouldContain "There is no file ${folder / "nix"}"
+                .message shouldContain "There is no file or folder ${folder / "nix"}"
             shouldThrow<ExportException.Unreadable> { exporter.export(folder, folder / "p.html") }
                 .message shouldContain "${folder.name} is a folder"
         }

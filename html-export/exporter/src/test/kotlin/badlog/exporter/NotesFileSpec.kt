@@ -2,8 +2,10 @@ package badlog.exporter
 
 import badlog.core.bag.Mutant
 import badlog.files.FolderScan
+import badlog.protocol.PageAdditions
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteChange
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.NotesException
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
@@ -23,7 +25,7 @@ class NotesFileSpec : FunSpec({
     val log = tempdir().toPath().resolve("q42.bag")
     val notes = listOf(Note(1.0, "first \"hit\"\n‹second line›"), Note(93.7, "brownout"))
 
-    test("notes stand beside their log, are no log themselves, and what is removed is another line") {
+    test("notes stand beside their log, are not a log themselves, and what is removed is another line") {
         Files.writeString(log, "Time,A\n0,1\n")
         NotesFile.read(log).notes shouldBe emptyList()
         NotesFile.update(log, notes, read = emptyList()).notes shouldBe notes
@@ -82,8 +84,20 @@ class NotesFileSpec : FunSpec({
         Files.writeString(log.resolveSibling("q42.bag.notes-pit.jsonl"), ahead.toLine())
         NotesFile.update(log, listOf(Note(1.0, "no hit")), read = notes.take(1)).notes shouldBe listOf(Note(1.0, "no hit"))
         Files.readAllLines(NotesFile.of(log)).map { "\"remove\"" in it } shouldBe listOf(false, true)
-        Files.readAllLines(NotesFile.of(log)).map { "2099" in it } shouldBe listOf(false, true)
+        Files.readAllLines(NotesFile.of(log)).map { "2099" in it } shouldBe listOf(true, true)
         Files.delete(log.resolveSibling("q42.bag.notes-pit.jsonl"))
+        Files.delete(NotesFile.of(log))
+    }
+
+    test("of two texts that two windows give to one note, the later one counts, also in a page, which does not say who wrote it") {
+        NotesFile.update(log, notes, read = emptyList())
+        NotesFile.update(log, listOf(Note(1.0, "first window"), notes[1]), read = notes)
+        NotesFile.update(log, listOf(Note(1.0, "second window"), notes[1]), read = notes).notes shouldBe
+            listOf(Note(1.0, "second window"), notes[1])
+        val read = NotesFile.read(log)
+        val additions = PageAdditions().withNotes(read.history, problem = null)
+        NoteHistory.of(additions.notes, additions.noteChanges).notes shouldBe read.notes
+        additions.noteChanges.map { it.author }.toSet() shouldBe setOf("")
         Files.delete(NotesFile.of(log))
     }
 

@@ -97,6 +97,18 @@ internal class BoardSpec : PageSpec({
         }
     }
 
+    browserTest("two graphs of one title are told apart by a number, in their titles, for screen readers, and in menus") {
+        onPage(page) {
+            script("location.hash = '#board=Volt,Amp;Volt;Speed'")
+            settle()
+            titles() shouldBe listOf("Volt", "Volt (2)", "Speed")
+            elements("#board .plot").map { it.getDomAttribute("aria-label")?.substringBefore(';') } shouldBe titles().map { "Graph of $it" }
+            elements("#board .graph-menu")[2].click()
+            settle()
+            texts(".menu button").filter { it.startsWith("Add to “") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
+        }
+    }
+
     browserTest("a search shows of the board what it finds, and how many graphs that are") {
         onPage(page) {
             script("location.hash = '#board=Volt,Amp;Speed'")

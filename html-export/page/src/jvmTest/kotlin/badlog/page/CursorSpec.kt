@@ -141,6 +141,9 @@ internal class CursorSpec : PageSpec({
             graph("Row").value("Row") shouldBe row
             graph("Spike").card.findElement(By.cssSelector(".cursor-line.is-pointer")).isDisplayed shouldBe true
             press(Keys.ESCAPE)
+            // Values are read under the pointer again, and then nowhere.
+            graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
+            press(Keys.ESCAPE)
             graph("Row").value("Row") shouldBe ""
             // Sooner, each would be the second click of a double one.
             clicks(List(2) { graph("Row").frame.at(0.25) }, pause = 0.5)

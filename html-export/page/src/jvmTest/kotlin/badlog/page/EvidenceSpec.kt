@@ -69,6 +69,34 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
+    browserTest("a link to a finding gives its row the keyboard's focus when the rules have found it, unless a person has gone on") {
+        val focused = "const e = document.activeElement; return (e.closest('.incident, .finding')?.className ?? '') + '|' + " +
+            "(e.closest('p, .finding')?.textContent ?? e.id)"
+        onPage(match) {
+            awaitRules()
+            elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
+            settle()
+            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+            click("#copy-link")
+            val link = "#" + (script("return window.copied") as String).substringAfter('#')
+            link shouldContain "&finding="
+            script("location.hash = arguments[0]; document.activeElement.blur()", link)
+            reload()
+            script(focused) as String shouldContain "browned out"
+            script(focused) as String shouldStartWith "incident|"
+            // The evidence is on the screen: the focus scrolls nothing.
+            outOfSight() shouldBe 0
+            press(Keys.ENTER)
+            cursor() shouldBe (93.7 plusOrMinus 0.1)
+            // Somebody who began a search while the rules ran goes on with it.
+            val begun = "document.addEventListener('DOMContentLoaded', () => " +
+                "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
+            driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to begun))
+            reload()
+            script(focused) shouldBe "|search"
+        }
+    }
+
     val rules = RulesFile.parse(
         """
         [[rule]]

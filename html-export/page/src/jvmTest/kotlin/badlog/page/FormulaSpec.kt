@@ -7,6 +7,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.Keys
 
 internal class FormulaSpec : PageSpec({
@@ -151,6 +152,66 @@ internal class FormulaSpec : PageSpec({
             press("/")
             press("sum")
             graphNames shouldBe listOf("Sum")
+        }
+    }
+
+    /** Every look at the clock takes 200 ms, and timers wait until they are released, as for a log of many million samples. */
+    val slow = """
+        (() => {
+            const now = performance.now.bind(performance), set = window.setTimeout
+            let late = 0
+            window.held = []
+            performance.now = () => now() + (window.isSlow ? late += 200 : late)
+            window.setTimeout = (work, ...more) => window.isSlow ? window.held.push(work) : set(work, ...more)
+            window.release = count => { while (count-- > 0 && window.held.length > 0) window.held.shift()() }
+        })()
+    """
+    val five = (1..5).joinToString(";") { "F$it+~003d+Voltage~002a$it" }
+    val isAllThere = listOf("F1", "F2", "F3", "F4", "F5")
+
+    browserTest("the formulas of a link are calculated in slices; a long calculation says how far it is, and closing that cancels it") {
+        onPage(TestPages.of(bag), script = slow) {
+            script("window.isSlow = true; location.hash = '#f=$five&t=3'")
+            await("a slice") { number("return held.length") > 0 }
+            script("release(3)")
+            texts(".notice p").single() shouldContain "Calculating the formulas: "
+            graphNames shouldNotContain "F1"
+            script("document.querySelector('.notice button').click(); release(99); window.isSlow = false")
+            graphNames shouldNotContain "F1"
+            // The page goes on, also with the same formulas.
+            addFormula("F1 = Voltage * 1")
+            graphNames shouldContain "F1"
+            script("location.hash = '#f=$five&t=4'")
+            await("the formulas") { graphNames.containsAll(isAllThere) }
+            graphNames.count { it == "F1" } shouldBe 1
+            texts(".cursor-readout").single() shouldStartWith "4.0"
+        }
+    }
+
+    browserTest("a page that opens with formulas, its own, those of its reader and those of a link, draws when they are calculated") {
+        onPage(TestPages.of(bag, additions = PageAdditions(listOf("Half = Voltage / 2"))), script = slow) {
+            addFormula("Quarter = Half / 2")
+            script("location.hash = '#f=$five'")
+            await("the formulas") { graphNames.containsAll(isAllThere) }
+            reload()
+            graphNames.filter { it in isAllThere + listOf("Half", "Quarter") } shouldBe listOf("Half", "Quarter") + isAllThere
+            // Those of the link are not the reader's own until he changes something.
+            script("history.replaceState(null, '', location.pathname)")
+            reload()
+            graphNames shouldContain "Quarter"
+            graphNames shouldNotContain "F1"
+        }
+    }
+
+    browserTest("whoever adds a formula while others are calculated has all of them") {
+        onPage(TestPages.of(bag), script = slow) {
+            script("window.isSlow = true; location.hash = '#f=$five'")
+            await("a slice") { number("return held.length") > 0 }
+            script("window.isSlow = false")
+            addFormula("Sum = Voltage + Current")
+            script("release(99)")
+            settle()
+            graphNames.filter { it in isAllThere + "Sum" } shouldBe isAllThere + "Sum"
         }
     }
 })

@@ -127,6 +127,27 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
+    browserTest("each Escape takes back one thing: the search, the evidence, the second cursor, the pin, the cursor") {
+        onPage(pageWithAll) {
+            press("n")
+            act { sendKeys("b").sendKeys(Keys.ARROW_RIGHT) }
+            click("#search")
+            press("arm")
+            script("document.activeElement.blur()")
+            val search = { element("#search").getDomProperty("value") }
+            val isOpen = { element("#evidence").isDisplayed }
+            fun cursors() = elements(".second-readout").count { it.isDisplayed } to element(".cursor-readout").isDisplayed
+            press(Keys.ESCAPE)
+            listOf(search(), isOpen(), cursors()) shouldBe listOf("", true, 1 to true)
+            press(Keys.ESCAPE)
+            listOf(isOpen(), cursors()) shouldBe listOf(false, 1 to true)
+            press(Keys.ESCAPE)
+            cursors() shouldBe (0 to true)
+            press(Keys.ESCAPE)
+            cursors() shouldBe (0 to false)
+        }
+    }
+
     browserTest("a folder, the problems and an event answer to Enter and Space") {
         onPage(page) {
             fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)

@@ -10,6 +10,7 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
 import java.io.InputStream
 import java.net.URI
 import java.nio.file.Files
@@ -86,7 +87,7 @@ internal class LiveSpec : PageSpec({
         awaitReady()
     }
 
-    browserTest("a log that is being written is followed at its newest moment; a touch pauses, so that one can look back, and live again") {
+    browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
         val robot = Robot(logs("follow") / "running.bag").apply { write(500) }
         withRobot(robot.file.parent) { address ->
             onServedPage(address, Screen.PHONE) {
@@ -99,18 +100,105 @@ internal class LiveSpec : PageSpec({
                 graph("Count").value("Count") shouldBe "749"
                 keepScreenshot("live-phone")
                 isLive() shouldBe true
-                script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}))")
+                // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
+                for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
+                graph("Count").scrollTo().hover(0.5)
+                script("scrollTo(0, 0)")
+                settle()
+                element("#values-button").click()
+                robot.write(50)
+                await("16 s") { visibleRange.endInclusive > 15.9 }
+                awaitReady()
+                isLive() shouldBe true
+                element("#cursor-values").isDisplayed shouldBe true
+                element("#values-button").click()
+                press(Keys.ARROW_LEFT)
                 isLive() shouldBe false
                 robot.write(250)
                 settle()
-                visibleRange.endInclusive shouldBe (14.98 plusOrMinus 0.02)
+                visibleRange.endInclusive shouldBe (15.98 plusOrMinus 0.02)
                 graph("Count").scrollTo()
                 press("+")
                 element("#live").click()
-                await("20 s") { visibleRange.endInclusive > 19.9 }
+                await("21 s") { visibleRange.endInclusive > 20.9 }
                 awaitReady()
                 // As far in as before.
                 visibleRange.start shouldBeGreaterThan 5.0
+            }
+        }
+    }
+
+    browserTest("whoever follows a log before its rules have run is not taken to the worst that they find") {
+        val robot = Robot(logs("worst") / "running.bag").apply { write(500) }
+        robot.volts = 6.1
+        robot.write(100)
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                element("#go-back").click()
+                val worst = "[data-column='FINDINGS'] button"
+                await("the worst in the list") { elements(worst).isNotEmpty() }
+                script(
+                    "new MutationObserver((_, observer) => { const live = document.querySelector('#live'); if (live) { observer.disconnect(); live.click() } })" +
+                        ".observe(document.body, {childList: true, subtree: true})",
+                )
+                element(worst).click()
+                await("the log") { elements("#live").isNotEmpty() }
+                awaitReady()
+                await("the finding") { (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } }
+                isLive() shouldBe true
+                robot.write(50)
+                await("13 s") { visibleRange.endInclusive > 12.9 }
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("a press of the other button of a mouse, or one that ends outside of the window, does not hold up what is new") {
+        val robot = Robot(logs("menu") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                element("#live").click()
+                fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
+                pressed(button = 2)
+                robot.write(50)
+                await("11 s") { visibleRange.endInclusive > 10.9 }
+                awaitReady()
+                for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
+                    pressed(button = 0)
+                    script(end)
+                    val before = visibleRange.endInclusive
+                    robot.write(50)
+                    await("another second") { visibleRange.endInclusive > before + 0.9 }
+                    awaitReady()
+                }
+                isLive() shouldBe true
+            }
+        }
+    }
+
+    browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
+        val robot = Robot(logs("begun") / "running.bag").apply { write(500) }
+        withRobot(robot.file.parent) { address ->
+            onServedPage(address) {
+                openRunning()
+                for (begin in listOf("#add-formula", "#help-button")) {
+                    element("#live").click()
+                    isLive() shouldBe true
+                    element(begin).click()
+                    isLive() shouldBe false
+                    robot.write(50)
+                    settle()
+                    elements("dialog[open]").size shouldBe 1
+                    press(Keys.ESCAPE)
+                    settle()
+                }
+                element("#live").click()
+                press("f")
+                robot.write(50)
+                await("a pause") { !isLive() }
+                elements("dialog[open]").size shouldBe 1
             }
         }
     }
@@ -138,7 +226,7 @@ internal class LiveSpec : PageSpec({
         }
     }
 
-    browserTest("a log that is no text is followed wherever its parts end") {
+    browserTest("a log that is not text is followed wherever its parts end") {
         val file = logs("binary") / "running.dslog"
         val bytes = TestDslog().records(750).bytes
         val written = TestDslog().records(500).bytes.size

@@ -3,14 +3,19 @@ package badlog.page
 import badlog.exporter.HtmlExporter
 import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
+import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLines
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.UUID
 
 /** What people wrote in the window, on an exported page. */
 internal class NotesSpec : PageSpec({
@@ -101,32 +106,90 @@ internal class NotesSpec : PageSpec({
         }
     }
 
+    /** Remembers [text] for the log in the browser, under [key], as another tab does. */
+    fun OpenPage.remember(key: String, text: String) {
+        script(
+            "const key = 'badlog:' + arguments[0] + ':match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                "localStorage.setItem(key, arguments[1])",
+            key,
+            text,
+        )
+    }
+
     browserTest("what two tabs write and remove is in the notes of both, whichever of them writes last") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "first"), Note(2.0, "second")), read = emptyList()) }
         onPage(page) {
-            // As another tab with the same page does.
-            val other = "{\"version\":1,\"notes\":[{\"x\":2,\"text\":\"second\"},{\"x\":9,\"text\":\"of the other tab\"}]}"
-            val given = "{\"version\":1,\"notes\":[{\"x\":1,\"text\":\"first\"},{\"x\":2,\"text\":\"second\"}]}"
-            script(
-                "const key = 'badlog:notes:match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
-                    "localStorage.setItem(key, arguments[0] + '\\0' + arguments[1])",
-                given,
-                other,
-            )
+            val beginning = NoteHistory.of(listOf(Note(1.0, "first"), Note(2.0, "second")), emptyList())
+            val there = listOf(Note(2.0, "second there"), Note(9.0, "of the other tab"))
+            val changes = beginning.changesTo(there, beginning.notes, "", { "2099-01-01T00:00:00.000Z" }) { UUID.randomUUID().toString() }
+            remember("note-changes", changes.toLines())
             graph("Step 1").click(0.5)
             write("of this tab")
-            texts("#notes .note-text") shouldBe listOf("second", "of this tab", "of the other tab")
-            // The other tab changes a note of which there is then still one, and this tab another.
-            script(
-                "const key = Object.keys(localStorage).find(k => k.startsWith('badlog:notes:'));" +
-                    "localStorage[key] = localStorage[key].replace('of the other tab', 'changed there')",
-            )
+            texts("#notes .note-text") shouldBe listOf("second there", "of this tab", "of the other tab")
+            // Although the clock of the other tab is ahead.
+            elements("#notes .note-tools button")[0].click()
+            press(" and here", Keys.ENTER)
+            settle()
+            texts("#notes .note-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
+            reload()
+            texts("#notes .note-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
+        }
+    }
+
+    browserTest("notes that pages of an older badlog remember are still there, can be changed, and are not doubled by a copy") {
+        val beside = listOf(Note(1.0, "first"), Note(2.0, "second"), Note(4.0, "hit"))
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, beside, read = emptyList()) }
+        onPage(page) {
+            val given = listOf(Note(1.0, "first"), Note(2.0, "second"))
+            val kept = listOf(Note(2.0, "changed"), Note(4.0, "hit by 254"), Note(9.0, "added"))
+            remember("notes", given.toJson() + "\u0000" + kept.toJson())
+            reload()
+            texts("#notes .note-text") shouldBe listOf("changed", "hit by 254", "added")
             elements("#notes .note-tools button")[0].click()
             press(" again", Keys.ENTER)
+            elements("#notes .note-tools button").last().click()
             settle()
-            texts("#notes .note-text") shouldBe listOf("second again", "of this tab", "changed there")
             reload()
-            texts("#notes .note-text") shouldBe listOf("second again", "of this tab", "changed there")
+            texts("#notes .note-text") shouldBe listOf("changed again", "hit by 254")
+        }
+    }
+
+    browserTest("a note is once in a page and its copy in one browser: as it was changed last, or not at all if it was removed last") {
+        val page = TestPages.of(stepBag(graphs = 1))
+        val copy = tempdir().toPath().resolve("copy.html")
+
+        fun OpenPage.go(to: Path, vararg notes: String) {
+            driver.get(to.toUri().toString())
+            awaitState("ready")
+            texts("#notes .note-text") shouldBe notes.toList()
+        }
+
+        fun OpenPage.rewrite(index: Int, end: String) {
+            elements("#notes .note-row")[index].findElements(By.cssSelector(".note-tools button"))[0].click()
+            press(end, Keys.ENTER)
+            settle()
+        }
+
+        fun OpenPage.remove(index: Int) = elements("#notes .note-row")[index].findElements(By.cssSelector(".note-tools button"))[1].click()
+        onPage(page) {
+            for ((place, text) in listOf(0.2 to "first", 0.4 to "second", 0.6 to "third")) {
+                graph("Step 1").click(place)
+                write(text)
+            }
+            Files.write(copy, exported("A copy of this page, with your notes and board", "test.html"))
+            rewrite(0, " changed")
+            remove(1)
+            go(copy, "first changed", "third")
+            rewrite(0, " in the copy")
+            remove(1)
+            graph("Step 1").click(0.8)
+            write("fourth")
+            go(page, "first changed in the copy", "fourth")
+            rewrite(0, " and back")
+            go(copy, "first changed in the copy and back", "fourth")
+            // Another browser knows only what the copy was made with.
+            script("localStorage.clear()")
+            go(copy, "first", "second", "third")
         }
     }
 

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.core.analysis.Series
+import badlog.core.bag.BagTopic
 import badlog.core.recording.Severity
 import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
@@ -71,6 +72,18 @@ internal class PhoneSpec : PageSpec({
                     text,
                 ) shouldBeGreaterThan 0.0
             }
+        }
+    }
+
+    browserTest("all that the bar can have is in two rows above the cursor's place, also on a narrow phone") {
+        val modules = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
+            .flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }
+        val topics = listOf(TIME) + modules + BagTopic("Log", attributes = listOf("log"))
+        val bag = bagOf(topics, 1200) { row, column -> if (column == topics.lastIndex) "event $row" else row / 50.0 }
+        onPage(TestPages.of(bag), Screen.PHONE.copy(width = 360)) {
+            for (button in listOf(".events-link", "#add-note", "#values-button", "#modules-button")) element(button).isDisplayed shouldBe true
+            number("return document.querySelector('.zoom-row').getBoundingClientRect().height") shouldBeLessThan 110.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 360.0
         }
     }
 

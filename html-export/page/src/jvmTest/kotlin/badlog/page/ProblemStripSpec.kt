@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.protocol.PageAdditions
 import io.kotest.inspectors.forAtLeastOne
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -36,6 +37,28 @@ internal class ProblemStripSpec : PageSpec({
             element(".problem-list").isDisplayed shouldBe false
             click(".problems-toggle")
             element(".problem-list").isDisplayed shouldBe true
+        }
+    }
+
+    browserTest("what a phone folds is on paper, and folded again afterwards") {
+        onPage(TestPages.ofSample("practice.bag"), Screen.PHONE) {
+            val isListed = { element(".problem-list").isDisplayed }
+            isListed() shouldBe false
+            script("dispatchEvent(new Event('beforeprint'))")
+            isListed() shouldBe true
+            texts(".problem").forAtLeastOne { it shouldContain "45.382" }
+            script("dispatchEvent(new Event('afterprint'))")
+            isListed() shouldBe false
+            click(".problems-toggle")
+            for (type in listOf("beforeprint", "afterprint")) script("dispatchEvent(new Event('$type'))")
+            isListed() shouldBe true
+        }
+    }
+
+    browserTest("a phone shows at once what is wrong with a page's own formula, unless what the file lost would be listed with it") {
+        val wrong = PageAdditions(listOf("Bad ="))
+        for ((page, isListed) in listOf(TestPages.of(stepBag(graphs = 1), additions = wrong) to true, TestPages.ofSample("practice.bag", wrong) to false)) {
+            onPage(page, Screen.PHONE) { element(".problem-list").isDisplayed shouldBe isListed }
         }
     }
 

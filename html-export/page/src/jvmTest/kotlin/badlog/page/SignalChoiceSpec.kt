@@ -59,7 +59,7 @@ internal class SignalChoiceSpec : PageSpec({
         }
     }
 
-    browserTest("a topic that cannot be the signal is refused with a reason, as is a name that is no topic") {
+    browserTest("a topic that cannot be the signal is refused with a reason, as is a name that is not a topic") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()
             say("battery", "Arm")

@@ -2,6 +2,8 @@ package badlog.page
 
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
 import java.nio.file.Files
 
 internal class TimeLinkSpec : PageSpec({
@@ -33,6 +35,31 @@ internal class TimeLinkSpec : PageSpec({
             follow("t=9")
             9.0 shouldBeIn visibleRange
             (1..20).any { graph("Step $it").isOnScreen } shouldBe true
+        }
+    }
+
+    browserTest("a link to a time gives the first graph on the screen the keyboard's focus, and the focus scrolls nothing") {
+        val focused = "const e = document.activeElement; return e.className + ' ' + e.closest('.graph')?.dataset.name"
+        onPage(TestPages.of(stepBag(graphs = 20))) {
+            follow("t=2.5")
+            script("document.activeElement.blur()")
+            reload()
+            script(focused) shouldBe "plot Step 1"
+            number("return scrollY") shouldBe 0.0
+            graph("Step 15").scrollTo()
+            val top = number("return scrollY")
+            follow("t=7")
+            number("return scrollY") shouldBe top
+            (graph(script("return document.activeElement.closest('.graph').dataset.name") as String).isOnScreen) shouldBe true
+            // What keys do next begins there, and is spoken.
+            press(Keys.ARROW_RIGHT)
+            texts("#spoken").single() shouldContain "7."
+        }
+        onPage(TestPages.of(stepBag(graphs = 2))) {
+            click("#search")
+            script("return document.activeElement.id") shouldBe "search"
+            reload()
+            script("return document.activeElement.tagName") shouldBe "BODY"
         }
     }
 
@@ -72,6 +99,7 @@ internal class TimeLinkSpec : PageSpec({
             it.settle()
             it.driver.switchTo().defaultContent()
             it.number("return scrollY") shouldBe 0.0
+            it.script("return document.activeElement.tagName") shouldBe "BODY"
         }
     }
 

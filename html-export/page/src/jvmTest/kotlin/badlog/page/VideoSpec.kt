@@ -74,6 +74,12 @@ internal class VideoSpec : PageSpec({
         pick()
         element("#video").isDisplayed shouldBe true
         texts("#video h2").single() shouldBe "match.webm"
+        // The end of a long name is what tells videos apart.
+        script("document.querySelector('#video h2 bdi').textContent = 'match-'.repeat(40) + '42.webm'")
+        number(
+            """const [all, name] = ['h2', 'h2 bdi'].map(it => document.querySelector('#video ' + it).getBoundingClientRect());
+            return name.right - all.right""",
+        ) shouldBe (0.0 plusOrMinus 1.0)
         goToFrame(60)
         texts(".cursor-readout").single() shouldBe ""
         click("#video-enabled")

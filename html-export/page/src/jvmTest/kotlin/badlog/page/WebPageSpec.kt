@@ -155,7 +155,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    browserTest("hostile programs get nothing and show nothing: data of all kinds is no offer, and names are no markup") {
+    browserTest("hostile programs get nothing and show nothing: data of all kinds is not an offer, and names are not markup") {
         site().use { site ->
             onWeb(site) {
                 for (data in listOf(

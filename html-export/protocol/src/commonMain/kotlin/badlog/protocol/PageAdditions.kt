@@ -5,6 +5,8 @@ import badlog.core.recording.Value
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteChange
+import badlog.viewer.choices.note.NoteHistory
 
 /**
  * What a page shows besides the recording itself.
@@ -22,6 +24,7 @@ import badlog.viewer.choices.note.Note
  * @property notesProblem why there are no notes although a file has some, as a sentence; null if all is well.
  * @property field the field on which paths are drawn, including its picture, in the form of `FieldFile`; null for a plain one.
  * @property video the name of a video of the match beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
+ * @property noteChanges what people changed of [notes], see [NoteHistory].
  */
 class PageAdditions(
     val virtualTopics: List<String> = emptyList(),
@@ -35,19 +38,27 @@ class PageAdditions(
     val notesProblem: String? = null,
     val field: String? = null,
     val video: String? = null,
+    val noteChanges: List<NoteChange> = emptyList(),
 ) {
-    /** Returns the same with [notes], and with [problem] if there should be notes but are none. */
-    fun withNotes(notes: List<Note>, problem: String?): PageAdditions =
-        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, problem, field, video)
+    /** Returns the same with [notes], without their authors, and with [problem] if there should be notes but are none. */
+    fun withNotes(notes: NoteHistory, problem: String?): PageAdditions {
+        val changes = notes.changes.map { it.copy(author = "") }
+        return PageAdditions(
+            virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes.unchanged, problem, field, video, changes,
+        )
+    }
 
     /** Returns the same with [rules]. */
-    fun with(rules: RuleSet): PageAdditions =
-        PageAdditions(virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+    fun with(rules: RuleSet): PageAdditions = PageAdditions(
+        virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, notesProblem, field, video, noteChanges,
+    )
 
     /** Returns the same without rules, because of [problem]; the names of signals' topics stay. */
     fun withoutRules(problem: String): PageAdditions {
         val names = RuleSet.NONE.with(rules.signals)
-        return PageAdditions(virtualTopics, names, problem, findings, hooks, differences, layout, notes, notesProblem, field, video)
+        return PageAdditions(
+            virtualTopics, names, problem, findings, hooks, differences, layout, notes, notesProblem, field, video, noteChanges,
+        )
     }
 
     /** Returns what of this is not about one log: a page shows it of another log, too. */

@@ -9,8 +9,10 @@ import badlog.rules.RuleSet
 import badlog.rules.fromJson
 import badlog.rules.toJson
 import badlog.viewer.choices.note.NotesException
+import badlog.viewer.choices.note.noteChangesOf
 import badlog.viewer.choices.note.notesOfJson
 import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLines
 
 /**
  * Returns these additions as JSON that is safe in a script element. Samples are written as base64 of their doubles, which is exact
@@ -26,6 +28,7 @@ fun PageAdditions.toJson(): String = inScript(
         "differences" to differences.takeIf { it.isNotEmpty() }?.let { array(it, ::findingJson) },
         "layout" to layout?.let(::quotedJson),
         "notes" to notes.takeIf { it.isNotEmpty() }?.toJson(),
+        "noteLines" to noteChanges.takeIf { it.isNotEmpty() }?.let { quotedJson(it.toLines()) },
         "notesProblem" to notesProblem?.let(::quotedJson),
         "field" to field?.let(::quotedJson),
         "video" to video?.let(::quotedJson),
@@ -47,6 +50,7 @@ fun PageAdditions.Companion.fromJson(text: String): PageAdditions? = unlessMalfo
         notesProblem = json.find("notesProblem")?.string,
         field = json.find("field")?.string,
         video = json.find("video")?.string,
+        noteChanges = noteChangesOf(json.find("noteLines")?.string.orEmpty()).changes,
     )
 }
 

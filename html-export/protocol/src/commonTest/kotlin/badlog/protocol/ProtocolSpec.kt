@@ -11,6 +11,8 @@ import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.fromJson
 import badlog.rules.toJson
+import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteChange
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldNotBeNull
@@ -104,6 +106,18 @@ class ProtocolSpec : FunSpec({
             read.video shouldBe additions.video
             read.findings.map(::partsOf) shouldBe findings.map(::partsOf)
             read.hooks.map(::partsOf) shouldBe hooks.map(::partsOf)
+        }
+    }
+
+    test("notes and what became of them come back as they were") {
+        checkAll(100, Arb.list(TEXTS, 0..3)) { texts ->
+            val notes = texts.filter { it.isNotBlank() }.mapIndexed { i, text -> Note(i + 0.5, text) }
+            val time = "2026-03-07T14:05:12.345Z"
+            val changes = notes.mapIndexed { i, note -> NoteChange("$i", time, "", note, isRemoved = i > 0, note.text) }
+            val text = PageAdditions(notes = notes, noteChanges = changes).toJson()
+            text shouldNotContain "<"
+            val read = PageAdditions.fromJson(text).shouldNotBeNull()
+            (read.notes to read.noteChanges) shouldBe (notes to changes)
         }
     }
 

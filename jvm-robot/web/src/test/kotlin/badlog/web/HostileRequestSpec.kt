@@ -117,7 +117,7 @@ class HostileRequestSpec : FunSpec({
         }
     }
 
-    test("what is no request, or a huge one, ends its connection and nothing else") {
+    test("anything but a request, or a huge one, ends its connection and nothing else") {
         withSecrets { server ->
             val attempts = listOf(
                 "\r\n\r\n", "GET\r\n\r\n", "GET / HTTP/9.9\r\n\r\n", "\u0016\u0003\u0001\u0002\r\n\r\n", "GET http://evil.example/ HTTP/1.1\r\nHost: evil.example\r\n\r\n",

@@ -6,6 +6,7 @@ import badlog.assistant.call.AssistantTool
 import badlog.assistant.call.ToolException
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.UnreadableFileException
+import badlog.files.bugSentence
 import io.modelcontextprotocol.kotlin.sdk.server.Server
 import io.modelcontextprotocol.kotlin.sdk.server.ServerOptions
 import io.modelcontextprotocol.kotlin.sdk.server.StdioServerTransport
@@ -89,7 +90,7 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     } catch (_: OutOfMemoryError) {
         failed("This is too large for the available memory; ask for fewer topics or a shorter range.")
     } catch (e: Exception) {
-        failed("This is a bug in badlog; report it (${e.toString().lineSequence().first()}).")
+        failed(bugSentence(e))
     }
 
     private fun failed(sentence: String) = CallToolResult(listOf(TextContent(texts.of(sentence))), isError = true)

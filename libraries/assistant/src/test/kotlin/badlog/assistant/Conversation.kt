@@ -42,7 +42,7 @@ internal class Conversation(val client: Client) {
     /** The text of that answer. */
     suspend fun text(tool: String, vararg arguments: Pair<String, Any?>): String = textOf(call(tool, *arguments))
 
-    /** The data of that answer, which is no failure. */
+    /** The data of that answer, which is not a failure. */
     suspend fun data(tool: String, vararg arguments: Pair<String, Any?>): JsonObject {
         val result = call(tool, *arguments)
         withClue(textOf(result)) { (result.isError ?: false) shouldBe false }

@@ -1,8 +1,8 @@
 package badlog.charts
 
 import badlog.charts.match.ChartedLog
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
+import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

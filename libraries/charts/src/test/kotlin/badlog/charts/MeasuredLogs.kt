@@ -3,8 +3,8 @@ package badlog.charts
 import badlog.charts.match.ChartedLog
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
+import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 
 /** Figures that are made up: each is a signal, a topic, a measure, a unit and a value. */

@@ -20,5 +20,5 @@ internal fun sampleSeason(count: Int): List<ChartedLog> = (1..count).toList().pa
     val bag = FaultyMatch(400 + number, fault, isFaint = false).bag()
     val view = LogView.of(BagParser().apply { accept(bag) }.finish())
     val match = MatchOfLog("Mill Creek Regional", "Qualification", "${3 * number - 1}")
-    ChartedLog(match, "q$number.bag", began = 600L * number, figuresOf(view, RuleSet.BUILT_IN.signals))
+    ChartedLog(match, "q$number.bag", began = 600L * number, figuresOf(view, RuleSet.BUILT_IN.signals, "q$number.bag"))
 }.toList()

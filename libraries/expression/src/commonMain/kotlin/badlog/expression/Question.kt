@@ -88,7 +88,7 @@ sealed class Question : ParsedQuestion {
                 return ExpressionError(text, placed(asked.from), placed(asked.until), asked.kind, asked.message)
             }
             val signal = vocabulary.signals.find { it.name == (asked as Expression).topics.firstOrNull() }
-            // “time” is no topic, and a number, too.
+            // “time” is not a topic, and a number, too.
             if (signal == null || signal.kind == SignalKind.NUMBER) {
                 val message = "“${signal?.name ?: key}” is a number; “by” needs a signal with states, or “topic”."
                 return ExpressionError(text, keyFrom, text.length, ExpressionErrorKind.TYPE, message)
@@ -163,9 +163,7 @@ sealed class Question : ParsedQuestion {
             val parsed = Expression.parse(body, vocabulary) as Expression
             val places = ArrayList<Node>()
             fun collect(node: Node) {
-                if (node is Node.Call &&
-                    node.arguments.firstOrNull()?.type?.isOverTime == true
-                ) {
+                if (node is Node.Call && node.arguments.firstOrNull()?.type?.isOverTime == true) {
                     places += node.arguments
                 } else {
                     node.children.forEach(::collect)

@@ -30,15 +30,46 @@ class ViewWithVirtualTopics internal constructor(val view: LogView, val topics: 
  *
  * @param names what the definitions may name: the topics of this view, possibly under additional names.
  */
-fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics {
-    val defined = DefinedTopics(names, definitions)
-    if (defined.topics.isEmpty()) return ViewWithVirtualTopics(this, emptyList(), defined.errors)
-    val extended = recording.run {
-        val added = defined.topics.map { calculatedTopic(it, defined.signals.series(it.name), xAxis, defined.signals.stretches) }
-        copy(topics = topics + added)
+fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics =
+    VirtualTopicsDraft(this, definitions, names).run {
+        do {
+            val isMore = step()
+        } while (isMore)
+        extended
     }
-    return ViewWithVirtualTopics(LogView.of(extended).identified(title, modes), defined.topics, defined.errors)
+
+/**
+ * A [ViewWithVirtualTopics] of [view] in the making, see [withVirtualTopics]. Each [step] calculates one topic, since a log may have a
+ * million samples: between steps, a page can respond and a task can be canceled.
+ */
+class VirtualTopicsDraft(private val view: LogView, definitions: List<String>, names: Signals) {
+    private val defined = DefinedTopics(names, definitions)
+    private val added = ArrayList<Topic>()
+    private var made = if (defined.topics.isEmpty()) ViewWithVirtualTopics(view, emptyList(), defined.errors) else null
+
+    /** How much of the work is done, from 0 to 1. */
+    val share: Double get() = added.size / (defined.topics.size + 1.0)
+
+    /** The view, once [step] has returned false. */
+    val extended: ViewWithVirtualTopics get() = checkNotNull(made)
+
+    /** Does the next part of the work. Returns whether there was one. */
+    fun step(): Boolean {
+        if (made != null) return false
+        val next = defined.topics.getOrNull(added.size)
+        if (next == null) {
+            made = ViewWithVirtualTopics(view.withTopics(view.recording.topics + added), defined.topics, defined.errors)
+        } else {
+            added += calculatedTopic(next, defined.signals.series(next.name), view.xAxis, defined.signals.stretches)
+        }
+        return true
+    }
 }
+
+/** Returns this view without the topics called [names]. Calculates nothing. */
+fun LogView.withoutTopics(names: Set<String>): LogView = withTopics(recording.topics.filter { it.name !in names })
+
+private fun LogView.withTopics(topics: List<Topic>): LogView = LogView.of(recording.copy(topics = topics)).identified(title, modes)
 
 /** Returns why some of [definitions] fail with the topics in [names], in order. Calculates nothing, so no samples are needed. */
 fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors

@@ -42,9 +42,7 @@ class VirtualTopic private constructor(val name: String, val unit: String, val e
             if (taken != null && taken.name !in vocabulary.meanings) heading.fail("“${heading.name}” already exists; use another name.")
             if (heading.name in KEYWORDS) heading.fail("“${heading.name}” is a word of the language; use another name.")
             val hidden = vocabulary.find(heading.name).singleOrNull()
-            if (hidden != null &&
-                hidden.name !in vocabulary.meanings
-            ) {
+            if (hidden != null && hidden.name !in vocabulary.meanings) {
                 heading.fail("“${heading.name}” already means “${hidden.name}”; use another name.")
             }
             // Spaces replace the heading, so that every position is the same as in the whole text.

@@ -4,7 +4,7 @@ import kotlin.random.Random
 
 /**
  * Rounding that might as well have gone the other way: if an answer depends on it, such as whether 0.1 + 0.2 is above 0.3, there
- * is no right answer, and nothing to compare.
+ * is not one right answer to compare with.
  *
  * @property tick how long it takes to set back a clock, in s.
  */

@@ -42,6 +42,24 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         power.samples[2].shouldBeNaN()
     }
 
+    test("made in steps, one for each topic, they are the same, and what was not made yet is not there") {
+        val definitions = listOf("Power = Voltage * Current", "Wrong = Speed", "Half = Power / 2")
+        val draft = VirtualTopicsDraft(view, definitions, LogViewSignals(view))
+        val shares = generateSequence { draft.share.takeIf { draft.step() } }.toList()
+        shares shouldBe listOf(0.0, 1 / 3.0, 2 / 3.0)
+        val whole = view.withVirtualTopics(definitions)
+        draft.extended.errors.map { it.message } shouldBe whole.errors.map { it.message }
+        draft.extended.view.points("Half") shouldBe whole.view.points("Half")
+        VirtualTopicsDraft(view, listOf("Wrong = Speed"), LogViewSignals(view)).run { step() to extended.view } shouldBe (false to view)
+    }
+
+    test("a topic is taken away without calculating the others again") {
+        val with = view.withVirtualTopics(listOf("Power = Voltage * Current", "Twice = 2 * Voltage")).view
+        val without = with.withoutTopics(setOf("Power"))
+        without.recording.topics.map { it.name } shouldBe listOf("Time", "PDP/Voltage", "PDP/Current", "Twice")
+        without.topic("Twice") shouldBeSameInstanceAs with.topic("Twice")
+    }
+
     test("over all rows it shares them, so that it can be written beside the others") {
         val power = view.withVirtualTopics(listOf("Power = Voltage * Current")).view.topic("Power")
         power.times shouldBe null

@@ -15,11 +15,10 @@ import badlog.signals.match.matchInName
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
     companion object {
         /** Returns the place of a log of [match] that is called [name] on the robot. */
-        fun of(name: String, match: MatchOfLog?): LogPlace {
-            val both = (match ?: MatchOfLog()).orNamed(name)
+        fun of(name: String, match: MatchOfLog): LogPlace {
             val stem = LogName.of(name).stem
-            val called = both.match?.takeIf { both.number != matchInName(name).number }?.let { "$stem $it" } ?: stem
-            return LogPlace(both.event?.let(::safeName), safeName(called + name.drop(stem.length)), both.title)
+            val called = match.match?.takeIf { match.number != matchInName(name).number }?.let { "$stem $it" } ?: stem
+            return LogPlace(match.event?.let(::safeName), safeName(called + name.drop(stem.length)), match.title)
         }
     }
 }

@@ -4,13 +4,15 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.text.freeName
 import badlog.files.LogName
-import badlog.files.UnreadableFileException
-import badlog.files.readRecording
+import badlog.files.ReadResult
+import badlog.files.ReadResult.Cause
+import badlog.files.readLog
 import badlog.files.safeName
 import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import org.apache.sshd.sftp.common.SftpConstants
 import org.apache.sshd.sftp.common.SftpException
@@ -111,13 +113,10 @@ internal class Transfer(
 
     /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
-        val recording = try {
-            readRecording(whole.part, LOG_FORMATS, name = log.name)
-        } catch (_: UnreadableFileException) {
-            null
-        }
-        val isLog = recording?.isReadable == true && !isFormerWpilog(log, recording)
-        val place = LogPlace.of(log.name, recording?.takeIf { isLog }?.let(RuleSet.BUILT_IN.signals::matchOf))
+        val recording = recordingIn(whole.part, log.name)
+        val isLog = recording != null && !isFormerWpilog(log, recording)
+        val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
+        val place = LogPlace.of(log.name, match)
         val digest = FetchedLogs.digestOf(whole.part)
         val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
         val file = moveTo(whole.part, place, former)
@@ -132,31 +131,43 @@ internal class Transfer(
         listener.fetched(result)
     }
 
-    /** Makes [part], whose log is no longer on the robot, a log if any of it can be read; otherwise removes it. */
-    private fun keepUnfinished(part: Path) {
-        val recording = try {
-            readRecording(part, LOG_FORMATS)
-        } catch (_: UnreadableFileException) {
-            null
+    /** Returns the recording in [part] of the log called [name]; null if nobody can read it, which is no reason not to fetch it. */
+    private fun recordingIn(part: Path, name: String): Recording? = when (val read = readLog(part, LOG_FORMATS, name = name)) {
+        is ReadResult.Read -> read.recording
+
+        is ReadResult.NotRead -> when (read.cause) {
+            Cause.NO_LOG, Cause.UNREADABLE, Cause.TOO_LARGE -> null
+
+            // The log may be a good one, of which the next fetch finds the match.
+            Cause.NO_ROOM, Cause.BUG -> read.orThrow()
         }
+    }
+
+    /**
+     * Makes [part], whose log is no longer on the robot, a log if any of it can be read; removes it if there is nothing in it. If neither
+     * is known, it stays, as the only copy of the log.
+     */
+    private fun keepUnfinished(part: Path) {
+        val read = readLog(part, LOG_FORMATS)
+        if (read is ReadResult.NotRead && !read.isLasting) {
+            val message = "${read.sentence} The file has the start of a log that is no longer on the robot, and is kept."
+            return listener.skipped(part.fileName.toString(), message, isGrowing = false)
+        }
+        val recording = (read as? ReadResult.Read)?.recording
         val size = Files.size(part)
-        if (recording == null || !recording.isReadable || recording.sampleCount == 0L) {
+        if (recording == null || recording.sampleCount == 0L) {
             writing(part) { Files.deleteIfExists(part) }
             val message = "The start of a log that is no longer on the robot was removed: nothing in it could be read."
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)
         }
-        val place = LogPlace.of("unfinished${endingOf(recording.format)}", RuleSet.BUILT_IN.signals.matchOf(recording))
+        val name = "unfinished${recording.format.endings.first()}"
+        val place = LogPlace.of(name, matchOf(recording, name))
         val file = moveTo(part, place, former = null)
         val message = "$file has the first $size bytes of a log that is no longer on the robot."
         listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
     }
 
-    private fun endingOf(format: RecordingFormat) = when (format) {
-        RecordingFormat.BAG -> ".bag"
-        RecordingFormat.CSV -> ".csv"
-        RecordingFormat.WPILOG -> ".wpilog"
-        RecordingFormat.DRIVER_STATION -> ".dslog"
-    }
+    private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
 
     // Any bytes with line ends would count as a damaged table.
     private fun isFormerWpilog(log: RemoteLog, recording: Recording) =

@@ -68,7 +68,7 @@ class FetchOnWindowsSpec : FunSpec({
             val copy = pit.folder / Q1
             windows.protect(copy)
             shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldBe
-                "$copy cannot be replaced: it is read-only, or another program has it open; close it there, or select another name."
+                "$copy cannot be replaced: it is read-only, or another program has it open; make it writable, or close it there."
             copy.readText() shouldBe matchBag(1, rows = 2000)
         }
     }

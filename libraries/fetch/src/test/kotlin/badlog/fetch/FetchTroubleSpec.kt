@@ -1,5 +1,6 @@
 package badlog.fetch
 
+import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -13,16 +14,32 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import java.time.Duration
 import java.time.Instant
+import java.util.Base64
 import kotlin.io.path.appendText
 import kotlin.io.path.div
 import kotlin.io.path.name
+import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 private val LARGE = "a,b\n" + "1,2\n".repeat(500_000)
+
+/** A table of two rows, compressed with xz. */
+private val XZ_OF_TABLE = Base64.getDecoder().decode("/Td6WFoAAAFpIt42AgAhAQwAAACPmEGcAQALYSxiCjEsMgozLDQKAOXp1s4AASAMot20vJBCmQ0BAAAAAAFZWg==")
+
+/** Does [work] while Java's folder for temporary files is [folder]. */
+private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
+    val before = System.setProperty("java.io.tmpdir", "$folder")
+    try {
+        work()
+    } finally {
+        System.setProperty("java.io.tmpdir", before)
+    }
+}
 
 class FetchTroubleSpec : FunSpec({
     test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
@@ -176,6 +193,29 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
+    test("a log that finds no room for temporary files stays a part, also when it has gone from the robot, until it can be read") {
+        inPit { pit, robot ->
+            val log = robot.log("log.wpilogxz", XZ_OF_TABLE)
+            val missing = pit.folder / "gone"
+            withTemporaryFolder(missing) {
+                shouldThrow<UnreadableFileException> { pit.fetch(robot) }.message shouldContain "$missing cannot be written"
+                pit.logs().shouldBeEmpty()
+                val part = pit.folder / pit.parts().single()
+                Files.delete(log)
+                Files.setLastModifiedTime(part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))
+                val heard = Heard()
+                pit.fetch(robot, heard)
+                pit.parts() shouldContainExactly listOf(part.name)
+                heard.said shouldContain "$part: $missing cannot be written: its folder does not exist; create it. " +
+                    "The file has the start of a log that is no longer on the robot, and is kept."
+            }
+            pit.fetch(robot)
+            pit.parts().shouldBeEmpty()
+            pit.logs() shouldContainExactly listOf("unfinished.csv")
+            (pit.folder / "unfinished.csv").readBytes() shouldBe XZ_OF_TABLE
+        }
+    }
+
     test("names that reach elsewhere, break lines or cannot be on this system stay in the folder") {
         inPit { pit, robot ->
             robot.log("two\nlines.csv", "a,b\n3,4\n")
@@ -230,7 +270,7 @@ class FetchTroubleSpec : FunSpec({
     test("a folder that is a file is one sentence") {
         inPit { pit, robot ->
             pit.folder.writeText("")
-            shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "select another"
+            shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "is a file, not a folder; rename that file."
         }
     }
 })

@@ -27,6 +27,6 @@ class DriverStation : AutoCloseable {
     private fun view(): LogView {
         val parser = BagParser()
         parser.accept("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Enabled"}],"values":[]}${"\n"}Time,Enabled${"\n"}0,false${"\n"}1,true${"\n"}""".encodeToByteArray())
-        return LogView.of(parser.finish()).withSignals(RuleSet.BUILT_IN.signals)
+        return LogView.of(parser.finish()).withSignals(RuleSet.BUILT_IN.signals, "robot.bag")
     }
 }

@@ -24,7 +24,7 @@ public fun appendLines(file: Path, lines: List<String>) {
             channel.force(true)
         }
     } catch (e: IOException) {
-        throw UnwritableFileException(file, "$file cannot be written (${e.message}); check that the folder is not write-protected.", e)
+        throw unwritable(file, e)
     }
 }
 

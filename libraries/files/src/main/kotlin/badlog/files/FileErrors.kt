@@ -48,13 +48,35 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
     throw unreadable(file, e)
 }
 
-private fun unreadable(file: Path, e: Throwable): UnreadableFileException {
+/** Returns the error of reading [file], a file or a folder, whose reason is [e]. */
+public fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     val message = when (e) {
-        is NoSuchFileException -> "There is no file $file; check the spelling."
-        is AccessDeniedException -> "$file cannot be read: permission denied; copy it, or ask its owner."
+        is NoSuchFileException -> missingSentence("$file")
+
+        is AccessDeniedException -> {
+            val remedy = if (Files.isDirectory(file)) "change its permissions" else "copy it"
+            "$file cannot be read: permission denied; $remedy, or ask its owner."
+        }
+
         else -> "$file cannot be read (${e.message}); copy it to this computer's disk first."
     }
     return UnreadableFileException(file, message, e)
+}
+
+/** Returns the sentence about [path], at which there is nothing. */
+public fun missingSentence(path: String): String = "There is no file or folder $path; check the spelling."
+
+/** The sentence for people who asked for logs if there are none where they asked. */
+public const val NO_LOGS_SENTENCE: String = "No logs found. Name a log, or the folder it is in."
+
+/**
+ * Checks that [folder] exists and is a folder.
+ *
+ * @throws UnreadableFileException if it is not.
+ */
+public fun requireFolder(folder: Path) {
+    reading(folder) { folder.toRealPath() }
+    if (!Files.isDirectory(folder)) throw UnreadableFileException(folder, "$folder is a file, not a folder; name the folder that it is in.")
 }
 
 /**
@@ -63,10 +85,26 @@ private fun unreadable(file: Path, e: Throwable): UnreadableFileException {
  * @throws UnreadableFileException if it is not.
  */
 public fun requireRegularFile(file: Path) {
-    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, not a file; name a file.")
+    if (Files.isDirectory(file)) throw UnreadableFileException(file, "$file is a folder, not a file; name a file in it.")
     reading(file) { file.toRealPath() }
     if (!Files.isRegularFile(file)) {
         throw UnreadableFileException(file, "$file is not a regular file; copy its content into a file first.")
+    }
+}
+
+/**
+ * Checks, before any work, that [target] can be written: that it is not a folder, and is not among the files that are read.
+ *
+ * @param advice what to do if it cannot be; null for the usual, which is for those who choose the file itself.
+ * @param isRead returns whether an existing file is read.
+ * @throws UnwritableFileException if it is.
+ */
+public fun requireTarget(target: Path, advice: String? = null, isRead: (Path) -> Boolean = { false }) {
+    if (Files.isDirectory(target)) {
+        throw UnwritableFileException(target, "$target is a folder; ${advice ?: "name another file, or one inside it"}.")
+    }
+    if (Files.exists(target) && isRead(target)) {
+        throw UnwritableFileException(target, "$target would overwrite a file that is read; ${advice ?: "select another name"}.")
     }
 }
 
@@ -88,16 +126,21 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
 } catch (e: UnwritableFileException) {
     throw e
 } catch (e: IOException) {
+    throw unwritable(file, e)
+}
+
+/** Returns the error of writing [file], a file or a folder, whose reason is [e]. */
+public fun unwritable(file: Path, e: IOException): UnwritableFileException {
     val message = when (e) {
         is AccessDeniedException -> if (isReplaceable(file)) {
-            "$file cannot be replaced: it is read-only, or another program has it open; close it there, or select another name."
+            "$file cannot be replaced: it is read-only, or another program has it open; make it writable, or close it there."
         } else {
-            "$file cannot be written: permission denied; select another folder."
+            "$file cannot be written: permission denied; change the permissions of its folder."
         }
 
-        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; select another folder."
+        is FileAlreadyExistsException -> "$file cannot be written: ${e.file} is a file, not a folder; rename that file."
 
-        is NoSuchFileException -> "$file cannot be written: its folder does not exist; select another one."
+        is NoSuchFileException -> "$file cannot be written: its folder does not exist; create it."
 
         is DiskFullException -> "$file cannot be written: the disk is full; make room, or select another disk."
 
@@ -105,7 +148,7 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
 
         else -> "$file cannot be written (${e.message}); select another place."
     }
-    throw UnwritableFileException(file, message, e)
+    return UnwritableFileException(file, message, e)
 }
 
 // Windows refuses to replace such files, and does not say why.

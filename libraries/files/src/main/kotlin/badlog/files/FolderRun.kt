@@ -4,6 +4,8 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future
 import java.util.concurrent.Semaphore
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
 import kotlin.math.ceil
 
 /**
@@ -19,9 +21,16 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
 
     /**
      * Does [work] on each of [files], which receives a number of cores, and passes each result to [each] on this thread. An
-     * exception from [work] or [each] stops everything and is passed on.
+     * exception from [work], [waiting] or [each] stops everything and is passed on.
+     *
+     * @param waiting called on this thread several times a second while the next result is not there.
      */
-    public fun <R> forEach(files: List<LogFile>, work: (file: LogFile, cores: Int) -> R, each: (LogFile, R) -> Unit) {
+    public fun <R> forEach(
+        files: List<LogFile>,
+        work: (file: LogFile, cores: Int) -> R,
+        waiting: () -> Unit = {},
+        each: (LogFile, R) -> Unit,
+    ) {
         // The cores that no other file uses.
         val cores = threads / files.size.coerceIn(1, threads)
         val pool = Executors.newFixedThreadPool(threads) { Thread(it, "badlog-logs").apply { isDaemon = true } }
@@ -29,22 +38,29 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
             val underWay = ArrayDeque<Pair<LogFile, Future<R>>>()
             for (file in files) {
                 underWay += file to pool.submit<R> { withRoom(file) { work(file, cores) } }
-                if (underWay.size >= threads * AHEAD) finishFirst(underWay, each)
+                if (underWay.size >= threads * AHEAD) finishFirst(underWay, waiting, each)
             }
-            while (underWay.isNotEmpty()) finishFirst(underWay, each)
+            while (underWay.isNotEmpty()) finishFirst(underWay, waiting, each)
         } finally {
             pool.shutdownNow()
         }
     }
 
-    private fun <R> finishFirst(underWay: ArrayDeque<Pair<LogFile, Future<R>>>, each: (LogFile, R) -> Unit) {
+    private fun <R> finishFirst(underWay: ArrayDeque<Pair<LogFile, Future<R>>>, waiting: () -> Unit, each: (LogFile, R) -> Unit) {
         val (file, future) = underWay.removeFirst()
-        val result = try {
-            future.get()
-        } catch (e: ExecutionException) {
-            throw e.cause ?: e
+        each(file, resultOf(future, waiting))
+    }
+
+    private fun <R> resultOf(future: Future<R>, waiting: () -> Unit): R {
+        while (true) {
+            try {
+                return future.get(PATIENCE, TimeUnit.MILLISECONDS)
+            } catch (_: TimeoutException) {
+                waiting()
+            } catch (e: ExecutionException) {
+                throw e.cause ?: e
+            }
         }
-        each(file, result)
     }
 
     private fun <R> withRoom(file: LogFile, work: () -> R): R {
@@ -62,6 +78,9 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
         val PACKED = listOf(".gz", ".wpilogxz", ".hoot")
         const val AHEAD = 4
         const val ROOM = 1000
+
+        /** Milliseconds. */
+        const val PATIENCE = 200L
 
         /** The estimated part of the heap that logs in progress may fill. */
         const val SHARE = 0.6

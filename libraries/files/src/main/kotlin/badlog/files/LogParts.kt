@@ -2,7 +2,6 @@ package badlog.files
 
 import badlog.core.recording.LogFormat
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.driverstation.DriverStationFormat.FIRST_ENDING
@@ -34,8 +33,8 @@ public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFil
 
 /** Whether it is a log of the Driver Station: until 2026 in a format of its own, from 2027 on a WPILOG with nothing else in it. */
 public val Recording.isOfDriverStation: Boolean
-    get() = format == RecordingFormat.DRIVER_STATION ||
-        (format == RecordingFormat.WPILOG && topics.any { it.name.startsWith(STATION_TOPIC) } && topics.all(::isOfStation))
+    get() = format == DriverStationFormat ||
+        (format == WpilogFormat && topics.any { it.name.startsWith(STATION_TOPIC) } && topics.all(::isOfStation))
 
 private fun isOfStation(topic: Topic) =
     topic.name.startsWith(STATION_TOPIC) || SCHEMA_FOLDER in topic.name || topic.name == "systemTime" || topic.name == "messages"

@@ -10,10 +10,11 @@ import java.util.concurrent.atomic.AtomicBoolean
  * removes files left there by killed programs.
  *
  * @param ending the end of its name, such as `.wpilog`.
+ * @throws UnwritableFileException if [folder] cannot be written to.
  */
 internal fun newMadeFile(ending: String, folder: Path = Path.of(System.getProperty("java.io.tmpdir"))): Path {
     if (isCleaned.compareAndSet(false, true)) removeLeftFiles(folder)
-    return Files.createTempFile(folder, "badlog-${ProcessHandle.current().pid()}-", ending)
+    return writing(folder) { Files.createTempFile(folder, "badlog-${ProcessHandle.current().pid()}-", ending) }
 }
 
 /** Removes files from [folder] that [newMadeFile] made for programs that are no longer running. */

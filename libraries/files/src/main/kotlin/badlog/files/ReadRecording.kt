@@ -33,6 +33,7 @@ import java.nio.file.Path
  * @param progress called on the calling thread, about once per megabyte, with the number of bytes read and the size of the file at the
  *   start. An exception from it stops the reading and is passed on.
  * @throws UnreadableFileException if the file is missing, is not a regular file, or cannot be read.
+ * @throws UnwritableFileException if the temporary WPILOG cannot be written, such as on a full disk.
  * @throws InterruptedException if the thread was interrupted.
  */
 public fun readRecording(
@@ -49,7 +50,7 @@ public fun readRecording(
     return withinMemory(file) {
         unpacked(file, { progress(0, Files.size(file)) }, name) { log ->
             val recording = read(log.path, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
-            if (log.problems.isEmpty()) recording else recording.copy(problems = log.problems + recording.problems)
+            recording.copy(format = log.format ?: recording.format, problems = log.problems + recording.problems)
         }
     }
 }
@@ -57,7 +58,7 @@ public fun readRecording(
 private fun withinMemory(file: Path, read: () -> Recording): Recording = try {
     read()
 } catch (e: OutOfMemoryError) {
-    throw TooLargeFileException(file, "$file $TOO_LARGE", e)
+    throw TooLargeFileException(file, tooLargeSentence("$file"), e)
 }
 
 private fun read(

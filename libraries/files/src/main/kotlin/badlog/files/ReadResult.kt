@@ -2,29 +2,64 @@ package badlog.files
 
 import badlog.core.recording.LogFormat
 import badlog.core.recording.NumberSinks
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import java.nio.file.Path
 import java.util.concurrent.CancellationException
 
-/** What became of reading a log: see [readLog]. */
+/** The result of reading a log: see [readLog]. */
 public sealed interface ReadResult {
+    /**
+     * Returns the recording.
+     *
+     * @throws NotReadException if there is none; a bug is thrown as it was.
+     */
+    public fun orThrow(): Recording
+
     /**
      * It was read.
      *
      * @property recording its content.
      */
-    public class Read(public val recording: Recording) : ReadResult
+    public class Read(public val recording: Recording) : ReadResult {
+        override fun orThrow(): Recording = recording
+    }
 
     /**
      * There is nothing to show of it.
      *
+     * @property file the file that was read.
      * @property cause why.
-     * @property message why, and what to do, as a sentence.
+     * @property message why, and what to do, as a sentence, which does not always name [file].
      */
-    public class NotRead(public val cause: Cause, public val message: String) : ReadResult {
+    public class NotRead private constructor(
+        public val file: Path,
+        public val cause: Cause,
+        public val message: String,
+        private val failure: Throwable?,
+    ) : ReadResult {
         /** Whether that stays so until the file changes. */
         public val isLasting: Boolean get() = cause == Cause.NO_LOG
+
+        /** The [message], with the path of [file] in it. */
+        public val sentence: String get() = naming(file, message)
+
+        // Whoever reports bugs needs to see where they are.
+        override fun orThrow(): Recording = throw failure?.takeIf { cause == Cause.BUG } ?: NotReadException(this)
+
+        public companion object {
+            /** Returns what [failure] means, which ended the work on the log in [file]. */
+            public fun of(file: Path, failure: Throwable): NotRead = when (failure) {
+                is NotReadException -> failure.why
+                is TooLargeFileException -> NotRead(file, Cause.TOO_LARGE, failure.message, failure)
+                is UnreadableFileException -> NotRead(file, Cause.UNREADABLE, failure.message, failure)
+                is UnwritableFileException -> NotRead(file, Cause.NO_ROOM, failure.message, failure)
+                is OutOfMemoryError -> NotRead(file, Cause.TOO_LARGE, tooLargeSentence("$file"), failure)
+                else -> NotRead(file, Cause.BUG, "${bugIn(failure)}, with the file if you may share it.", failure)
+            }
+
+            /** Returns that [file] is not a log because of [refusal], a sentence. */
+            public fun noLog(file: Path, refusal: String): NotRead = NotRead(file, Cause.NO_LOG, refusal, failure = null)
+        }
     }
 
     /** Why a log was not read. */
@@ -35,6 +70,9 @@ public sealed interface ReadResult {
         /** The file is missing, may not be read, or its disk fails. */
         UNREADABLE,
 
+        /** A file that reading it needs cannot be written: usually the disk of the folder for temporary files is full. */
+        NO_ROOM,
+
         /** It does not fit into memory. */
         TOO_LARGE,
 
@@ -42,6 +80,13 @@ public sealed interface ReadResult {
         BUG,
     }
 }
+
+/**
+ * Thrown if a log was not read, by those who cannot go on without it.
+ *
+ * @property why the reason.
+ */
+public class NotReadException(public val why: ReadResult.NotRead) : UnreadableFileException(why.file, why.sentence)
 
 /**
  * Reads [file] as [readRecording] does; whatever prevents it is a result.
@@ -52,46 +97,44 @@ public fun readLog(
     file: Path,
     formats: List<LogFormat>,
     keepSamples: Boolean = true,
+    untilLastLineEnd: Boolean = false,
     sinks: NumberSinks = NumberSinks.RECORDING,
     cores: Int = Runtime.getRuntime().availableProcessors(),
     name: String = file.fileName.toString(),
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
-): ReadResult = orNotRead({ it }) {
-    val recording = readRecording(file, formats, keepSamples, untilLastLineEnd = false, sinks, cores, name, progress)
-    val refusal = recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-    if (refusal == null) ReadResult.Read(recording) else ReadResult.NotRead(ReadResult.Cause.NO_LOG, refusal.message)
+): ReadResult = orNotRead(file, { it }) {
+    val recording = readRecording(file, formats, keepSamples, untilLastLineEnd, sinks, cores, name, progress)
+    recording.refusal?.let { ReadResult.NotRead.noLog(file, it) } ?: ReadResult.Read(recording)
 }
 
 /**
- * Returns the result of [work] on one log; if that fails, for want of memory or because of a bug, the result of [otherwise]: a failure of
- * one log must not affect others. Passes on that the thread was interrupted, or the work cancelled.
+ * Returns the result of [work] on the log in [file]; if that fails, for want of memory or because of a bug, the result of [otherwise]: a
+ * failure of one log must not affect others. Passes on that the thread was interrupted, or the work cancelled.
  */
-public inline fun <R> orNotRead(otherwise: (ReadResult.NotRead) -> R, work: () -> R): R = try {
+public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R, work: () -> R): R = try {
     work()
 } catch (e: InterruptedException) {
     throw e
 } catch (e: CancellationException) {
     throw e
-} catch (e: TooLargeFileException) {
-    otherwise(ReadResult.NotRead(ReadResult.Cause.TOO_LARGE, e.message))
-} catch (e: UnreadableFileException) {
-    otherwise(ReadResult.NotRead(ReadResult.Cause.UNREADABLE, e.message))
-} catch (_: OutOfMemoryError) {
-    otherwise(ReadResult.NotRead(ReadResult.Cause.TOO_LARGE, "It $TOO_LARGE"))
 } catch (e: Exception) {
-    otherwise(failed(e))
+    otherwise(ReadResult.NotRead.of(file, e))
+} catch (e: OutOfMemoryError) {
+    otherwise(ReadResult.NotRead.of(file, e))
 } catch (e: StackOverflowError) {
-    otherwise(failed(e))
+    otherwise(ReadResult.NotRead.of(file, e))
 }
 
-@PublishedApi
-internal fun failed(e: Throwable): ReadResult.NotRead =
-    ReadResult.NotRead(ReadResult.Cause.BUG, "This is a bug in badlog ($e); report it, with the file if you may share it.")
+/** Returns [message], a sentence about [file], with the path of the file in it. */
+public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
-/** What is wrong with a log that needs too much memory, and what helps, as the end of a sentence. */
-@PublishedApi
-internal val TOO_LARGE: String
-    get() {
-        val megabytes = Runtime.getRuntime().maxMemory() shr 20
-        return "does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."
-    }
+/** Returns the sentence about [what], which needs too much memory: what is wrong, and what helps. */
+public fun tooLargeSentence(what: String): String {
+    val megabytes = Runtime.getRuntime().maxMemory() shr 20
+    return "$what does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."
+}
+
+/** Returns the sentence about [failure], a bug in badlog that is not about one file. */
+public fun bugSentence(failure: Throwable): String = "${bugIn(failure)}."
+
+private fun bugIn(failure: Throwable) = "This is a bug in badlog (${failure.toString().lineSequence().first()}); report it"

@@ -1,6 +1,7 @@
 package badlog.files
 
 import badlog.core.recording.Problem
+import badlog.core.recording.RecordingFormat
 import badlog.formats.revlog.RevlogConversion
 import badlog.formats.revlog.RevlogFormat
 import org.tukaani.xz.XZ
@@ -14,9 +15,15 @@ import java.nio.file.Path
  *
  * @property path the log itself, or a WPILOG made from it.
  * @property name its name: for a converted WPILOG, the name of the log with the ending of a WPILOG.
+ * @property format the format from which the WPILOG was made; null for the log itself, and for a format that badlog cannot read alone.
  * @property problems what was wrong in the log and does not show in the converted WPILOG.
  */
-public class Unpacked internal constructor(public val path: Path, public val name: String, public val problems: List<Problem>)
+public class Unpacked internal constructor(
+    public val path: Path,
+    public val name: String,
+    public val format: RecordingFormat?,
+    public val problems: List<Problem>,
+)
 
 /**
  * Runs [work] with the log [file], or with a temporary WPILOG made from it: a `.wpilogxz` is one compressed with xz, a `.revlog` of
@@ -26,26 +33,29 @@ public class Unpacked internal constructor(public val path: Path, public val nam
  * @param name the name of the log, if the file temporarily has another one.
  * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
  * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
+ * @throws UnwritableFileException if the WPILOG cannot be written, such as on a full disk.
  * @throws InterruptedException if the thread was interrupted.
  */
 public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = file.fileName.toString(), work: (Unpacked) -> T): T {
     val head = reading(file) { Files.newInputStream(file).use { it.readNBytes(SIGNATURE_SIZE) } }
     val isXz = head.size >= XZ.HEADER_MAGIC.size && XZ.HEADER_MAGIC.indices.all { head[it] == XZ.HEADER_MAGIC[it] }
+    val isRevlog = !isXz && RevlogFormat.matches(head, head.size)
     val make: (Path) -> List<Problem> = when {
         isXz -> { made -> writing(made) { outputOf(made).use { inflateXz(file, it, checkpoint) } } }
 
-        RevlogFormat.matches(head, head.size) -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }
+        isRevlog -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }
 
         LogName.of(name).ending.equals(LogName.HOOT, ignoreCase = true) -> { made ->
             Owlet.convert(file, made, checkpoint)
         }
 
-        else -> return work(Unpacked(file, name, emptyList()))
+        else -> return work(Unpacked(file, name, null, emptyList()))
     }
     val made = newMadeFile(WPILOG)
     try {
         val problems = make(made)
-        return work(Unpacked(made, name.dropLast(LogName.of(name).run { name.length - stem.length }) + WPILOG, problems))
+        val madeName = name.dropLast(LogName.of(name).run { name.length - stem.length }) + WPILOG
+        return work(Unpacked(made, madeName, RevlogFormat.takeIf { isRevlog }, problems))
     } finally {
         Files.deleteIfExists(made)
     }

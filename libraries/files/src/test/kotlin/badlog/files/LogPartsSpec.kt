@@ -1,6 +1,5 @@
 package badlog.files
 
-import badlog.core.recording.RecordingFormat
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.driverstation.STATION_LOG
@@ -18,7 +17,7 @@ class LogPartsSpec : FunSpec({
             Files.writeString(folder.resolve("rows.dslog"), "Time (s),A\n0,1\n1,2\n")
             val logs = stationLogsIn(folder).associateBy { it.name }
             logs.keys shouldBe setOf("a.dslog", "head.dslog", "rows.dslog")
-            readStationLog(logs.getValue("a.dslog"), LOG_FORMATS)?.format shouldBe RecordingFormat.DRIVER_STATION
+            readStationLog(logs.getValue("a.dslog"), LOG_FORMATS)?.format shouldBe DriverStationFormat
             readStationLog(logs.getValue("head.dslog"), LOG_FORMATS).shouldBeNull()
             readStationLog(logs.getValue("rows.dslog"), LOG_FORMATS).shouldBeNull()
             fun startOf(name: String) = startOfStationLog(logs.getValue(name), DriverStationFormat.HEAD_SIZE, DriverStationFormat::startOf)

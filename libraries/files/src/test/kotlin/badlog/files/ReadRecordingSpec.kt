@@ -178,7 +178,7 @@ class ReadRecordingSpec : FunSpec({
             val missing = folder.resolve("missing.bag")
             shouldThrow<UnreadableFileException> { readRecording(missing, LOG_FORMATS) }.run {
                 file shouldBe missing
-                message shouldContain "There is no file $missing"
+                message shouldContain "There is no file or folder $missing"
             }
             shouldThrow<UnreadableFileException> { readRecording(folder, LOG_FORMATS) }.message shouldContain "is a folder"
         }

@@ -9,6 +9,7 @@ import badlog.core.bag.RecordingWriter
 import badlog.core.bag.parse
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TopicKind
+import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.wpilog.TestLog
 import badlog.formats.wpilog.VARIED_LOG
 import badlog.formats.wpilog.parseLog
@@ -99,7 +100,7 @@ class ResamplingSpec : FunSpec({
             val times = DoubleArray(count) { start + it * period }
             val bag = parse(header + "Time,b\n" + List(count) { "$it,$it\n" }.joinToString(""))
             val topics = listOf(bag.topics[1].copy(times = times))
-            val log = bag.copy(format = RecordingFormat.DRIVER_STATION, headerLine = null, topics = topics, rowCount = 0)
+            val log = bag.copy(format = DriverStationFormat, headerLine = null, topics = topics, rowCount = 0)
             val rows = periodicTimes(log, period)
             resampled(log, rows).topics[1].samples.toList() shouldBe List(count) { it.toDouble() }
             samplesBetween(log.topics[0], rows) shouldBe 0

@@ -4,17 +4,20 @@ import badlog.catalog.store.CachedResult
 import badlog.catalog.store.ResultCache
 import badlog.files.FolderRun
 import badlog.files.LogFile
-import badlog.report.hook.withShutdownHook
+import badlog.files.withShutdownHook
 
 /**
  * Does [work], which receives a number of cores, on those of [files] that are not in [cache], and passes all results in the order of
  * the files to [each] on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is
  * interrupted, or the program is asked to end.
+ *
+ * @param waiting called on this thread several times a second while the next result is not there.
  */
 internal fun <R : Any> runCached(
     files: List<LogFile>,
     cache: ResultCache<R>?,
     work: (file: LogFile, cores: Int) -> CachedResult<R>,
+    waiting: () -> Unit,
     each: (LogFile, R) -> Unit,
 ) {
     val known = files.map { cache?.get(it) }
@@ -31,7 +34,7 @@ internal fun <R : Any> runCached(
     try {
         withShutdownHook({ cache?.save() }) {
             giveKnown()
-            FolderRun().forEach(files.filterIndexed { index, _ -> known[index] == null }, remembering) { file, result ->
+            FolderRun().forEach(files.filterIndexed { index, _ -> known[index] == null }, remembering, waiting) { file, result ->
                 cache?.saveNowAndThen()
                 each(file, result)
                 next++

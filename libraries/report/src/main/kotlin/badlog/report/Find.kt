@@ -1,7 +1,6 @@
 package badlog.report
 
 import badlog.catalog.examine.LogContent
-import badlog.catalog.examine.LruCache
 import badlog.catalog.examine.UndefinedTopic
 import badlog.catalog.store.CachedResult
 import badlog.catalog.store.ResultCache
@@ -15,6 +14,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import badlog.signals.QuestionNames
+import badlog.signals.ShapeCache
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.toJson
 import kotlinx.serialization.Serializable
@@ -39,7 +39,7 @@ class Find(
     private val clauses = QuestionClauses.of(question)
     private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
     private val named = NamedTopics(virtualTopics + clauses.question, xTopic, usedSignals)
-    private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
+    private val asked = ShapeCache(MAX_SHAPES) { Asked(it) }
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
@@ -78,11 +78,12 @@ class Find(
             "\n",
         )}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
         val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
-        runCached(files, known, ::ask) { file, stored ->
+        val advance = { progress(results.size, files.size) }
+        runCached(files, known, ::ask, advance) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
             results += result
             if (clauses.count == null) each(result)
-            progress(results.size, files.size)
+            advance()
         }
         val ranked = clauses.count?.let { ranked(results, it) } ?: return results
         ranked.forEach(each)
@@ -117,7 +118,7 @@ class Find(
             } else if (!isWanted) {
                 Reply.LeftOut
             } else {
-                val asked = asked[LogShape.of(content.view)]
+                val asked = asked[content.view]
                 when (val question = asked.question) {
                     is ExpressionError -> notAsked(question)
                     is Question -> asked.names.signalsOf(content.view).let { answered(question.answer(it), it.implausible) }

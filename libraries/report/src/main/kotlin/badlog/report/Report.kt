@@ -58,21 +58,22 @@ class Report(
     /**
      * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
      *
-     * @param progress called on this thread with the number of files done.
+     * @param progress called on this thread with the number of files done, several times a second; hooks and [each] are half of the work.
      * @param each receives each result on this thread, once all logs were compared, with everything that the hooks returned, which
-     *   is not kept in memory afterwards. An exception from it or from [progress] stops the work and is passed on.
+     *   is not kept in memory afterwards; null for nothing. An exception from it or from [progress] stops the work and is passed on.
      * @throws InterruptedException if the thread was interrupted.
      */
     fun over(
         files: List<LogFile>,
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
-        each: (LogReport, List<HookOutcome>) -> Unit = { _, _ -> },
+        each: ((LogReport, List<HookOutcome>) -> Unit)? = null,
     ): ReportResult {
         val examined = ArrayList<ExaminedLog>(files.size)
-        val steps = if (hooks.isEmpty()) 1 else 2
-        runCached(files, cache?.takeIf { beside == null }?.let { examination.storedIn(it, BADLOG_VERSION) }, ::examine) { _, stored ->
+        val total = if (hooks.isEmpty() && each == null) files.size else files.size * 2
+        val known = cache?.takeIf { beside == null }?.let { examination.storedIn(it, BADLOG_VERSION) }
+        runCached(files, known, ::examine, { progress(examined.size, total) }) { _, stored ->
             examined += stored
-            progress(examined.size, files.size * steps)
+            progress(examined.size, total)
         }
         val reader = FigureReader()
         val figures = examined.map { it.figures(reader) }
@@ -80,13 +81,14 @@ class Report(
         val restarts = rules.restartsIn(examined.mapIndexed { i, log -> LogOfFolder(files[i].name, log.title, figures[i], log.findings) })
         val skipped = SkippedRules(rules)
         val logs = ArrayList<LogReport>(files.size)
-        withHooks(files, examined) { file, outcomes ->
+        val advance = { if (total > files.size) progress(files.size + logs.size, total) }
+        withHooks(files, examined, advance) { file, outcomes ->
             val place = logs.size
             val own = examined[place].findings + listOfNotNull(restarts[place])
             val log = reportOf(file, examined[place], own, skipped.of(examined[place].asked), figures[place], differences[place], outcomes)
             logs += log
-            each(log, outcomes.map { it.first })
-            if (steps > 1) progress(files.size + logs.size, files.size * steps)
+            each?.invoke(log, outcomes.map { it.first })
+            advance()
         }
         return ReportResult(logs, skipped.ofAll(examined.map { it.asked }, logs.count { it.unreadable == null }))
     }
@@ -95,6 +97,7 @@ class Report(
     private fun withHooks(
         files: List<LogFile>,
         examined: List<ExaminedLog>,
+        waiting: () -> Unit,
         each: (LogFile, List<Pair<HookOutcome, List<Finding>>>) -> Unit,
     ) {
         if (hooks.isEmpty()) return files.forEach { each(it, emptyList()) }
@@ -109,7 +112,7 @@ class Report(
                 }
             }
         }
-        FolderRun().forEach(files, run, each)
+        FolderRun().forEach(files, run, waiting, each)
     }
 
     private fun reportOf(
@@ -126,7 +129,7 @@ class Report(
             file = file,
             title = stored.title,
             matchType = stored.matchType,
-            match = stored.matchIn(file.name),
+            match = stored.match,
             began = stored.began,
             findings = (own + differences.findings + ofHooks).worstFirst(),
             incidents = rules.incidentsIn(own, differences.differences),

@@ -30,9 +30,9 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * What was found in one log.
  *
  * @property file the file.
- * @property title the match, from its values; null if they do not have it, or the file cannot be read.
- * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
- * @property match the match, from its values or the file's name.
+ * @property title the match, from the log or its file's name; null if neither has it, or the file cannot be read.
+ * @property matchType the type of the match, such as `Qualification`, from the log or its file's name; null if neither has it.
+ * @property match the match, from the log or its file's name; from the name alone if the file cannot be read.
  * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
  * @property findings the findings, the worst first, and within a severity in the order of time.
  * @property incidents which of them belong together, and what came first; the worst first.

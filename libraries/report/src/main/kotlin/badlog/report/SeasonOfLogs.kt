@@ -7,6 +7,7 @@ import badlog.catalog.folder.LogReading
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.withShutdownHook
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -47,10 +48,13 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
             val store = FolderStore(folder, cache, BADLOG_VERSION)
             val reading = LogReading(store)
             val entries = ArrayList<LogEntry>()
+            val advance = { progress(entries.size, files.size) }
             try {
-                FolderRun().forEach(files, { file, _ -> store[file] ?: reading.read(file, runsRules = false) }) { _, entry ->
-                    entries += entry
-                    progress(entries.size, files.size)
+                withShutdownHook(store::save) {
+                    FolderRun().forEach(files, { file, _ -> store[file] ?: reading.read(file, runsRules = false) }, advance) { _, entry ->
+                        entries += entry
+                        advance()
+                    }
                 }
             } finally {
                 store.save()

@@ -1,7 +1,6 @@
 package badlog.report
 
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 import badlog.files.UnreadableFileException
 import java.nio.file.Path
@@ -20,8 +19,8 @@ internal fun Recording.withAnyX(name: String?, file: Path): Recording = if (name
  */
 fun Recording.withX(name: String, file: Path): Recording {
     if (!format.hasRows) {
-        val what = if (format == RecordingFormat.WPILOG) "a WPILOG" else "a Driver Station log"
-        throw TopicException(file, "$file is $what, whose x axis is always the time; leave out --x, or convert it to a bag first.")
+        val reason = "$file is a ${format.title}, whose x axis is always the time; leave out --x, or convert it to a bag first."
+        throw TopicException(file, reason)
     }
     val chosen = topicCalled(name, file) { "for the x axis" }
     return copy(topics = topics.map { it.asX(it === chosen) })

@@ -44,7 +44,7 @@ class NamedTopicsSpec : FunSpec({
     val signals = RuleSet.BUILT_IN.signals
 
     fun answer(recording: Recording, question: String): String {
-        val signals = LogViewSignals(LogView.of(recording).withSignals(signals))
+        val signals = LogViewSignals(LogView.of(recording).withSignals(signals, "log"))
         return when (val parsed = Expression.parse(question, signals.vocabulary)) {
             is ExpressionError -> parsed.pointed()
             is Expression -> parsed.answer(signals).run { "$this $spans $quantities" }

@@ -187,6 +187,21 @@ class ReportSpec : FunSpec({
         }
     }
 
+    test("whoever takes each result does half of the work, and progress ends with all of it") {
+        inFolder { folder ->
+            for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
+            fun stepsOf(each: (() -> Unit)?): List<Pair<Int, Int>> {
+                val steps = LinkedHashSet<Pair<Int, Int>>()
+                Report(RuleSet.NONE).over(logsIn(folder), { done, total -> steps += done to total }, each?.let { { _, _ -> it() } })
+                return steps.filter { it.first > 0 }
+            }
+            var taken = 0
+            stepsOf { taken++ } shouldBe (1..6).map { it to 6 }
+            taken shouldBe 3
+            stepsOf(null) shouldBe (1..3).map { it to 3 }
+        }
+    }
+
     test("what hooks find is listed with what rules find, and what they return is part of each log's result").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0, 12.0))
@@ -268,6 +283,17 @@ class ReportSpec : FunSpec({
             lines[1] shouldContain ",,R,warning,\"'=A,\"\"1\"\"\",\"'=1+1, \"\"8 V\"\"\",2.5,2.5,1,s,,"
             lines[2] shouldContain "3.bag,,unreadable,error,"
             lines.size shouldBe 4
+        }
+    }
+
+    test("a log that cannot be read has the match that its name says") {
+        inFolder { folder ->
+            folder.put("Q42.csv", "only words here\nand there\n")
+            val log = Report(RuleSet.BUILT_IN).over(logsIn(folder)).logs.single()
+            log.unreadable.isNullOrEmpty() shouldBe false
+            log.match.match shouldBe "Qualification 42"
+            log.matchType shouldBe "Qualification"
+            log.title shouldBe null
         }
     }
 

@@ -65,12 +65,15 @@ fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, bef
     return found
 }
 
-/** Returns the rules that would be skipped for [view], which needs no samples, with the virtual topics of [definitions]. */
-fun RuleSet.skippedFor(view: LogView, definitions: List<String> = emptyList()): List<SkippedRule> {
+/**
+ * Returns the rules that would be skipped for [view], which needs no samples and was read from a file called [file], with the virtual
+ * topics of [definitions].
+ */
+fun RuleSet.skippedFor(view: LogView, file: String, definitions: List<String> = emptyList()): List<SkippedRule> {
     val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->
         Vocabulary(all.signals.filter { it.name !in all.meanings }, all.hasTime)
     }
-    return RuleProgram(this, LogShape.of(view).copy(vocabulary = defined)).refusals(view.recording).map { (rule, refusal) ->
+    return RuleProgram(this, LogShape.of(view).copy(vocabulary = defined)).refusals(view.recording, file).map { (rule, refusal) ->
         refusal.of(rule, logs = 1)
     }
 }

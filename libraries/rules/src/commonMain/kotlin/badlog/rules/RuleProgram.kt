@@ -142,7 +142,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
      * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
      */
     fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
-        val match = rules.signals.matchOf(view.recording)
+        val match = rules.signals.matchOf(view.recording, file)
         val run = RuleRun(view.identified(match.title, signals.modes), file, rules.devices, isEverywhere)
         val type = match.type
         val isPart = view.recording.isPart
@@ -151,9 +151,9 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         }
     }
 
-    /** Returns the rules that are skipped for [recording], and why. */
-    internal fun refusals(recording: Recording): List<Pair<Rule, Refusal>> {
-        val type = rules.signals.matchOf(recording).type
+    /** Returns the rules that are skipped for [recording], which was read from a file called [file], and why. */
+    internal fun refusals(recording: Recording, file: String): List<Pair<Rule, Refusal>> {
+        val type = rules.signals.matchOf(recording, file).type
         return steps.mapNotNull { step -> step.refusal?.takeIf { step.rule.isFor(type) }?.let { step.rule to it } }
     }
 

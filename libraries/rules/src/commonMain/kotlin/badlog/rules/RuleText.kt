@@ -7,6 +7,10 @@ internal class RuleText private constructor(val source: String, private val part
     /** Returns whether it has the placeholder [name]. */
     fun has(name: String): Boolean = parts.any { it.isPlace && it.text == name }
 
+    /** Returns the same text with [replacement] in place of [written], both as they are in [source]. */
+    fun replacing(written: String, replacement: String): RuleText =
+        if (written in source) parse(source.replace(written, replacement)) else this
+
     /** Returns the text with its placeholders replaced by [found], which must have all of them. */
     fun filled(found: Map<String, String>): String = parts.joinToString("") { if (it.isPlace) found.getValue(it.text) else it.text }
 

@@ -15,24 +15,30 @@ internal class TextedRule(
     private val timeUnit: String,
     private val devices: DeviceNames,
 ) {
+    /** The text for something found once. */
+    private val once: RuleText by lazy { ONCE.fold(rule.text) { text, (counted, single) -> text.replacing(counted, single) } }
+
     /**
      * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
      * its current.
      */
-    fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList()): String = rule.text.filled(
-        mapOf(
-            "value" to value,
-            "time" to timeText(if (timeUnit == "s") round(time * MILLI) / MILLI else time, timeUnit),
-            "match" to match,
-            "file" to file,
-            "topic" to devices.topicText(question.topic.orEmpty()),
-            "other" to devices.topicText(question.other.orEmpty()),
-            "device" to devices.deviceText(question.device),
-            "count" to count.toString(),
-            "duration" to timeText(rounded(length, LENGTH_DIGITS), timeUnit),
-            "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",
-        ),
-    ).let { if (count == 1) it.replace(ONCE, "") else it }
+    fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList()): String {
+        val text = if (count == 1) once else rule.text
+        return text.filled(
+            mapOf(
+                "value" to value,
+                "time" to timeText(if (timeUnit == "s") round(time * MILLI) / MILLI else time, timeUnit),
+                "match" to match,
+                "file" to file,
+                "topic" to devices.topicText(question.topic.orEmpty()),
+                "other" to devices.topicText(question.other.orEmpty()),
+                "device" to devices.deviceText(question.device),
+                "count" to count.toString(),
+                "duration" to timeText(rounded(length, LENGTH_DIGITS), timeUnit),
+                "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",
+            ),
+        )
+    }
 }
 
 /** Returns [value] as precisely as a sentence about a measurement needs it; a whole number, which may be a count, exactly. */
@@ -46,8 +52,8 @@ private fun rounded(value: Double, digits: Int): Double {
     return if (power < 0) 10.0.pow(-power).let { round(value / it) * it } else 10.0.pow(power).let { round(value * it) / it }
 }
 
-/** What a text would say of something that happened once. */
-private const val ONCE = " (1×)"
+/** What texts say of a number of times, and what they say instead of a single time. */
+private val ONCE = listOf(" ({count}×)" to "", "({count}× " to "(")
 private const val LENGTH_DIGITS = 3
 private const val VALUE_DIGITS = 4
 private const val MILLI = 1000

@@ -41,9 +41,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     /** Returns the built-in rules if the file extends them, with its limits, and without those that it disables. */
     private fun inherited(root: TomlTable): Parts {
         val extends = toml.string(root, "extends")
-        if (extends != null &&
-            extends != DEFAULT
-        ) {
+        if (extends != null && extends != DEFAULT) {
             toml.fail(toml.placeOf(root, "extends"), "“extends” can only be “$DEFAULT”, not “$extends”.")
         }
         if (listOf("extends", "off", "limits").none { root.contains(listOf(it)) }) return Parts(emptyList(), emptyList())

@@ -3,8 +3,8 @@ package badlog.rules
 import badlog.rules.comparison.compared
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
+import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -4,9 +4,11 @@ import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
+import badlog.formats.wpilog.WpilogFormat
+import badlog.rules.comparison.figuresOf
+import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -48,6 +50,18 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
+    test("a match that only the file's name shows is the same for rules, their texts and what is compared") {
+        val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{match}\"\nonly = [\"Qualification\"]\n"
+        val rules = RulesFile.parse(rule).rules
+        rules.over(view, "Q42.bag").findings.map { it.text } shouldBe listOf("Qualification 42")
+        rules.over(view, "log.bag").findings shouldBe emptyList()
+        val lacking = RulesFile.parse(rule.replace("Battery Voltage", "Arm")).rules
+        lacking.skippedFor(view, "Q42.bag").map { it.rule } shouldBe listOf("A")
+        lacking.skippedFor(view, "log.bag") shouldBe emptyList()
+        fun kindOf(file: String) = figuresOf(view, RuleSet.BUILT_IN.signals, file).kind
+        listOf("Q42.bag", "practice-3.bag", "log.bag").map(::kindOf) shouldBe listOf(MatchKind.MATCH, MatchKind.PRACTICE, MatchKind.UNKNOWN)
+    }
+
     test("a rule that is wrong is reported as such, with its place") {
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()
@@ -66,7 +80,7 @@ class LogFindingsSpec : FunSpec({
     )
 
     fun loggedIn(said: Topic): List<String> {
-        val log = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(said), 0, emptyList())
+        val log = Recording(WpilogFormat, null, emptyList(), listOf(said), 0, emptyList())
         return RuleSet.BUILT_IN.over(LogView.of(log), "a.wpilog", isEverywhere = true).findings.filter { it.rule == "Error logged" }
             .flatMap { found -> listOf(found.text) + found.texts }
     }
@@ -105,7 +119,7 @@ class LogFindingsSpec : FunSpec({
         times,
     )
 
-    fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
+    fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(WpilogFormat, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
     test("where topics have times of their own, time is every one of them, whatever topics are called") {
         val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9)))

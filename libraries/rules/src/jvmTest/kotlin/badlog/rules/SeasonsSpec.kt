@@ -39,7 +39,7 @@ private val SIGNALS = RuleSet.BUILT_IN.signals
 private fun viewOf(match: GeneratedMatch): LogView {
     val parser = RecordingParser(LOG_FORMATS, match.bytes.size.toLong())
     parser.accept(match.bytes)
-    return LogView.of(parser.finish()).withSignals(SIGNALS)
+    return LogView.of(parser.finish()).withSignals(SIGNALS, match.fileName)
 }
 
 /** What a finding says, and when, in the time of 2026. */
@@ -94,7 +94,7 @@ class SeasonsSpec : FunSpec({
         }.over(listOf(other, own)).shouldNotBeNull()
         found.log.name shouldBe own.name
         found.fit.seconds shouldBe (STATION_OFFSET plusOrMinus 0.05)
-        val both = RobotBesideStation(viewOf(after), found.station.recording, found.fit, SIGNALS)
+        val both = RobotBesideStation(viewOf(after), found.station, found.fit, SIGNALS)
         signalTopicsOf(both.forRules, SIGNALS).of("CAN load of a bus").shouldNotBeEmpty()
         both.both.enabledSpans() shouldBe viewOf(after).enabledSpans()
         checkNotNull(both.both.xAxis.range).start shouldBe (LATER + 60 plusOrMinus 200.0)

@@ -139,7 +139,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("what is no lake is not opened") {
+    test("anything but a lake is not opened") {
         inFolder { folder -> shouldThrow<LakeException> { LakeDatabase.open(Lake(folder)) }.message shouldContain "not a lake" }
     }
 })

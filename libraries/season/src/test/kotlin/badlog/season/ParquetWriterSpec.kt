@@ -79,7 +79,7 @@ class ParquetWriterSpec : FunSpec({
             val empty = folder.put("header.bag", matchBag(3).lines().first() + "\n")
             written(empty, folder / "header.parquet").shouldBeEmpty()
             val log = folder.put("q1.bag", matchBag(1, 12.0))
-            shouldThrow<LakeException> { written(log, log / "q1.parquet") }.message shouldContain "name another file"
+            shouldThrow<LakeException> { written(log, log / "q1.parquet") }.message shouldContain "is a file, not a folder; rename that file"
         }
     }
 })

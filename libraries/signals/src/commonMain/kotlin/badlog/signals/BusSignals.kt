@@ -5,7 +5,6 @@ import badlog.signals.derived.BusDevice
 import badlog.signals.derived.BusSignal
 import badlog.signals.derived.Following
 import badlog.signals.derived.Side
-import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.busSilence
 import badlog.signals.derived.correlation
 import badlog.signals.derived.coupledMotor
@@ -28,13 +27,14 @@ import badlog.signals.derived.stall
 import badlog.signals.derived.suppliedCurrent
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
+import badlog.signals.swerve.ModuleTopics
 import kotlin.math.abs
 
 /**
  * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is inferred from their behavior, so a
  * signal may turn out to have no samples; what is found is said of the device.
  */
-internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<SwerveModule>) {
+internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<ModuleTopics>) {
     private val motors = devices.filter { it.isMotor }
 
     val signals: List<DerivedSignal>
@@ -160,9 +160,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             val currents = drive?.map { motion.valuesOf(it, BusSignal.CURRENT) }?.takeIf { it.all(::hasDirection) }
             val full = currents?.let(::fullCurrentOf)
             val sides = drive?.mapIndexed { at, side ->
-                val output = if (currents != null &&
-                    full != null
-                ) {
+                val output = if (currents != null && full != null) {
                     scaled(currents[at], 1 / full)
                 } else {
                     motion.valuesOf(side, BusSignal.OUTPUT)

@@ -110,7 +110,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         }
     }
 
-    /** How often each channel rests alone: which channels belong together, their currents tell. */
+    /** How often each channel rests alone: their currents show which channels belong together. */
     private fun rests(): List<DerivedSignal> {
         val topics = found.of("channel current").map { it.topic }
         return topics.mapIndexed { at, topic ->

@@ -3,7 +3,6 @@ package badlog.signals
 import badlog.core.analysis.Series
 import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
-import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.currentShares
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.isSeldom
@@ -12,6 +11,7 @@ import badlog.signals.derived.moduleAngleLags
 import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.scaled
 import badlog.signals.derived.timesOf
+import badlog.signals.swerve.ModuleTopics
 import badlog.signals.vocabulary.wordsOf
 
 /** What can be calculated of the modules of a swerve drive. */
@@ -31,15 +31,15 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         val speeds: List<DoubleArray>,
         val isEnabled: BooleanArray,
     ) {
-        /** How far behind each module is, as far as that can be told: where angles come seldom, they are behind anyway. */
+        /** How far behind each module is, as far as that can be measured: where angles come seldom, they are behind anyway. */
         val lags: List<Double?>? by lazy {
             val least = if (isSeldom(times, angles)) SELDOM_BEHIND else 0.0
             moduleAngleLags(times, angles, targets, speeds, isEnabled)?.map { lag -> lag?.takeIf { it > least } }
         }
     }
 
-    /** The topics of the drive motor of a module besides those of [SwerveModule]. */
-    private fun driveTopicsOf(module: SwerveModule, vararg quantities: Quantity): List<PartTopic> {
+    /** The topics of the drive motor of a module besides those of [ModuleTopics]. */
+    private fun driveTopicsOf(module: ModuleTopics, vararg quantities: Quantity): List<PartTopic> {
         val words = wordsOf(module.label)
         return robot.topics.filter { part ->
             part.quantity in quantities && !part.isTarget && part.part.containsAll(words) && part.part.none { it in STEER_WORDS }
@@ -92,7 +92,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         val times = timesOf(speeds)
         val shares = moduleSpeedShares(
             speeds.map { it.heldAt(times) },
-            modules.map { module: SwerveModule -> scaled(samples.raw(module.angle).heldAt(times), module.radians) },
+            modules.map { module: ModuleTopics -> scaled(samples.raw(module.angle).heldAt(times), module.radians) },
         )
         once(times, shares?.get(at))
     }

@@ -26,7 +26,7 @@ val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
  * The numbers of [signal] times [scale]. If that is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN),
  * others
  * so that the full value is [whole], whether they are percent or fractions. With a [reading], they are read as true or false. Numbers above
- * [atMost] are no readings, so there is a gap.
+ * [atMost] are not readings, so there is a gap.
  */
 data class ScaledSignal(
     val signal: Signal,

@@ -4,15 +4,15 @@ import badlog.expression.signals.Signal
 import badlog.signals.derived.BusDevice
 import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
-import badlog.signals.derived.SwerveModule
 import badlog.signals.derived.busDeviceIn
 import badlog.signals.derived.busDevicesOf
 import badlog.signals.derived.partTopicsOf
-import badlog.signals.derived.swerveModulesOf
+import badlog.signals.swerve.ModuleTopics
+import badlog.signals.swerve.moduleTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.unitScale
 
-/** The parts of a robot, as the topics [names] of its log tell them. */
+/** The parts of a robot, as the topics [names] of its log show. */
 internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     /** All topics that name a part. */
     val topics: List<PartTopic> = partTopicsOf(names.filter { busDeviceIn(it.name) == null }, vocabulary)
@@ -20,7 +20,7 @@ internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     /** Those of mechanisms, not of the drive. */
     val mechanisms: List<PartTopic> = topics.filter { part -> part.part.none { it in DRIVE_WORDS } }
     val byPart: Map<List<String>, List<PartTopic>> = mechanisms.groupBy { it.part }
-    val modules: List<SwerveModule> = swerveModulesOf(names, topics)
+    val modules: List<ModuleTopics> = moduleTopicsOf(names, topics)
 
     /** Those of one side of a tank drive. */
     val sides: List<PartTopic> = topics.filter { topic ->

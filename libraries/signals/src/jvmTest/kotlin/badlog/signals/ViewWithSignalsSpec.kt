@@ -59,7 +59,7 @@ class ViewWithSignalsSpec : FunSpec({
             "$word/fmsAttached" to List(5) { "true" },
             "$word/dsAttached" to List(5) { "true" },
             "DS:opMode" to listOf("", "Two pieces", "Zero the arm", "Zero the arm", ""),
-        ).withSignals(vocabulary)
+        ).withSignals(vocabulary, "log")
         view.enabledSpans() shouldBe listOf(
             EnabledSpan(Span(1.0, 2.0), isAutonomous = true, opMode = "Two pieces"),
             EnabledSpan(Span(2.0, 4.0), isAutonomous = false, isTest = true, opMode = "Zero the arm"),
@@ -72,16 +72,16 @@ class ViewWithSignalsSpec : FunSpec({
 
     for ((kind, topics) in kinds) {
         test("when the robot was enabled is right in logs of $kind") {
-            val view = logOf(*topics).withSignals(vocabulary)
+            val view = logOf(*topics).withSignals(vocabulary, "log")
             view.enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 2.0), true), EnabledSpan(Span(2.0, 4.0), false))
             view.namesWith(vocabulary).enabled shouldBe view.enabledSpans()
         }
     }
 
     test("a mechanism that was enabled does not mean that the robot was, and an empty topic says nothing") {
-        val view = logOf("NT:/Robot/shooter/enabled" to OFF_ON, "DS:enabled" to List(5) { "" }).withSignals(vocabulary)
+        val view = logOf("NT:/Robot/shooter/enabled" to OFF_ON, "DS:enabled" to List(5) { "" }).withSignals(vocabulary, "log")
         view.knowsEnabled shouldBe false
-        val other = logOf("DS:enabled" to List(5) { "" }, "/DriverStation/Enabled" to OFF_ON).withSignals(vocabulary)
+        val other = logOf("DS:enabled" to List(5) { "" }, "/DriverStation/Enabled" to OFF_ON).withSignals(vocabulary, "log")
         other.enabledSpans().map { it.span } shouldBe listOf(Span(1.0, 4.0))
     }
 
@@ -89,9 +89,10 @@ class ViewWithSignalsSpec : FunSpec({
         val number = "NT:/FMSInfo/MatchNumber" to listOf("0", "0", "42", "42", "42")
         val type = "NT:/FMSInfo/MatchType" to listOf("0", "0", "2", "2", "2")
         val event = "NT:/FMSInfo/EventName" to listOf("", "", "MILLC", "MILLC", "MILLC")
-        logOf(number, type, event).withSignals(vocabulary).title shouldBe "MILLC Qualification 42"
-        logOf(number, type, values = mapOf("Match Number" to "7", "Match Type" to "Practice")).withSignals(vocabulary).title shouldBe "Practice 7"
-        logOf("/DriverStation/MatchNumber" to List(5) { "0" }, "a" to List(5) { "1" }).withSignals(vocabulary).title shouldBe null
+        logOf(number, type, event).withSignals(vocabulary, "log").title shouldBe "MILLC Qualification 42"
+        logOf(number, type, values = mapOf("Match Number" to "7", "Match Type" to "Practice")).withSignals(vocabulary, "log").title shouldBe "Practice 7"
+        logOf("a" to List(5) { "1" }).withSignals(vocabulary, "Q42.wpilog").title shouldBe "Qualification 42"
+        logOf("/DriverStation/MatchNumber" to List(5) { "0" }, "a" to List(5) { "1" }).withSignals(vocabulary, "log").title shouldBe null
     }
 
     test("rules use what a topic means, however the topic expresses it") {

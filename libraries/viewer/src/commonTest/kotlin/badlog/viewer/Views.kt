@@ -21,7 +21,7 @@ internal fun bagView(topics: List<String>, rows: List<String>): LogView {
 }
 
 /** A log of [topics] with times of their own. */
-internal fun timedView(vararg topics: Topic): LogView = LogView.of(Recording(RecordingFormat.WPILOG, null, emptyList(), topics.toList(), 0, emptyList()))
+internal fun timedView(vararg topics: Topic): LogView = LogView.of(Recording(Records, null, emptyList(), topics.toList(), 0, emptyList()))
 
 /** A topic of numbers with times of its own: each of [samples] a time and a number. */
 internal fun timedTopic(name: String, vararg samples: Pair<Double, Double>): Topic = Topic(
@@ -34,3 +34,11 @@ internal fun timedTopic(name: String, vararg samples: Pair<Double, Double>): Top
     DoubleArray(samples.size) { samples[it].first },
     "double",
 )
+
+/** A format without rows. */
+private object Records : RecordingFormat {
+    override val id: String get() = "records"
+    override val title: String get() = "log of records"
+    override val endings: List<String> get() = emptyList()
+    override val hasRows: Boolean get() = false
+}

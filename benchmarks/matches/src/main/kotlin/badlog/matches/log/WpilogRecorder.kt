@@ -91,9 +91,7 @@ internal class WpilogRecorder(
             is String -> payload.put(value.toByteArray())
 
             is DoubleArray -> for (number in value) {
-                if (type ==
-                    ValueType.Floats
-                ) {
+                if (type == ValueType.Floats) {
                     payload.putFloat(number.toFloat())
                 } else {
                     payload.putDouble(number)

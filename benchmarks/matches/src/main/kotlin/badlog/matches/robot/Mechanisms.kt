@@ -31,9 +31,7 @@ internal class Mechanisms(private val robot: Robot) {
     private fun isTowardPiece(errand: Errand) = errand.x < 5
 
     private fun begin(errand: Errand) {
-        if (last != null &&
-            (errand.action == Action.INTAKE || last?.action == Action.INTAKE || errand.action == Action.SCORE)
-        ) {
+        if (last != null && (errand.action == Action.INTAKE || last?.action == Action.INTAKE || errand.action == Action.SCORE)) {
             robot.air?.use()
         }
         last = errand
@@ -48,9 +46,7 @@ internal class Mechanisms(private val robot: Robot) {
             intake.isJammed = false
             intake.pieceUntil = time + 0.35
         }
-        if (intake !=
-            null
-        ) {
+        if (intake != null) {
             intake.hasPiece = (pieceDone && time > intake.pieceUntil) || (errand.action == Action.TRAVEL && !isTowardPiece(errand))
         }
         val shooter = robot.shooter ?: return

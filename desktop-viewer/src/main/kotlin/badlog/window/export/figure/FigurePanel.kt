@@ -25,7 +25,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.titles
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
@@ -60,19 +62,19 @@ private fun GraphChoice(graphs: List<BoardGraph>, selected: Set<Int>, onChange: 
         ToolButton("Select no graph", text = "None") { onChange(emptySet()) }
     }
     Column(Modifier.heightIn(max = 220.dp).verticalScroll(rememberScrollState())) {
-        for (graph in graphs.take(MAX_OFFERED)) {
+        for ((graph, title) in graphs.zip(Board(graphs).titles).take(MAX_OFFERED)) {
             val isSelected = graph.id in selected
             Row(
                 Modifier
                     .fillMaxWidth()
                     .clickable(role = Role.Checkbox) { onChange(if (isSelected) selected - graph.id else selected + graph.id) }
-                    .semantics { contentDescription = "In the figure: ${graph.title}" }
+                    .semantics { contentDescription = "In the figure: $title" }
                     .padding(vertical = 3.dp),
                 Arrangement.spacedBy(8.dp),
                 Alignment.CenterVertically,
             ) {
                 Checkbox(isSelected, onCheckedChange = null, Modifier.size(16.dp))
-                NameText(graph.title)
+                NameText(title)
             }
         }
     }

@@ -58,7 +58,7 @@ internal class FigureSaver(
         val figure = figureOf(options)
         val draw = { imageOf(figure, graphs).toComposeImageBitmap() }
         tasks.run("Copying the picture", { copyImage(draw(), clipboard) }) {
-            val what = graphs.singleOrNull()?.let { "“${it.title}”" } ?: "${graphs.size} graphs"
+            val what = graphs.singleOrNull()?.let { "“${board.titleOf(it)}”" } ?: "${graphs.size} graphs"
             notices.say("Copied a picture of $what; paste it where you like.")
         }
     }

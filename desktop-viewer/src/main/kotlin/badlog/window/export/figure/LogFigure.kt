@@ -2,7 +2,9 @@ package badlog.window.export.figure
 
 import badlog.core.analysis.Span
 import badlog.rules.Finding
+import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.titleOf
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.figure.FigureNotes
 import badlog.viewer.draw.figure.LegendEntry
@@ -18,12 +20,12 @@ import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawPlot
+import badlog.viewer.draw.plot.drawSamples
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.text.unitText
 import badlog.window.compare.DrawnRecording
-import badlog.window.graph.drawSamples
 import badlog.window.graph.plot.CurveCache
 import badlog.window.graph.plot.DrawnLine
 import badlog.window.graph.plot.PlotPicture
@@ -86,12 +88,12 @@ internal class LogFigure(
         val density = sheet.pen.density
         val frame = PlotMargins.frameOf(sheet.width, height, x, density)
         val picture = pictureOf(graph, frame, density)
-        sheet.graphHead(graph.title, unit = "", legendOf(graph, shown))
+        sheet.graphHead(Board(board).titleOf(graph), unit = "", legendOf(graph, shown))
         sheet.part(height.toDouble()) { pen ->
             val marks = PlotMarks(open.modes, events, findings, notes)
             pen.drawPlot(frame, picture.plot, marks, colors, PlotMargins.BOTTOM * density)
             pen.drawCursors(frame, cursors, colors)
-            cursors.x?.takeIf { it in x }?.let { pen.drawSamples(frame, picture, it, colors) }
+            cursors.x?.let { pen.drawSamples(frame, picture.plot, picture.lines, it, colors) }
         }
         sheet.xTitle(open.view.xAxis.title)
     }
@@ -102,7 +104,7 @@ internal class LogFigure(
         val (width, height) = frame.width.toInt() to frame.height.toInt()
         val request = PlotRequest(graph, recordings, x, width, height, Palette.LIGHT, density.toFloat(), sharing)
         val picture = makePicture(request, curves, hasImage = false)
-        for (line in picture.lines) line.strokes.move(frame.left, frame.top)
+        for (line in picture.plot.lines) line.strokes.move(frame.left, frame.top)
         return picture
     }
 
@@ -140,7 +142,7 @@ internal class LogFigure(
                 LegendEntry("$name $place".trim(), xy.colorOf(trace))
             }
         }
-        sheet.graphHead(graph.title, unit = "", legend)
+        sheet.graphHead(Board(board).titleOf(graph), unit = "", legend)
         sheet.part(height.toDouble()) { pen ->
             pen.moved(frame.left, frame.top) {
                 val (wide, high) = frame.width.toFloat() to frame.height.toFloat()

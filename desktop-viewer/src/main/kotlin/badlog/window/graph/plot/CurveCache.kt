@@ -1,6 +1,8 @@
 package badlog.window.graph.plot
 
 import badlog.core.analysis.StateRuns
+import badlog.viewer.choices.range.holdsUntil
+import badlog.viewer.choices.range.stateRuns
 import badlog.window.log.OpenRecording
 import badlog.window.log.Signal
 import java.util.WeakHashMap
@@ -20,12 +22,12 @@ internal class CurveCache {
 
     /** Returns the curve of [signal], one of [recording]'s. */
     fun curve(recording: OpenRecording, signal: Signal): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
-        SharedCurve(signal.series, recording.holdsUntil(signal))
+        SharedCurve(signal.series, signal.line.holdsUntil)
     }
 
     /** Returns the states of [signal], one of [recording]'s. */
     fun runs(recording: OpenRecording, signal: Signal): StateRuns =
-        of(recording).runs.computeIfAbsent(signal.name) { StateRuns(signal.series, recording.span.to) }
+        of(recording).runs.computeIfAbsent(signal.name) { signal.line.stateRuns() }
 
     private fun of(recording: OpenRecording) = synchronized(byRecording) { byRecording.getOrPut(recording, ::OfRecording) }
 }

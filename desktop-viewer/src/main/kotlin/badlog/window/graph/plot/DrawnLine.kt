@@ -1,6 +1,9 @@
 package badlog.window.graph.plot
 
+import badlog.core.analysis.GraphSeries
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.plot.GraphLine
+import badlog.viewer.shown.comparison.colorOf
 import badlog.viewer.text.shortNames
 import badlog.window.compare.DrawnRecording
 import badlog.window.log.OpenRecording
@@ -18,16 +21,15 @@ import badlog.window.log.Signal
 internal data class DrawnLine(
     val signal: Signal,
     val recording: OpenRecording,
-    val offset: Double,
-    val color: Int,
+    override val offset: Double,
+    override val color: Int,
     val title: String = signal.title,
     val label: String? = null,
-)
+) : GraphLine {
+    override val series: GraphSeries get() = signal.line
+}
 
-/**
- * Returns the lines of [spec] in each of [recordings] that has them. With one recording, each line has a color; with
- * several, the color primarily shows the recording, the same in all graphs, and further lines have other colors.
- */
+/** Returns the lines of [spec] in each of [recordings] that has them. */
 internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): List<DrawnLine> {
     val isCompared = recordings.size > 1
     val titles = shortNames(spec.lines)
@@ -38,7 +40,7 @@ internal fun drawnLines(spec: BoardGraph, recordings: List<DrawnRecording>): Lis
                 signal = signal,
                 recording = drawn.recording,
                 offset = drawn.offset,
-                color = place * recordings.size + index,
+                color = colorOf(place, index, recordings.size),
                 title = if (signal.isDerived) "[ ${titles[place]} ]" else titles[place],
                 label = if (isCompared) drawn.name else null,
             )

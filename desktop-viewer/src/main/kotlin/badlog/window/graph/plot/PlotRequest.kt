@@ -2,6 +2,7 @@ package badlog.window.graph.plot
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.plot.PlotFrame
 import badlog.window.compare.DrawnRecording
 import badlog.window.theme.Palette
 
@@ -26,4 +27,7 @@ internal data class PlotRequest(
     val palette: Palette,
     val density: Float,
     val sharing: List<BoardGraph> = emptyList(),
-)
+) {
+    /** The frame of its picture. */
+    val frame: PlotFrame get() = PlotFrame(0.0, 0.0, width.toDouble(), height.toDouble(), visible)
+}

@@ -11,8 +11,8 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.Units
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.mark.EventTimeline
-import badlog.viewer.draw.path.Plane
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.FieldChoice
 import badlog.window.choice.StationChoice
@@ -58,7 +58,6 @@ internal class GraphScene(
 ) {
     /** The pictures of the graphs. */
     val plots = Plots()
-    val gestures = PlotGestures(view, board, player)
 
     /** The scroll state of the graphs. */
     val list = LazyListState()

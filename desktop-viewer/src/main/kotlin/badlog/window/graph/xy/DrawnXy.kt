@@ -2,12 +2,13 @@ package badlog.window.graph.xy
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.path.Departure
-import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyPlot
 import badlog.viewer.draw.path.XyTrace
 import badlog.viewer.draw.path.shown
+import badlog.viewer.shown.comparison.colorOf
 import badlog.window.compare.DrawnRecording
 
 /**
@@ -26,7 +27,7 @@ internal class DrawnXy(val drawn: DrawnRecording, val plot: XyPlot, private val 
     fun colorOf(trace: XyTrace): Int = colorOf(trace.color)
 
     /** Returns the same for a mark with the [color] of a trace. */
-    fun colorOf(color: Int): Int = color * count + index
+    fun colorOf(color: Int): Int = colorOf(color, index, count)
 
     /** Returns the part of its own x that is visible if the window shows [visible]. */
     fun own(visible: Span): Span = Span(visible.from - drawn.offset, visible.to - drawn.offset)

@@ -2,9 +2,9 @@ package badlog.window.graph.xy
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.path.Departure
-import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyDrawing
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.shown.cursor.Cursors

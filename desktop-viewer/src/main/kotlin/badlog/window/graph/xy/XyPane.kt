@@ -13,6 +13,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.draw.drawWithCache
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
@@ -22,10 +25,15 @@ import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.path.XyDrawing
 import badlog.viewer.draw.plot.Plot
+import badlog.viewer.input.DragKind
+import badlog.viewer.input.PlotPointer
+import badlog.viewer.session.gesture.XyGestures
 import badlog.window.graph.scene.GraphScene
+import badlog.window.graph.scene.receives
 import badlog.window.menu.ClosesByEscape
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.Palette
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.drop
@@ -37,9 +45,10 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val palette = LocalPalette.current
     val recordings = scene.recordings
     val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
-    val drag = remember(spec.id) { XyDrag() }
+    val target = remember(scene, spec.id, xys) { PaneTarget(scene, spec.id, xys) }
+    val gestures = remember(target) { XyGestures(target) }
     val kept = remember(spec.id) { KeptPicture() }
-    ClosesByEscape(drag.giveUp != null) { drag.giveUp?.invoke() }
+    ClosesByEscape(target.drag != null) { gestures.giveUp() }
     DisposableEffect(spec.id) {
         scene.plots.show(spec.id, true, needsPicture = false)
         onDispose { scene.plots.show(spec.id, false) }
@@ -63,8 +72,8 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
         Box(
             frame
                 .pointerHoverIcon(PointerIcon.Crosshair)
-                .semantics { contentDescription = "Plot ${spec.title}" }
-                .xyPointer(scene, spec.id, xys, ::planeOn, drag),
+                .semantics { contentDescription = "Plot ${scene.board.titleOf(spec)}" }
+                .receives(gestures),
         ) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawWithCache {
@@ -80,12 +89,19 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
                     val plane = planeOn(size.width, size.height) ?: return@drawBehind
-                    drag.covered?.let { drawRect(palette.accent.copy(alpha = COVERED), it.topLeft, it.size) }
+                    target.drag?.takeIf { it.kind == DragKind.ZOOM }?.let { drawCovered(it.start, it.at, palette) }
                     drawXyCursors(pen(), xys, spec, plane, scene.view.cursors, size.width, size.height, palette.pen)
                 },
             )
         }
     }
+}
+
+/** Draws the frame from [start] to [at]. */
+private fun DrawScope.drawCovered(start: PlotPointer, at: PlotPointer, palette: Palette) {
+    val corner = Offset(start.x.toFloat(), start.y.toFloat()) * density
+    val other = Offset(at.x.toFloat(), at.y.toFloat()) * density
+    drawRect(palette.accent.copy(alpha = COVERED), corner, Size(other.x - corner.x, other.y - corner.y))
 }
 
 private val BELOW = 20.dp

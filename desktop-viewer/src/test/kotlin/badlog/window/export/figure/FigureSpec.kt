@@ -149,6 +149,13 @@ class FigureSpec : FunSpec({
         shared shouldNotBe numbers(angle.copy(sharesY = false), emptyList(), open).filter { it.endsWith(" deg") }
     }
 
+    test("graphs of one title have the titles of the screen, where the second has a number") {
+        val again = joint.copy(id = 2, lines = listOf("Arm/Current"))
+        val figure = LogFigure(listOf(DrawnRecording(arm)), arm.span, board = listOf(joint, again))
+        textsIn(svgOf(figure, listOf(joint, again))) shouldContainAll listOf(joint.title, "${joint.title} (2)")
+        textsIn(svgOf(figure, listOf(again))) shouldContain "${joint.title} (2)"
+    }
+
     test("a line that is hidden on the screen is not drawn, and the others keep their colors") {
         val drawn = svg(listOf(joint.copy(hidden = setOf("Arm/Angle", "Arm/Mode"))), arm.span, arm)
         linesIn(drawn).single().getAttribute("stroke") shouldBe "#d4501a"

@@ -4,6 +4,8 @@ import badlog.catalog.folder.loggedTopic
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.axis.AxisSide
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.plot.PlotLine
 import badlog.viewer.text.exactText
 import badlog.window.compare.DrawnRecording
 import badlog.window.graph.bagOf
@@ -27,7 +29,7 @@ class PictureMakingSpec : FunSpec({
     fun picture(recording: OpenRecording, visible: Span = recording.span, yRange: Span? = null) = picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible, yRange)
 
     test("a line goes from edge to edge, its ends where its samples stand") {
-        val line = picture(recordingOf(bagOf(11) { it.toDouble() })).lines.single()
+        val line = picture(recordingOf(bagOf(11) { it.toDouble() })).plot.lines.single()
         val points = line.points.single()
         points.size shouldBe 22
         points[0] shouldBe (0.0 plusOrMinus 1e-3)
@@ -38,53 +40,42 @@ class PictureMakingSpec : FunSpec({
     test("a value of a WPILOG holds until the next one and to the end, in steps whose corners have no dots") {
         val recording = wpilogRecording(loggedTopic("A/Voltage", 0.0 to 1.0, 5.0 to 3.0), loggedTopic("B", 0.0 to 0.0, 10.0 to 0.0))
         val made = picture(recording)
-        val line = made.lines.single()
+        val line = made.plot.lines.single()
         line.points.single().filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0.0, 50.0, 50.0, 100.0)
         line.strokes.dots.take(line.strokes.dotsSize).filterIndexed { i, _ -> i % 2 == 0 } shouldBe listOf(0.0, 50.0)
-        readingOf(made, line.line, 4.9) shouldBe "1 V"
-        readingOf(made, line.line, 9.0) shouldBe "3 V"
+        readingOf(made, made.lines.single(), 4.9) shouldBe "1 V"
+        readingOf(made, made.lines.single(), 9.0) shouldBe "3 V"
     }
 
     test("a gap parts the line, and a sample alone between gaps stays") {
         val recording = recordingOf(bagOf(11) { if (it == 3 || it == 5) Double.NaN else 1.0 })
-        val parts = picture(recording).lines.single().points
+        val parts = picture(recording).plot.lines.single().points
         parts.map { it.size / 2 } shouldBe listOf(3, 1, 5)
     }
 
     test("a million samples cost a few points for each pixel, and a spike among them is there") {
         val recording = recordingOf(bagOf(100_000) { if (it == 77_777) 500.0 else (it % 7).toDouble() })
         val made = picture(recording)
-        val line = made.lines.single()
+        val line = made.plot.lines.single()
         line.points.sumOf { it.size / 2 } shouldBeLessThan 500
         line.strokes.isDense shouldBe true
-        line.points.single().filterIndexed { i, _ -> i % 2 == 1 }.min().toFloat() shouldBe made.axes.single().pixelOf(500.0, 50f)
+        line.points.single().filterIndexed { i, _ -> i % 2 == 1 }.min() shouldBe Scale.ofY(made.plot.axes.single().shown, 50.0).placeOf(500.0)
     }
 
     test("zoomed in, the line runs out of the frame at both sides, and y fits what is seen") {
         val made = picture(recordingOf(bagOf(1001) { it.toDouble() }), Span(50.0, 50.4))
-        val points = made.lines.single().points.single()
+        val points = made.plot.lines.single().points.single()
         points.first() shouldBeLessThan 0.0
         (points[points.size - 2] > 100.0) shouldBe true
-        made.lines.single().strokes.isSparse shouldBe true
-        (made.axes.single().shown.from in 499.0..500.0) shouldBe true
-        (made.axes.single().shown.to in 504.0..505.0) shouldBe true
+        made.plot.lines.single().strokes.isSparse shouldBe true
+        (made.plot.axes.single().shown.from in 499.0..500.0) shouldBe true
+        (made.plot.axes.single().shown.to in 504.0..505.0) shouldBe true
     }
 
     test("what a person has set for y is shown, and far values stay numbers that can be drawn") {
         val made = picture(recordingOf(bagOf(11) { if (it == 5) 1e300 else 1.0 }), yRange = Span(0.0, 2.0))
-        made.axes.single().shown shouldBe Span(0.0, 2.0)
-        made.lines.single().points.single().all { it.isFinite() && it in -10_000.0..10_000.0 } shouldBe true
-    }
-
-    test("the second unit has an axis of its own, and keeps its part of y when the first is zoomed") {
-        val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]},""" +
-            """{"name":"B","unit":"A","attrs":[]}],"values":[]}""" + "\nTime,A,B\n0,0,0\n1,10,1000\n2,10,1000\n"
-        val recordings = listOf(DrawnRecording(recordingOf(text)))
-        val whole = picture(recordings, listOf("A", "B"), Span(0.0, 2.0))
-        whole.axes.map { it.axis.unit } shouldBe listOf("V", "A")
-        val first = whole.axes[0].shown
-        val lower = picture(recordings, listOf("A", "B"), Span(0.0, 2.0), Span(first.from, first.from + first.width / 2))
-        lower.axes[1].shown.to shouldBe (whole.axes[1].shown.from + whole.axes[1].shown.width / 2)
+        made.plot.axes.single().shown shouldBe Span(0.0, 2.0)
+        made.plot.lines.single().points.single().all { it.isFinite() && it in -10_000.0..10_000.0 } shouldBe true
     }
 
     test("a third unit has a scale of its own and says so, and a hidden line gives its axis to it") {
@@ -94,14 +85,14 @@ class PictureMakingSpec : FunSpec({
         val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},$header],"values":[]}""" + "\nTime,A,B,C\n0,0,0,5\n1,10,1000,6\n"
         val recordings = listOf(DrawnRecording(recordingOf(text)))
         val all = picture(recordings, names, Span(0.0, 1.0))
-        all.axes.map { it.axis.side } shouldBe listOf(AxisSide.LEFT, AxisSide.RIGHT, AxisSide.NONE)
-        all.axes[2].axis.legend shouldBe "m, own scale"
+        all.plot.axes.map { it.side } shouldBe listOf(AxisSide.LEFT, AxisSide.RIGHT, AxisSide.NONE)
+        all.plot.axes[2].run { side.legendOf(unit) } shouldBe "m, own scale"
         val spec = BoardGraph(1, "Graph", names, hidden = setOf("A"))
         val hidden = makePicture(PlotRequest(spec, recordings, Span(0.0, 1.0), 100, 50, Palette.LIGHT, 1f), CurveCache())
-        hidden.lines.map { it.line.signal.name } shouldBe listOf("B", "C")
-        hidden.lines.map { it.line.color } shouldBe listOf(1, 2)
-        hidden.axes.map { it.axis.unit } shouldBe listOf("A", "m")
-        hidden.axes[1].axis.side shouldBe AxisSide.RIGHT
+        hidden.lines.map { it.signal.name } shouldBe listOf("B", "C")
+        hidden.lines.map { it.color } shouldBe listOf(1, 2)
+        hidden.plot.axes.map { it.unit } shouldBe listOf("A", "m")
+        hidden.plot.axes[1].side shouldBe AxisSide.RIGHT
     }
 
     test("graphs that share their limits show the same of y, for lines of one unit") {
@@ -112,7 +103,7 @@ class PictureMakingSpec : FunSpec({
         fun shown(graph: BoardGraph) = makePicture(
             PlotRequest(graph, recordings, Span(0.0, 1.0), 100, 50, Palette.LIGHT, 1f, graphs - graph),
             CurveCache(),
-        ).axes.single().shown
+        ).plot.axes.single().shown
         shown(graphs[0]) shouldBe shown(graphs[1])
         (shown(graphs[0]).to > 99) shouldBe true
         (shown(graphs[2]).to < 3) shouldBe true
@@ -124,21 +115,22 @@ class PictureMakingSpec : FunSpec({
         val recordings = listOf(DrawnRecording(recordingOf(text)))
         val alone = picture(recordings, listOf("Gear"), Span(0.0, 4.0))
         alone.plotHeight shouldBe 0f
-        alone.lanes.single().blocks.let { blocks -> List(blocks.size) { blocks.left[it] to blocks.right[it] } } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
+        alone.plot.lanes.single().blocks!!.let { blocks -> List(blocks.size) { blocks.left[it] to blocks.right[it] } } shouldBe listOf(0.0 to 50.0, 50.0 to 100.0)
         val mixed = picture(recordings, listOf("Gear", "V"), Span(0.0, 4.0))
         mixed.plotHeight shouldBe 32f
-        readingOf(mixed, mixed.lanes.single().line, 1.9) shouldBe "LOW"
-        readingOf(mixed, mixed.lines.single().line, 1.9) shouldBe "3 V"
+        readingOf(mixed, mixed.lanes.single(), 1.9) shouldBe "LOW"
+        readingOf(mixed, mixed.lines.single(), 1.9) shouldBe "3 V"
     }
 
     test("the legend reads the very sample, with six digits, and its tooltip with all") {
         val recording = recordingOf(bagOf(101) { 12.34567 + it })
         val made = picture(recording)
-        readingOf(made, made.lines.single().line, 5.04) shouldBe "62.3457 V"
-        readingOf(made, made.lines.single().line, 5.06) shouldBe "63.3457 V"
-        readingOf(made, made.lines.single().line, -100.0) shouldBe "12.3457 V"
-        readingOf(made, made.lines.single().line, 5.04, sampleText = ::exactText) shouldBe "62.34567 V"
-        readingOf(made, made.lines.single().line, null) shouldBe ""
+        readingOf(made, made.lines.single(), 5.04) shouldBe "62.3457 V"
+        readingOf(made, made.lines.single(), 5.06) shouldBe "63.3457 V"
+        readingOf(made, made.lines.single(), 0.0) shouldBe "12.3457 V"
+        readingOf(made, made.lines.single(), -100.0) shouldBe "–"
+        readingOf(made, made.lines.single(), 5.04, sampleText = ::exactText) shouldBe "62.34567 V"
+        readingOf(made, made.lines.single(), null) shouldBe ""
     }
 
     test("another recording is laid over at its offset, in a color of its own") {
@@ -146,15 +138,15 @@ class PictureMakingSpec : FunSpec({
         val other = recordingOf(bagOf(11) { it.toDouble() })
         val made = picture(listOf(DrawnRecording(one), DrawnRecording(other, 0.5)), listOf("A/Voltage"), Span(0.0, 1.0))
         made.lines shouldHaveSize 2
-        made.lines.map { it.line.color } shouldBe listOf(0, 1)
-        made.lines[1].points.single()[0] shouldBe (50.0 plusOrMinus 1e-3)
-        readingOf(made, made.lines[1].line, 0.7) shouldBe "2 V"
+        made.lines.map { it.color } shouldBe listOf(0, 1)
+        made.plot.lines[1].points.single()[0] shouldBe (50.0 plusOrMinus 1e-3)
+        readingOf(made, made.lines[1], 0.7) shouldBe "2 V"
     }
 
     test("nothing to draw makes an empty picture") {
         picture(recordingOf(bagOf(0) { 0.0 })).lines shouldHaveSize 0
-        picture(recordingOf(bagOf(1) { 5.0 })).lines.single().points.single().size shouldBe 2
-        picture(recordingOf(bagOf(5) { if (it == 2) Double.POSITIVE_INFINITY else Double.NaN })).lines.single().points shouldHaveSize 0
+        picture(recordingOf(bagOf(1) { 5.0 })).plot.lines.single().points.single().size shouldBe 2
+        picture(recordingOf(bagOf(5) { if (it == 2) Double.POSITIVE_INFINITY else Double.NaN })).plot.lines.single().points shouldHaveSize 0
     }
 
     test("an x as wide as numbers go is not drawn, and breaks nothing") {
@@ -164,10 +156,10 @@ class PictureMakingSpec : FunSpec({
     test("x that goes backwards is drawn in the order of the file, in parts") {
         val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A/Voltage","unit":"V","attrs":[]}],"values":[]}""" +
             "\nTime,A/Voltage\n0,1\n1,2\n2,3\n0,4\n1,5\n"
-        picture(recordingOf(text)).lines.single().points shouldHaveSize 2
+        picture(recordingOf(text)).plot.lines.single().points shouldHaveSize 2
     }
 })
 
 /** The strokes' points, x and y in turn. */
-private val LinePicture.points: List<DoubleArray>
+private val PlotLine.points: List<DoubleArray>
     get() = List(strokes.count) { strokes.points.copyOfRange(strokes.startOf(it), strokes.endOf(it)) }

@@ -17,8 +17,10 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.Field
-import badlog.viewer.draw.path.Plane
+import badlog.viewer.draw.path.xScale
+import badlog.viewer.draw.path.yScale
 import badlog.window.app.Viewer
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.graphActions

@@ -10,6 +10,8 @@ import badlog.exporter.checkReadable
 import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
+import badlog.files.NO_LOGS_SENTENCE
+import badlog.files.ReadResult
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
@@ -129,12 +131,9 @@ internal class BadlogHtml(
             } else {
                 fail(e.message)
             }
-        } catch (_: OutOfMemoryError) {
-            fail("${job.input} has a header too large for the available memory; set JAVA_OPTS=-Xmx2g and try again.")
         } catch (e: Throwable) {
             // Whatever it is, the other files should still get their pages.
-            val defect = e.toString().lineSequence().first()
-            fail("${job.input} was not exported: this is a bug in badlog; report it with the file ($defect).")
+            fail(ReadResult.NotRead.of(job.input, e).sentence)
         }
     }
 
@@ -155,7 +154,7 @@ internal class BadlogHtml(
         if (skipped == 1) err.println("1 file is not a log and was skipped.")
         if (skipped > 1) err.println("$skipped files are not logs and were skipped.")
         if (made.isEmpty() && failed == 0) {
-            err.println("No page was made: no log was found. Name a log, or the folder it is in.")
+            err.println(NO_LOGS_SENTENCE)
         }
     }
 

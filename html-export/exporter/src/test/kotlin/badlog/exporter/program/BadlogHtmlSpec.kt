@@ -153,7 +153,7 @@ class BadlogHtmlSpec : FunSpec({
             run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED
             val ended = run(missing)
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldBe "There is no file $missing; check the spelling.\n"
+            ended.err shouldBe "There is no file or folder $missing; check the spelling.\n"
             folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")
         }
     }
@@ -166,7 +166,7 @@ class BadlogHtmlSpec : FunSpec({
             ended.err shouldContain "${folder / "x.bag"}: This file is not a log"
             val found = run(folder)
             found.code shouldBe ExitCode.NOTHING
-            found.err shouldContain "no log was found"
+            found.err shouldContain "No logs found."
             folder.names() shouldContainExactly listOf("x.bag")
         }
     }
@@ -177,7 +177,7 @@ class BadlogHtmlSpec : FunSpec({
             val ended = run(folder, failsOn = "b.bag")
             ended.code shouldBe ExitCode.SALVAGED
             ended.lines shouldContainExactly listOf("a", "c").map { "${folder / "$it.bag.html"}" }
-            ended.err shouldContain "${folder / "b.bag"} was not exported: this is a bug in badlog; report it"
+            ended.err shouldContain "${folder / "b.bag"}: This is a bug in badlog ("
             ended.err.lines().size shouldBe 2
             run(folder / "b.bag", failsOn = "b.bag").code shouldBe ExitCode.NOTHING
         }
@@ -187,7 +187,7 @@ class BadlogHtmlSpec : FunSpec({
         inFolder { folder ->
             val ended = run("-a", folder / "nix.txt", folder.with("a.bag"), folder.with("b.bag"))
             ended.code shouldBe ExitCode.NOTHING
-            ended.err shouldContain "There is no file ${folder / "nix.txt"}"
+            ended.err shouldContain "There is no file or folder ${folder / "nix.txt"}"
             ended.err.lines().size shouldBe 2
         }
     }

@@ -59,7 +59,7 @@ class PagePlacesSpec : FunSpec({
                 repeat(2) {
                     val ended = run(folder / "a.bag", folder / name)
                     ended.code shouldBe ExitCode.SALVAGED
-                    ended.err shouldContain "There is no file ${folder / name}"
+                    ended.err shouldContain "There is no file or folder ${folder / name}"
                 }
             }
             folder.names() shouldContainExactly listOf("a.bag", "a.bag.html")

@@ -20,7 +20,6 @@ import badlog.viewer.session.Session
 import badlog.viewer.session.Shown
 import badlog.viewer.session.after
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.finding.FindingOrder
 import kotlinx.browser.document
 import org.w3c.dom.Element
@@ -103,10 +102,10 @@ internal class Keyboard(
         override val findings: FindingOrder get() = this@Keyboard.findings.order
     }
 
-    private fun escape() {
-        search.clear()
-        evidence.close()
-        scene.cursor.change { Cursors() }
+    private fun escape() = when {
+        search.text.isNotEmpty() -> search.clear()
+        evidence.isOpen -> evidence.close()
+        else -> scene.place.change { cancelled() }
     }
 
     private fun isTyping(event: KeyboardEvent): Boolean {

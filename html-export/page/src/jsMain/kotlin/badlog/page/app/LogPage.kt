@@ -8,6 +8,7 @@ import badlog.page.board.TopicDialog
 import badlog.page.compare.CompareBar
 import badlog.page.compare.PageComparison
 import badlog.page.dom.Icon
+import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
@@ -50,8 +51,6 @@ import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.panel.ModulesPanel
-import badlog.page.rules.RuleSearch
-import badlog.page.screen.setRulesState
 import badlog.page.video.VideoPanel
 import badlog.page.view.Hits
 import badlog.page.view.PageBoard
@@ -63,11 +62,10 @@ import badlog.rules.LogFindings
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
-import badlog.rules.incident.incidentsIn
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
-import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
 import badlog.viewer.input.Action
@@ -75,7 +73,9 @@ import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
+import kotlinx.browser.document
 import kotlinx.browser.window
+import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.files.Blob
 import org.w3c.files.File
@@ -92,7 +92,7 @@ internal class LogPage(
     axisChoice: HTMLElement?,
     onOtherSignals: () -> Unit,
     private val opening: LogOpening,
-    private val copyWith: (List<Note>, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
+    private val copyWith: (NoteHistory, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -100,7 +100,7 @@ internal class LogPage(
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
     private val board = PageBoard(about.fileKey, linesNow())
-    private val notes = PageNotes(about.fileKey, this.additions.notes)
+    private val notes = PageNotes(about.fileKey, this.additions)
     private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.notes.now.notes
@@ -112,7 +112,7 @@ internal class LogPage(
         if (formulas.formulaOf(it) == null) "" else "formula"
     }
     private val navigation = FolderNavigation(folders)
-    private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, ::beforeFormulas, ::linesNow)
+    private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, scene.notice, ::beforeFormulas, ::linesNow)
     private val search = SearchBox(::filter)
     private val eventsLink = EventsLink(folders)
     private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
@@ -130,8 +130,15 @@ internal class LogPage(
     private val ways =
         listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button, modules.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
-    private val link =
-        PageLink(scene, formulas, video, { formulaGraphs.addAll(it, isRemembered = false) }, ::goWith, { opened.now }, { opened.open(it) })
+    private val link = PageLink(
+        scene,
+        formulas,
+        video,
+        { asked, then -> formulaGraphs.addAll(asked, isRemembered = false, then) },
+        ::goWith,
+        { opened.now },
+        { opened.open(it) },
+    )
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, ::linesShown)
@@ -149,6 +156,7 @@ internal class LogPage(
             ::showEvidence,
             ::pinEvidence,
         )
+    private val rules = PageRules(this.additions, embeddedFindings, about.name, scene, findings) { element.isConnected }
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
     private val topicDialog = TopicDialog(scene)
@@ -157,15 +165,18 @@ internal class LogPage(
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
     private val opened = ReaderParts(search, values, modules, boardSection)
-    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }, findings::print)
+    private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
+    private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }) {
+        problems.print(it)
+        findings.print(it)
+    }
     private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
     private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
 
     private lateinit var content: HTMLElement
 
-    /** What the rules found so far. */
-    private var found: LogFindings? = null
-    private var ranAt = 0.0
+    /** What has the keyboard's focus because a link points at it. */
+    private var focusedByLink: Element? = null
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -183,7 +194,7 @@ internal class LogPage(
         addButton("skip", "Skip to the graphs") { inSight.focusFirst() }
         appendChild(pageHeader(scene, about, formulas.logged.recording, tools))
         axisChoice?.let(::appendChild)
-        appendChild(ProblemStrip(view, additionProblems(formulas, additions, layout)).element)
+        appendChild(problems.element)
         appendChild(findings.element)
         appendChild(noteList.element)
         appendChild(printing.element)
@@ -233,20 +244,22 @@ internal class LogPage(
     }
 
     /** What stays of it when the log has grown. */
-    val left: LeftPage get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, found, ranAt)
+    val left: LeftPage
+        get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
      * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address, and then draws what is
      * on the screen. Call it when [element] is on the page.
      */
     fun start(left: LeftPage? = null) {
-        left?.found?.let(::take)
-        ranAt = left?.ranAt ?: 0.0
+        left?.let(rules::continueFrom)
         link.start(left?.place) { asked ->
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
         if (left != null) scene.place.change { movedToEnd() }
+        opening.live.place = scene.place
+        PageEvents.onEnd { opening.live.place = null }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -256,49 +269,24 @@ internal class LogPage(
      * are visible.
      *
      * @param compared the files of the logs that the page compares with its own from the beginning.
-     * @param showsWorst whether to go to the worst finding.
+     * @param showsWorst whether to go to the worst finding, unless the reader has pinned the cursor somewhere before it is known.
      */
     fun complete(logged: LogView, compared: Promise<List<File>>, showsWorst: Boolean) {
         folders.layOut(Int.MAX_VALUE)
         compared.then(compareBar::open) { scene.notice.say("The compared log ${it.message}") }
-        if (additions.rules.rules.isEmpty()) return setRulesState("done")
-        if (found == null) findings.wait()
-        // A log that is followed is drawn more often than rules run over it.
-        val pause = if (found == null) 0.0 else ranAt + RULES_PAUSE - window.performance.now()
-        if (pause <= 0) return runRules(logged, showsWorst)
-        setRulesState("done")
-        window.setTimeout({ if (element.isConnected) runRules(logged, showsWorst) }, pause.toInt())
+        rules.start(logged) { found, incidents -> showFound(found, incidents, showsWorst) }
     }
 
-    private fun runRules(logged: LogView, showsWorst: Boolean) {
-        RuleSearch(logged, additions.rules, about.name).start(
-            onFindings = onFindings@{ found ->
-                if (!element.isConnected) return@onFindings
-                val incidents = take(found)
-                ranAt = window.performance.now()
-                if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
-                // `has:finding` now finds more.
-                search.followFindings()
-                // The place in the address is known only now.
-                link.followAgain()
-                if (showsWorst) findings.goToWorst(found.findings)
-                // Draws into the existing graphs, since somebody may be dragging over one.
-                if (found.findings.isNotEmpty()) redraw()
-                setRulesState("done")
-            },
-            onFailure = onFailure@{ reason ->
-                if (!element.isConnected) return@onFailure
-                findings.fail(reason)
-                setRulesState("failed")
-            },
-        )
-    }
-
-    /** Lists what the rules [found], and returns the incidents in it. */
-    private fun take(found: LogFindings): List<Incident> {
-        this.found = found
-        scene.findings = timelineOf(found.findings + embeddedFindings)
-        return additions.rules.incidentsIn(found.findings, additions.differences).also { findings.show(found.ran, found.skipped, it) }
+    private fun showFound(found: LogFindings, incidents: List<Incident>, showsWorst: Boolean) {
+        if (layout.board == null) board.beginAgain(boardAbove(view, signals, firstEvidenceOf(incidents, scene.findings.worstFirst)))
+        // `has:finding` now finds more.
+        search.followFindings()
+        // The place in the address is known only now.
+        link.followAgain()
+        // Nor is a reader taken there who has pinned the cursor in the meantime, or follows the log, whose end it is pinned at.
+        if (showsWorst && !scene.cursor.now.isPinned) findings.goToWorst(found.findings)
+        // Draws into the existing graphs, since somebody may be dragging over one.
+        if (found.findings.isNotEmpty()) redraw()
     }
 
     private fun redraw() {
@@ -350,7 +338,7 @@ internal class LogPage(
 
     private fun saveCopy() {
         val compared = comparison.files + compareBar.waiting
-        Promise.resolve(Unit).then { copyWith(notes.now.notes, layouts.now().toJson(), compared, comparison.removed) }
+        Promise.resolve(Unit).then { copyWith(notes.history, layouts.now().toJson(), compared, comparison.removed) }
             .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
             .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
     }
@@ -360,10 +348,23 @@ internal class LogPage(
         sendMoment(scene, text, evidence.cards.map { it::drawOn })
     }
 
-    private fun goWith(address: PageAddress) {
-        if (address.board != null && address.finding == null) return boardSection.bringIntoSight()
-        inSight.showAny()
-        address.moment?.let { findings.visitAt(it, address.finding) }
+    private fun goWith(address: PageAddress, isAgain: Boolean) {
+        if (address.board != null && address.finding == null) {
+            boardSection.bringIntoSight()
+        } else {
+            inSight.showAny()
+            address.moment?.let { findings.visitAt(it, address.finding) }
+        }
+        focusOn(address, isAgain)
+    }
+
+    /** Gives the keyboard's focus to what [address] points at, unless somebody has gone on since it was followed. */
+    private fun focusOn(address: PageAddress, isAgain: Boolean) {
+        val isElsewhere = isAgain && document.activeElement.let { it !== document.body && it !== focusedByLink }
+        // A page in a frame leaves the focus to the page around it.
+        if (isElsewhere || window.parent !== window) return
+        if (address.finding == null || !findings.focusCurrent()) inSight.focusAny()
+        focusedByLink = document.activeElement
     }
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {
@@ -379,9 +380,6 @@ internal class LogPage(
     }
 
     private companion object {
-        /** Milliseconds between two runs of the rules over a log that is followed. */
-        const val RULES_PAUSE = 400
-
         /** Hardly any graph is lower than this, in pixels. */
         const val LOWEST = 100
     }

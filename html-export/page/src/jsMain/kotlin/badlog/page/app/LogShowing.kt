@@ -1,7 +1,6 @@
 package badlog.page.app
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.PageEvents
 import badlog.page.embedded.About
@@ -20,7 +19,8 @@ import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
 import badlog.viewer.choices.formula.joined
-import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
+import badlog.viewer.session.link.pageAddressOf
 import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -44,6 +44,9 @@ internal class ShownLog(
 internal class LogShowing(private val root: PageRoot, private val source: PageSource, private val opening: () -> LogOpening) {
     private var page: LogPage? = null
 
+    /** The formulas of the log that is shown, or is to be shown when they are calculated. */
+    private var calculating: Formulas? = null
+
     /** The colors of all logs. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
 
@@ -64,8 +67,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: LeftPage? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
-        val unreadable = log.read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) return root.fail("There is nothing to show of ${about.name}", unreadable.message, downloads.element)
+        log.read.refusal?.let { return root.fail("There is nothing to show of ${about.name}", it, downloads.element) }
         val named = AssignedSignals.of(log.read)
         val additions = given?.let { it.with(AssignedSignals.over(it.rules, named)) }
         val signals = (additions?.rules ?: RuleSet.NONE).signals
@@ -75,17 +77,35 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
         val again = { root.guarded { show(log, given, showsWorst) } }
         val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
-        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals), signals, definitions, about.fileKey)
-        setPageState("loading")
-        root.clear()
-        val copyWith = { notes: List<Note>, board: String, compared: List<File>, removed: List<File> ->
+        val formulas = Formulas(LogView.of(axis.recording).withSignals(signals, about.name), signals, definitions, about.fileKey)
+        val copyWith = { notes: NoteHistory, board: String, compared: List<File>, removed: List<File> ->
             val rules = additions?.rules?.takeIf { named.isNotEmpty() }
             source.copyWith(notes, board, rules, log.bytes.toMarkup(), compared, removed)
         }
-        val shown = LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith)
+        val makePage = { LogPage(formulas, about, additions, layout, downloads, theme, axis.element, again, opening(), copyWith) }
+        setPageState("loading")
+        calculating?.cancel()
+        calculating = formulas
+        // Somebody may go somewhere else meanwhile.
+        PageEvents.onEnd(formulas::cancel)
+        formulas.onFailure = root::failUnexpectedly
+        val linked = if (left == null) pageAddressOf(window.location.hash).formulas else emptyList()
+        formulas.start(linked) {
+            root.guarded { show(makePage, left, onLaidOut) { it.complete(formulas.given, log.compared(), showsWorst) } }
+        }
+        // What a log has grown by is drawn at once, since it may grow again before several slices are done.
+        if (left != null) formulas.finish()
+    }
+
+    private fun show(makePage: () -> LogPage, left: LeftPage?, onLaidOut: () -> Unit, complete: (LogPage) -> Unit) {
+        root.clear()
+        val shown = makePage()
         page = shown
         // Nothing may hold a log that is not shown.
-        PageEvents.onEnd { page = null }
+        PageEvents.onEnd {
+            page = null
+            calculating = null
+        }
         root.show(shown.element)
         shown.start(left)
         onLaidOut()
@@ -96,7 +116,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
                 // Somebody may have gone on in the meantime.
                 if (page === shown) {
                     root.guarded {
-                        shown.complete(formulas.given, log.compared(), showsWorst)
+                        complete(shown)
                         onLaidOut()
                         setPageState("ready")
                     }

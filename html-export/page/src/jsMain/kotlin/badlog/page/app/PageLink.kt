@@ -1,5 +1,6 @@
 package badlog.page.app
 
+import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.addIconButton
@@ -22,8 +23,8 @@ import kotlin.js.Promise
  * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
  * address for the current view.
  *
- * @param onFormulas called with the formulas of an address; returns sentences about mistakes in them.
- * @param onJump called when the cursor and the board are as the address demands.
+ * @param onFormulas called with the formulas of an address; when they are calculated, it passes on sentences about mistakes in them.
+ * @param onJump called when the cursor and the board are as the address demands; for the same address again when the findings are known.
  * @param opened returns what the reader has opened.
  * @param open opens what an address asks for.
  */
@@ -31,13 +32,13 @@ internal class PageLink(
     private val scene: Scene,
     private val formulas: Formulas,
     private val video: VideoPanel,
-    private val onFormulas: (List<String>) -> List<String>,
-    private val onJump: (PageAddress) -> Unit,
+    private val onFormulas: (List<String>, then: (List<String>) -> Unit) -> Unit,
+    private val onJump: (PageAddress, isAgain: Boolean) -> Unit,
     private val opened: () -> OpenedParts,
     private val open: (OpenedParts) -> Unit,
 ) {
-    /** The address that was followed, until the reader looks elsewhere. */
-    private var followed: PageAddress? = null
+    /** The address that was followed, and where it led, until the reader looks elsewhere. */
+    private var followed: Pair<PageAddress, Span>? = null
 
     val element: HTMLElement = element("div", "copy-link") {
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
@@ -62,26 +63,28 @@ internal class PageLink(
 
     /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
     fun followAgain() {
-        val address = followed ?: return
-        val isThere = if (address.visible == null) !scene.range.isZoomed else address.visible == scene.range.now
-        if ((address.board == null || address.finding != null) && isThere) go(address)
+        val (address, there) = followed ?: return
+        val moment = address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } }
+        val isThere = scene.range.now == there && moment == scene.cursor.now.pinned
+        if ((address.board == null || address.finding != null) && isThere) go(address, isAgain = true)
     }
 
     private fun follow(address: PageAddress, onBoard: (Board?) -> Unit) {
-        followed = address
-        val problems = address.problems + onFormulas(address.formulas)
-        val board = address.board?.fittedTo { scene.board.lines[it] != null }
-        onBoard(board?.board)
-        go(address)
-        open(address.opened)
-        address.video?.let { video.alignment = it }
-        scene.notice.say(*(problems + listOfNotNull(board?.sentence)).toTypedArray())
+        onFormulas(address.formulas) { mistakes ->
+            val board = address.board?.fittedTo { scene.board.lines[it] != null }
+            onBoard(board?.board)
+            go(address)
+            followed = address to scene.range.now
+            open(address.opened)
+            address.video?.let { video.alignment = it }
+            scene.notice.say(*(address.problems + mistakes + listOfNotNull(board?.sentence)).toTypedArray())
+        }
     }
 
-    private fun go(address: PageAddress) {
+    private fun go(address: PageAddress, isAgain: Boolean = false) {
         address.moment?.let(scene::goTo)
         if (address.moment != null) address.second?.let { x -> scene.cursor.change { shiftClicked(x, 0.0) } }
-        if (address.moment != null || address.board != null) onJump(address)
+        if (address.moment != null || address.board != null) onJump(address, isAgain)
         address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
     }
 
@@ -91,12 +94,8 @@ internal class PageLink(
     /** What a link ends with: the log, if a link named it, and what is shown of it. */
     private fun textNow(): String {
         val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith("url=") }
-        return listOfNotNull(
-            named,
-            now.toText().removePrefix("#").ifEmpty {
-                null
-            },
-        ).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
+        val shown = now.toText().removePrefix("#").ifEmpty { null }
+        return listOfNotNull(named, shown).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
     }
 
     /** The address of what is shown. */
@@ -110,7 +109,7 @@ internal class PageLink(
             video = video.alignment,
             second = scene.cursor.now.second,
             opened = opened(),
-        )
+        ).seenIn(scene.range.now.width)
 
     private fun copy() {
         val end = textNow()

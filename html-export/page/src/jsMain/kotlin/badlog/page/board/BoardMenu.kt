@@ -1,12 +1,14 @@
 package badlog.page.board
 
+import badlog.core.analysis.Span
 import badlog.page.dom.MenuEntry
 import badlog.page.view.PageBoard
 import badlog.signals.pose.Pose
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.canSwapAxes
-import badlog.viewer.draw.path.FieldOrigin
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.draw.path.xyLabelOf
 
 /**
@@ -15,7 +17,7 @@ import badlog.viewer.draw.path.xyLabelOf
  */
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val id = graph.id
-    val others = board.now.graphs.filter { it.id != id }
+    val others = board.now.run { graphs.zip(shortTitles) }.filter { (other, _) -> other.id != id }
     val place = board.now.graphs.indexOfFirst { it.id == id }
     val numbers = item.cards.firstOrNull { !it.graph.showsStates }
     val isFixed = graph.yRange != null || graph.rightYRange != null
@@ -24,8 +26,8 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         if (place > 0) add(MenuEntry("Move up") { board.change { moved(id, -1) } })
         if (place < others.size) add(MenuEntry("Move down") { board.change { moved(id, 1) } })
         add(MenuEntry("Add topics…") { topics.open(id) })
-        for (other in others.take(PageBoard.MOST_OFFERED)) {
-            add(MenuEntry("Add to “${other.title}”") { board.change { joined(other.id, id) } })
+        for ((other, title) in others.take(PageBoard.MOST_OFFERED)) {
+            add(MenuEntry("Add to “$title”") { board.change { joined(other.id, id) } })
         }
         if (graph.lines.size > 1) add(MenuEntry("A graph for each line") { board.change { separated(id) } })
         if (numbers != null) {
@@ -46,7 +48,7 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
         if (numbers != null && !graph.isXy) {
             add(
                 MenuEntry("Fix the y limits", isFixed) {
-                    if (isFixed) board.change { withYRange(id, null) } else numbers.zoomY(0.0, 1.0)
+                    if (isFixed) board.change { withYRange(id, null) } else numbers.showY(Span(0.0, 1.0))
                 },
             )
             add(MenuEntry("Share the y limits", graph.sharesY) { board.change { withSharedY(id, !graph.sharesY) } })

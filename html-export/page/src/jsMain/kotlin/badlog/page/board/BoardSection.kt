@@ -13,10 +13,10 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.input.Action
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
-import badlog.viewer.text.shortNames
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -114,7 +114,7 @@ internal class BoardSection(
         for (item in shown - items.toSet()) for (card in item.cards) graphs.add(card)
         items.clear()
         items += shown
-        val titles = shortNames(wanted.map { it.title })
+        val titles = board.now.shortTitles
         shown.forEachIndexed { i, item ->
             item.show(wanted[i])
             for (card in item.cards) card.title = titles[i]

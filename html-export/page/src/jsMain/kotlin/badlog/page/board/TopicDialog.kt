@@ -7,6 +7,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.pathGraphs
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.xyGraphs
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
@@ -48,7 +49,7 @@ internal class TopicDialog(private val scene: Scene) {
     fun open(graph: Int? = null) {
         if (dialog.isOpen) return
         this.graph = graph
-        val name = board.now.graphs.find { it.id == graph }?.title
+        val name = board.now.run { graphs.indexOfFirst { it.id == graph }.let(shortTitles::getOrNull) }
         dialog.title = if (name == null) "Add topics to the board" else "Add topics to “$name”"
         dialog.open()
         input.value = ""

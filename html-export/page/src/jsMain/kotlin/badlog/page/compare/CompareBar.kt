@@ -1,6 +1,5 @@
 package badlog.page.compare
 
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
@@ -119,9 +118,9 @@ internal class CompareBar(private val comparison: PageComparison, private val no
 
     private fun accept(log: OpenedLog, read: Recording) {
         val name = log.fileName
-        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
+        val refusal = read.refusal
         when {
-            unreadable != null -> failures += "$name: ${unreadable.message}"
+            refusal != null -> failures += "$name: $refusal"
             read.topics.all { it.samples.isEmpty() } -> failures += "$name has no samples, so there is nothing to compare."
             else -> comparison.add(log, read)
         }

@@ -59,7 +59,7 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     fun add(log: OpenedLog, recording: Recording) {
         for (same in logs.filter { it.path == log.path }) gone += same.files
         logs.removeAll { it.path == log.path }
-        logs += logOf(++lastId, log.files, log.path, log.fileName, formulas.viewOf(recording))
+        logs += logOf(++lastId, log.files, log.path, log.fileName, formulas.viewOf(recording, log.fileName))
         show()
     }
 
@@ -111,7 +111,7 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     private fun moments() = (listOf(open) + logs).associate { it.id to it.moments }
 
     private fun logOf(id: Int, files: List<File>, path: String, file: String, view: LogView): Log {
-        val match = formulas.signals.matchOf(view.recording).orNamed(file)
+        val match = formulas.signals.matchOf(view.recording, file)
         val name = LogName(match.event, match.match, view.title ?: file, path)
         return Log(id, files, path, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
     }

@@ -17,3 +17,6 @@ internal fun Element.bringIntoSight() {
     scroll()
     window.requestAnimationFrame { window.requestAnimationFrame { scroll() } }
 }
+
+/** Gives this element the keyboard's focus. Nothing scrolls. */
+internal fun Element.focusInPlace() = asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()

@@ -2,8 +2,9 @@ package badlog.page.embedded
 
 import badlog.rules.RuleSet
 import badlog.rules.toJson
-import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLines
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.asList
@@ -29,7 +30,7 @@ internal class PageSource(root: Element) {
      * @param removed those that are not any more; all others that the page holds are copied as they are.
      */
     fun copyWith(
-        notes: List<Note>,
+        notes: NoteHistory,
         layout: String,
         rules: RuleSet?,
         opened: Promise<Blob>?,
@@ -37,7 +38,8 @@ internal class PageSource(root: Element) {
         removed: List<File>,
     ): Promise<Blob> {
         val additions = JSON.parse<dynamic>(document.getElementById("additions")?.textContent ?: NO_ADDITIONS)
-        additions.notes = JSON.parse<dynamic>(notes.toJson())
+        additions.notes = JSON.parse<dynamic>(notes.unchanged.toJson())
+        additions.noteLines = notes.changes.toLines()
         additions.notesProblem = undefined
         additions.layout = layout
         if (rules != null) additions.rules = JSON.parse<dynamic>(rules.toJson())

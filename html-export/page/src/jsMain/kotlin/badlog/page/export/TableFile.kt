@@ -1,10 +1,10 @@
 package badlog.page.export
 
 import badlog.page.dom.saveFile
+import badlog.page.dom.sliceMillis
 import badlog.page.view.Notice
 import badlog.page.view.Scene
 import badlog.viewer.shown.table.CsvDraft
-import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.files.Blob
 import org.w3c.files.BlobPropertyBag
@@ -41,8 +41,7 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
 
     fun next() {
         if (isCancelled) return done(null)
-        // A browser wakes a page that nobody sees only once a second.
-        val end = Date.now() + if (document.asDynamic().hidden == true) HIDDEN_SLICE else SLICE
+        val end = Date.now() + sliceMillis(SLICE)
         while (draft.step()) if (Date.now() > end) return goOn("Preparing", draft.share)
         val table = draft.table
         val texts = arrayListOf(if (parts.isEmpty()) table.header else "")
@@ -66,7 +65,6 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
     private companion object {
         /** In milliseconds. */
         const val SLICE = 40
-        const val HIDDEN_SLICE = 800
         const val FEW = 5
         const val TENTHS = 10.0
     }

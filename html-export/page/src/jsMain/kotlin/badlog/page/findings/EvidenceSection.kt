@@ -21,6 +21,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.board.evidenceOffers
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.with
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.text.countText
@@ -79,6 +80,9 @@ internal class EvidenceSection(
         isHidden = true
     }
 
+    /** Whether it is shown. */
+    val isOpen: Boolean get() = !element.isHidden
+
     /** The cards of the graphs that it shows. */
     val cards: List<GraphCard> get() = drawn
 
@@ -133,9 +137,10 @@ internal class EvidenceSection(
                 card.element.remove()
             }
             drawn.clear()
-            for (spec in board.graphs) {
+            for ((spec, title) in board.graphs.zip(board.shortTitles)) {
                 for ((graph, lines) in graphsOf(spec, scene.board.lines)) {
                     val card = GraphCard(graph, scene, look = spec, lines = lines)
+                    card.title = title
                     body.appendChild(card.element)
                     graphs.add(card)
                     drawn += card

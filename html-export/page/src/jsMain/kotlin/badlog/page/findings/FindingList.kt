@@ -4,6 +4,7 @@ import badlog.core.recording.Severity
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
@@ -18,6 +19,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
+import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.findsFound
 import badlog.viewer.shown.search.hiddenBySearch
@@ -29,7 +31,8 @@ import org.w3c.dom.HTMLElement
 
 /**
  * What was found in the recording: incidents, then the findings that none of them mentions, the worst first; at first a few of those that
- * belong to no incident, all on request. Selecting a finding moves the cursor to its time, and shows what is around it. Hidden while there is nothing to show.
+ * belong to no incident, on a phone the worst incident alone, all on request. Selecting a finding moves the cursor to its time, and shows
+ * what is around it. Hidden while there is nothing to show.
  *
  * @param signals asks which topics are the signals that rules lack.
  * @param changes what is shown above all findings.
@@ -92,7 +95,7 @@ internal class FindingList(
         list = add("div", "findings-list") { body = add("ol") }
         add("div", "findings-more") {
             more = addButton("text-button", "") { list(listed + PAGE) }
-            fewer = addButton("text-button", "Show fewer") { list(FEW) }
+            fewer = addButton("text-button", "Show fewer") { fold() }
         }
         skipped = add("details", "findings-skipped")
         appendChild(signals.chosen)
@@ -167,14 +170,12 @@ internal class FindingList(
 
     /** Lists more on paper, where nothing can be unfolded, than on the screen. */
     fun print(isOnPaper: Boolean) {
-        list(if (isOnPaper) PAGE else FEW)
+        if (isOnPaper) list(PAGE) else fold()
     }
 
-    /** Goes to the worst incident; without one, to the worst of [found], which a folder's list names: the first of its severity. */
+    /** Goes to what to see first of [found], as a list of logs and the window do, see [firstStep]. */
     fun goToWorst(found: List<Finding>) {
-        val worst = found.maxByOrNull { it.severity }
-        if (incidents.isEmpty() && worst != null && worst.isPlaced) return visit(firstPlaceOf(worst))
-        order.beside(current, scene.cursor.x, 1)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
+        firstStep(found, incidents)?.let { visit(it.place, it.incident, isWhole = it.incident != null) }
     }
 
     /** Goes [steps] places forward within the same finding, or back if [steps] is negative. */
@@ -187,6 +188,18 @@ internal class FindingList(
     fun visitAt(x: Double, name: FindingName?): Boolean {
         val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
         visit(place)
+        return true
+    }
+
+    /** Gives the keyboard's focus to the link of the finding that the reader has gone to. Nothing scrolls. Returns whether it is listed. */
+    fun focusCurrent(): Boolean {
+        val finding = current ?: return false
+        val incident = incidentRows.keys.find { finding in it }
+        val links = (rows[finding] ?: incidentRows[incident])?.querySelectorAll(".event-go") ?: return false
+        // An incident has a link for each finding that has a place, a row of a finding has only its own.
+        val index = incident?.sentences.orEmpty().map { it.finding }.filter { it.isPlaced }.indexOf(finding)
+        val link = links.item(maxOf(0, index)) ?: links.item(0) ?: return false
+        link.unsafeCast<HTMLElement>().focusInPlace()
         return true
     }
 
@@ -226,29 +239,41 @@ internal class FindingList(
         hiddenNote.isHidden = hidden.isEmpty()
         hiddenCount.showText("$hidden ")
         element.isHidden = all.isEmpty() && !isSearching && !haveRun && mistakes.isHidden
-        list(FEW)
+        fold()
     }
 
-    private fun list(wanted: Int) {
-        val most = if (wanted == FEW) outside else unmentioned.size
-        // Nobody unfolds a list for two more lines.
-        val until = if (most <= wanted + 2) most else wanted
-        if (until < listed || wanted == FEW) {
-            body.textContent = ""
-            rows.clear()
-            listed = 0
+    /** Lists a few, as at first; on a phone, whose first screen shall have a graph, the worst incident and the one that was gone to. */
+    private fun fold() {
+        body.textContent = ""
+        rows.clear()
+        listed = 0
+        val few = if (!isNarrow) {
+            FEW
+        } else if (incidentRows.isEmpty()) {
+            1
+        } else {
+            0
         }
+        // Nobody unfolds a list for two more lines.
+        val slack = if (isNarrow && few == 0) 0 else SLACK
+        list(if (outside <= few + slack) outside else few, isFolded = true)
+    }
+
+    private fun list(wanted: Int, isFolded: Boolean = false) {
+        val until = minOf(maxOf(wanted, listed), unmentioned.size)
         for (finding in unmentioned.subList(listed, until)) {
             val row = findingRow(finding, decimals, { onPin(it, incidentOf(it)) }) { visit(firstPlaceOf(it)) }
             rows[finding] = row
             body.appendChild(row)
         }
         listed = until
-        more.isHidden = listed == unmentioned.size
-        val left = unmentioned.size - listed
+        val others = incidentRows.entries.drop(1)
+        for ((incident, row) in others) row.isHidden = isFolded && isNarrow && !isCurrent(incident)
+        val left = unmentioned.size - listed + others.count { (_, row) -> row.isHidden }
+        more.isHidden = left == 0
         more.showText(if (left > PAGE) "Show more (${countText(left)} left)" else "Show ${countText(left)} more")
-        val isLong = listed > minOf(FEW + 2, outside)
-        fewer.isHidden = !isLong
+        fewer.isHidden = isFolded
+        val isLong = !isFolded && listed > 0
         // Anything that scrolls must react to keys.
         if (isLong) list.setAttribute("tabindex", "0") else list.removeAttribute("tabindex")
         list.classList.toggle("is-long", isLong)
@@ -267,26 +292,31 @@ internal class FindingList(
     /** Shows the row of [place], to which the reader has gone; of its [incident] if that [isWhole]. */
     fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val index = unmentioned.indexOf(place.finding)
-        if (index >= listed) list(index + 1)
+        if (index >= listed || incidentRows[incident]?.isHidden == true) list(maxOf(index + 1, listed))
         mark()
         onVisit(place, incident, isWhole)
     }
 
     private fun mark() {
         for ((finding, row) in rows) row.markCurrent(finding == current)
-        for ((incident, row) in incidentRows) row.markCurrent(current?.let { it in incident } == true)
+        for ((incident, row) in incidentRows) row.markCurrent(isCurrent(incident))
         val row = rows[current] ?: return
         // Scrolls only the list: everything above and below it stays where it is.
         if (list.classList.contains("is-long")) list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
     }
+
+    private fun isCurrent(incident: Incident) = current?.let { it in incident } == true
 
     private fun HTMLElement.markCurrent(isCurrent: Boolean) {
         if (isCurrent) setAttribute("aria-current", "true") else removeAttribute("aria-current")
     }
 
     private companion object {
-        /** The number of findings shown until a person asks for more. */
-        val FEW = if (isNarrow) 3 else 5
+        /** The number of findings shown until a person asks for more, on a screen that is not narrow. */
+        const val FEW = 5
+
+        /** The number of further ones that are shown, too, if these are all. */
+        const val SLACK = 2
 
         /** The number of rows created at a time. */
         const val PAGE = 300

@@ -31,9 +31,7 @@ internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit,
             add("span", "finding-source", finding.rule)
             add("span", "", finding.text)
         }
-        if (finding.spanCount > 1 &&
-            "${finding.spanCount}" !in finding.text
-        ) {
+        if (finding.spanCount > 1 && "${finding.spanCount}" !in finding.text) {
             add("span", "unit finding-count", "${countText(finding.spanCount)} times")
         }
         if (finding.evidence.isNotEmpty()) addIconButton("pin", Icon.PIN, "Add its graphs to the board") { pin(finding) }

@@ -7,8 +7,8 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
-import badlog.page.dom.json
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.shown.search.Query
@@ -60,7 +60,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     val foundCount: Int get() = found.size
 
     /** Gives it the keyboard focus, so that keys scroll it. */
-    fun focus() = scroll.asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()
+    fun focus() = scroll.focusInPlace()
 
     /** Shows the events that [query] finds, and returns their number. */
     fun filter(query: Query): Int {

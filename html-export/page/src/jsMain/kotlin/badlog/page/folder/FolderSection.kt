@@ -13,8 +13,8 @@ import badlog.page.graph.GraphCard
 import badlog.page.view.Hits
 import badlog.page.view.Scene
 import badlog.protocol.HookPart
-import badlog.viewer.draw.lane.framesOf
-import badlog.viewer.draw.lane.laneGraphOf
+import badlog.viewer.choices.board.framesOf
+import badlog.viewer.choices.board.laneGraphOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement

@@ -1,12 +1,15 @@
 package badlog.page.formula
 
+import badlog.page.dom.PageEvents
 import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
 import badlog.page.graph.VisibleGraphs
+import badlog.page.view.Notice
 import badlog.page.view.PageBoard
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.usersOf
+import kotlinx.browser.window
 
 /**
  * The graphs of the [formulas] among all others: in the folders, on the board, on the screen.
@@ -20,47 +23,86 @@ internal class FormulaGraphs(
     private val graphs: VisibleGraphs,
     private val folders: FolderList,
     private val navigation: FolderNavigation,
+    private val notice: Notice,
     private val onChange: () -> Unit,
     private val linesNow: () -> BoardLines,
 ) {
+    /** When a calculation that takes longer than a slice began; NaN for none. */
+    private var begun = Double.NaN
+
+    init {
+        formulas.onProgress = ::showProgress
+        formulas.onFailure = { problem ->
+            begun = Double.NaN
+            notice.say("The formula could not be calculated: ${problem.message}. Close other pages, and try again.")
+        }
+        PageEvents.onEnd(formulas::cancel)
+    }
+
     /** Adds [definition], which has no mistake. */
     fun add(definition: String) {
         onChange()
-        graphs.add(folders.add(formulas.add(definition)))
-        list()
+        formulas.addAll(listOf(definition), isRemembered = true) { mistakes ->
+            if (mistakes.isEmpty()) graphs.add(folders.add(formulas.graphOf(definition)))
+            list()
+        }
     }
 
-    /** Adds those of [definitions], from a link or a layout, that can be calculated here. Returns sentences that say why others cannot. */
-    fun addAll(definitions: List<String>, isRemembered: Boolean): List<String> {
-        val problems = ArrayList<String>()
-        for (definition in definitions.filter { !formulas.has(it) }) {
-            val mistake = formulas.mistakeIn(definition)
-            if (mistake != null) problems += "Skipped “$definition”: ${mistake.message}"
-            if (mistake == null) graphs.add(folders.add(formulas.add(definition, isRemembered), isWanted = false))
+    /**
+     * Adds those of [definitions], from a link or a layout, that can be calculated here; then calls [then] with sentences that say why
+     * others cannot.
+     */
+    fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<String>) -> Unit) {
+        val others = definitions.filterNot(formulas::has)
+        formulas.addAll(others, isRemembered) { mistakes ->
+            for (definition in others.filter(formulas::has)) graphs.add(folders.add(formulas.graphOf(definition), isWanted = false))
+            if (definitions.isNotEmpty()) list()
+            then(mistakes.map { "Skipped “${it.text}”: ${it.message}" })
         }
-        if (definitions.isNotEmpty()) list()
-        return problems
     }
 
     /** Replaces the definition [from] by [to], which has no mistake. */
     fun change(from: String, to: String) {
         onChange()
+        formulas.finish()
         val users = formulas.all.usersOf(from)
-        for (definition in users + from) removeGraph(definition)
-        formulas.replace(from, to)
-        for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
-        // Before the old name becomes unknown, because the board drops what nothing draws.
-        nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
-        list()
+        val names = (users + from).mapNotNull(formulas::nameOf)
+        formulas.replace(from, to) {
+            names.forEach(::removeGraph)
+            for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
+            // Before the old name becomes unknown, because the board drops what nothing draws.
+            nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
+            list()
+        }
     }
 
     /** Removes [definition], which no other one uses. */
     fun remove(definition: String) {
         onChange()
-        removeGraph(definition)
+        formulas.finish()
+        formulas.nameOf(definition)?.let(::removeGraph)
         formulas.remove(definition)
         nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }
         list()
+    }
+
+    private fun showProgress(share: Double) {
+        val now = window.performance.now()
+        when {
+            share < 1 && begun.isNaN() -> begun = now
+
+            share < 1 -> if (now - begun > PATIENCE) {
+                notice.show("Calculating the formulas: ${(share * PERCENT).toInt()} %") {
+                    begun = Double.NaN
+                    formulas.cancel()
+                }
+            }
+
+            !begun.isNaN() -> {
+                if (now - begun > PATIENCE) notice.endProgress()
+                begun = Double.NaN
+            }
+        }
     }
 
     private fun list() {
@@ -68,7 +110,13 @@ internal class FormulaGraphs(
         navigation.list()
     }
 
-    private fun removeGraph(definition: String) {
-        formulas.nameOf(definition)?.let(folders::remove)?.let(graphs::remove)
+    private fun removeGraph(name: String) {
+        folders.remove(name)?.let(graphs::remove)
+    }
+
+    private companion object {
+        /** Milliseconds before a person is told how far a calculation is. */
+        const val PATIENCE = 500
+        const val PERCENT = 100
     }
 }

@@ -6,7 +6,10 @@ import badlog.core.recording.Recording
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
+import badlog.expression.vocabularyWith
+import badlog.expression.withoutTopics
 import badlog.page.dom.LocalStorage
+import badlog.signals.beginVirtualTopics
 import badlog.signals.namesWith
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
@@ -19,21 +22,27 @@ import badlog.viewer.choices.mergedWith
 
 /**
  * The topics of the page that are calculated from others: those it was made with, and those of its reader, which the browser
- * remembers for the file.
+ * remembers for the file. Each calculation is done in slices; before a second one begins, the rest of the first is done at once.
  *
  * @property logged the recording as it was logged.
  * @property signals the vocabulary of signals; formulas may use them.
- * @param given the definitions that the page was made with.
+ * @param ofPage the definitions that the page was made with.
  * @param fileKey identifies the file.
  */
-internal class Formulas(val logged: LogView, val signals: SignalVocabulary, given: List<String>, fileKey: String) {
+internal class Formulas(val logged: LogView, val signals: SignalVocabulary, private val ofPage: List<String>, fileKey: String) {
     private val key = "formulas:$fileKey"
-    private val ofPage = given
     private val persons = remembered().toMutableList()
 
     /** The person's definitions as this tab last read or stored them. */
     private var known = remembered()
     private val formulas = ArrayList<Formula>()
+    private var running: FormulaSlices? = null
+
+    /** Called with the share of the work that is done while a calculation takes longer than a slice, and with 1 at its end. */
+    var onProgress: (Double) -> Unit = {}
+
+    /** Called if a calculation fails, for example for want of memory. */
+    var onFailure: (Throwable) -> Unit = {}
 
     /** The recording with the topics that could be calculated. */
     var view: LogView = logged
@@ -49,15 +58,32 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
         }
 
     /** Why some of the given or remembered formulas could not be calculated. */
-    val errors: List<ExpressionError>
+    var errors: List<ExpressionError> = emptyList()
+        private set
 
     /** The recording with the topics of the definitions that the page was made with. */
-    val given: LogView
+    var given: LogView = logged
+        private set
 
-    init {
-        val ofPage = extend(given)
-        this.given = view
-        errors = ofPage + extend(persons)
+    private val givenNames by lazy { given.namesWith(signals) }
+
+    /** Calculates all, and those that are [linked], as far as they can be calculated; then calls [done]. */
+    fun start(linked: List<String>, done: () -> Unit) = extend(ofPage) { ofPage ->
+        given = view
+        extend(persons) { own ->
+            errors = ofPage + own
+            addAll(linked.filterNot(::has), isRemembered = false) { done() }
+        }
+    }
+
+    /** Does the rest of a calculation at once. */
+    fun finish() {
+        while (running?.isOver == false) running?.finish()
+    }
+
+    /** Ends a calculation; nothing of it is there. */
+    fun cancel() {
+        running?.cancel()
     }
 
     /** The person's definitions and those of links, in order of arrival. */
@@ -80,20 +106,22 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
 
     /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
-        val known = if (replaced == null) {
-            vocabulary
-        } else {
-            viewOf(persons - replaced - formulas.usersOf(replaced).toSet()).namesWith(signals).vocabulary
+        val known = when (replaced) {
+            null -> vocabulary
+            else -> vocabularyWith(givenNames, persons - formulas.usersOf(replaced).toSet() - replaced)
         }
         return VirtualTopic.parse(text, known) as? ExpressionError
     }
 
-    /** Calculates [definition], which must have no mistake. If [isRemembered], it is remembered with all others. Returns its graph. */
-    fun add(definition: String, isRemembered: Boolean = true): Graph {
-        extend(listOf(definition))
-        persons += definition
+    /**
+     * Calculates those of [definitions] that have no mistake, then calls [then] with the mistakes of the others. If [isRemembered], they
+     * are remembered with all others.
+     */
+    fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<ExpressionError>) -> Unit) = extend(definitions) { mistakes ->
+        formulas.removeAll { it.topic == null && it.definition in definitions }
+        persons += definitions.filter(::has)
         if (isRemembered) remember()
-        return graphOf(definition)
+        then(mistakes)
     }
 
     /** Remembers all of [own], and what other tabs have changed meanwhile, which this one calculates when it is opened again. */
@@ -106,10 +134,23 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
     private fun remembered() = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in ofPage }
 
     /** Removes [definition], which no other one uses. */
-    fun remove(definition: String) = change(persons - definition)
+    fun remove(definition: String) {
+        finish()
+        view = viewWithout(listOf(definition))
+        forget(listOf(definition))
+        remember()
+    }
 
-    /** Calculates [definition], which must have no mistake, in place of [replaced], and recalculates those that use it. */
-    fun replace(replaced: String, definition: String) = change(persons.map { if (it == replaced) definition else it })
+    /** Calculates [definition], which must have no mistake, in place of [replaced], and those that use it; then calls [then]. */
+    fun replace(replaced: String, definition: String, then: () -> Unit) {
+        finish()
+        val users = formulas.usersOf(replaced)
+        extend(listOf(definition) + users, { viewWithout(users + replaced) }, { forget(users + replaced) }) {
+            persons += listOf(definition) + users
+            remember()
+            then()
+        }
+    }
 
     /** Returns the graph of [definition], which must define one. */
     fun graphOf(definition: String): Graph {
@@ -117,29 +158,37 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, give
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
 
-    /** Returns another log as it was logged, with the same names for signals. */
-    fun viewOf(recording: Recording): LogView = LogView.of(recording).withSignals(signals)
+    /** Returns another log as it was logged in a file called [fileName], with the same names for signals. */
+    fun viewOf(recording: Recording, fileName: String): LogView = LogView.of(recording).withSignals(signals, fileName)
 
     /** Returns [other] with the same formulas, as far as it has their topics. */
     fun extended(other: LogView): LogView =
         (ofPage + persons).let { if (it.isEmpty()) other else other.withVirtualTopics(it, signals).view }
 
-    private fun viewOf(definitions: List<String>) = if (definitions.isEmpty()) given else given.withVirtualTopics(definitions, signals).view
+    private fun viewWithout(definitions: List<String>) = view.withoutTopics(definitions.mapNotNullTo(HashSet(), ::nameOf))
 
-    private fun change(definitions: List<String>) {
-        formulas.removeAll { it.definition in persons }
-        persons.clear()
-        persons += definitions
-        remember()
-        view = given
-        extend(persons)
+    private fun forget(definitions: List<String>) {
+        formulas.removeAll { it.definition in definitions }
+        persons.removeAll(definitions)
     }
 
-    private fun extend(definitions: List<String>): List<ExpressionError> {
-        if (definitions.isEmpty()) return emptyList()
-        val extended = view.withVirtualTopics(definitions, signals)
-        view = extended.view
-        formulas += formulasOf(definitions, extended)
-        return extended.errors
+    /** Calculates [definitions] from the topics [from]. When that is done, calls [before] and then [done] with their mistakes. */
+    private fun extend(
+        definitions: List<String>,
+        from: () -> LogView = { view },
+        before: () -> Unit = {},
+        done: (List<ExpressionError>) -> Unit,
+    ) {
+        finish()
+        if (definitions.isEmpty()) return done(emptyList())
+        val slices = FormulaSlices(from().beginVirtualTopics(definitions, signals), { onProgress(it) }, { onFailure(it) }) { extended ->
+            onProgress(1.0)
+            before()
+            view = extended.view
+            formulas += formulasOf(definitions, extended)
+            done(extended.errors)
+        }
+        running = slices
+        slices.next()
     }
 }

@@ -1,21 +1,19 @@
 package badlog.page.graph
 
-import badlog.core.analysis.Graph
 import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.page.view.word
 import badlog.viewer.draw.color.LINE_COLORS
-import badlog.viewer.shown.cursor.dotAt
+import badlog.viewer.draw.plot.PlotFrame
 import org.w3c.dom.HTMLElement
 
 /** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and finding under the cursor. */
 internal class CursorOverlay(
-    private val graph: Graph,
     colors: List<Int>,
     private val scene: Scene,
-    private val content: PlotContent,
+    private val content: GraphContent,
     private val plot: PlotCanvas,
 ) {
     private val line = plot.over.add("div", "cursor-line")
@@ -28,36 +26,36 @@ internal class CursorOverlay(
     /** Moves everything to where the cursors are now. */
     fun update() {
         val cursors = scene.cursor.now
-        val width = plot.frameWidth
+        val frame = plot.frameOver
         line.classList.toggle("is-pinned", cursors.isPinned)
         line.classList.toggle("is-first", cursors.second != null)
-        placeLine(line, cursors.x, width)
-        placeLine(second, cursors.second, width)
-        placeLine(pointer, cursors.hover.takeIf { cursors.isPinned }, width)
+        placeLine(line, cursors.x, frame)
+        placeLine(second, cursors.second, frame)
+        placeLine(pointer, cursors.hover.takeIf { cursors.isPinned }, frame)
         val x = scene.cursor.x
-        dots.forEachIndexed { index, dot -> if (isSeen(x)) place(dot, index, x, width) else dot.isHidden = true }
-        label(cursors.pointed ?: Double.NaN, width)
+        dots.forEachIndexed { index, dot ->
+            val place = if (x in frame.shown) content.dotAt(index, x, frame) else null
+            dot.isHidden = place == null
+            place?.let { (left, top) -> dot.style.transform = "translate(${left}px, ${top}px)" }
+        }
+        label(cursors.pointed ?: Double.NaN, frame)
     }
 
-    private fun isSeen(x: Double) = x in scene.range.now
-
-    private fun pixelOf(x: Double, width: Double) = (x - scene.range.now.from) / scene.range.now.width * width
-
-    private fun placeLine(line: HTMLElement, x: Double?, width: Double) {
-        val seen = x?.takeIf(::isSeen)
+    private fun placeLine(line: HTMLElement, x: Double?, frame: PlotFrame) {
+        val seen = x?.takeIf { it in frame.shown }
         line.isHidden = seen == null
-        if (seen != null) line.style.transform = "translateX(${pixelOf(seen, width)}px)"
+        if (seen != null) line.style.transform = "translateX(${frame.x.placeOf(seen)}px)"
     }
 
-    private fun label(x: Double, width: Double) {
-        val pointed = if (isSeen(x)) scene.pointedAt(x) else null
+    private fun label(x: Double, frame: PlotFrame) {
+        val pointed = if (x in frame.shown) scene.pointedAt(x) else null
         eventLabel.isHidden = pointed?.said == null
         findingLabel.isHidden = pointed?.severity == null
-        val pixel = pixelOf(x, width)
-        pointed?.said?.let { show(eventLabel, it, pixel, width) }
+        val pixel = frame.x.placeOf(x)
+        pointed?.said?.let { show(eventLabel, it, pixel, frame.width) }
         val severity = pointed?.severity ?: return
         findingLabel.className = "finding-label is-${severity.word}"
-        show(findingLabel, pointed.found, pixel, width)
+        show(findingLabel, pointed.found, pixel, frame.width)
     }
 
     private fun show(label: HTMLElement, text: String, pixel: Double, width: Double) {
@@ -65,14 +63,6 @@ internal class CursorOverlay(
         label.classList.toggle("at-left", pixel > width / 2)
         label.style.transform =
             if (pixel > width / 2) "translateX(calc(${pixel - GAP}px - 100%))" else "translateX(${pixel + GAP}px)"
-    }
-
-    private fun place(dot: HTMLElement, index: Int, x: Double, width: Double) {
-        val now = scene.range.now
-        val share = content.heightAt(index, x)
-        val sampleX = (graph.series[index].dotAt(x) - now.from) / now.width
-        dot.isHidden = !(share in 0.0..1.0 && sampleX in 0.0..1.0)
-        if (!dot.isHidden) dot.style.transform = "translate(${sampleX * width}px, ${share * plot.frameHeight}px)"
     }
 
     private companion object {

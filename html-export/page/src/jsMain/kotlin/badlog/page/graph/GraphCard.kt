@@ -10,19 +10,24 @@ import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.addName
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
 import badlog.page.dom.openMenu
 import badlog.page.dom.showText
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
+import badlog.page.input.PointerListener
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
+import badlog.viewer.choices.board.shortTitles
+import badlog.viewer.draw.axis.yParts
 import badlog.viewer.draw.figure.Sheet
 import badlog.viewer.draw.figure.graphHead
+import badlog.viewer.session.gesture.PlotGestures
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.table.CsvDraft
 import badlog.viewer.text.unitText
@@ -56,6 +61,7 @@ internal class GraphCard(
         set(value) {
             field = value
             heading.showText(value)
+            host.setAttribute("aria-label", labelOf(value))
         }
 
     /** Its lines, and those of compared logs. */
@@ -78,7 +84,7 @@ internal class GraphCard(
     private var overlay: CursorOverlay? = null
     private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
-    private var shown: PlotContent? = null
+    private var shown: GraphContent? = null
     private lateinit var resetButton: HTMLElement
     private lateinit var saveButton: HTMLElement
     private var pinButton: HTMLElement? = null
@@ -106,7 +112,7 @@ internal class GraphCard(
             if (origin.isNotEmpty()) add("span", "origin", origin).title = hintOf(graph)
             appendChild(xy?.legend ?: legend.element)
             tools = add("div", "graph-tools") {
-                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { resetY() }
+                resetButton = addIconButton("reset-y", Icon.RESET, "Reset Y zoom") { showY(null) }
                 statisticsButton = addIconButton("statistics-toggle", Icon.SUM, "Statistics of the visible range, or between the cursors") {
                     toggleStatistics()
                 }
@@ -123,8 +129,8 @@ internal class GraphCard(
         host = add("div", "plot") {
             setAttribute("tabindex", "0")
             setAttribute("role", "group")
-            setAttribute("aria-label", "Graph of ${graph.name}; arrow keys move the cursor")
-            if (graph.showsStates) style.height = "${LaneContent.heightOf(drawn.graph)}px"
+            setAttribute("aria-label", labelOf(graph.name))
+            if (graph.showsStates) style.height = "${lanesHeight(graph)}px"
         }
         appendChild(statistics.element.apply { isHidden = true })
     }
@@ -140,10 +146,11 @@ internal class GraphCard(
     /** Offers the graphs of the board, so that this one can be added to one of them. */
     private fun addToGraph() {
         val button = addButton ?: return
-        val graphs = scene.board.now.graphs.filterNot { it.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
+        val titled = scene.board.now.run { graphs.zip(shortTitles) }
+        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
         if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
-        val entries = graphs.map { other ->
-            MenuEntry("Add to “${other.title}”") { scene.board.change { withLines(other.id, look.lines) } }
+        val entries = graphs.map { (other, title) ->
+            MenuEntry("Add to “$title”") { scene.board.change { withLines(other.id, look.lines) } }
         }
         openMenu(button, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
@@ -166,10 +173,14 @@ internal class GraphCard(
     private fun toggle(names: List<String>) =
         change(look.copy(hidden = if (names.any { it in look.hidden }) look.hidden - names.toSet() else look.hidden + names))
 
-    /** Zooms y to the part between [from] and [to], as fractions of what is shown now, measured from the top. */
-    fun zoomY(from: Double, to: Double) {
-        val parts = shown?.limits.orEmpty().map { Span(it.to - to * it.width, it.to - from * it.width) }
-        if (to > from && parts.isNotEmpty()) change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
+    /** Zooms y to [part] of what is shown now, as fractions from the top; null for all of it. */
+    fun showY(part: Span?) {
+        val parts = if (part == null) emptyList() else yParts(shown?.plot?.axes.orEmpty().map { it.shown }, part)
+        if (parts.isNotEmpty()) {
+            change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
+        } else if (!resetButton.isHidden) {
+            change(look.copy(yRange = null, rightYRange = null))
+        }
     }
 
     /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
@@ -194,6 +205,9 @@ internal class GraphCard(
     /** Gives it the keyboard focus. */
     fun focus() = host.focus()
 
+    /** Gives it the keyboard focus where it is; nothing scrolls. */
+    fun focusInPlace() = host.focusInPlace()
+
     /** The width available for drawing it, in CSS pixels. */
     val room: Int get() = host.clientWidth
 
@@ -214,8 +228,9 @@ internal class GraphCard(
         host.style.height = "${content.height}px"
         val canvas = PlotCanvas(scene, content, host, width)
         host.addName(scene.xAxis.title, "x-title").title = scene.xAxis.title
-        PlotGestures(canvas.over, scene, if (graph.showsStates) null else ::zoomY) { if (!resetButton.isHidden) resetY() }
-        overlay = CursorOverlay(drawn.graph, drawn.colors, scene, content, canvas)
+        val target = GraphTarget(canvas.over, scene, lineShare = if (graph.showsStates) 0.0 else 1.0, ::showY)
+        PointerListener(canvas.over, PlotGestures(target))
+        overlay = CursorOverlay(drawn.colors, scene, content, canvas)
         plot = canvas
         shown = content
         isStale = true
@@ -227,18 +242,14 @@ internal class GraphCard(
         }.also { it.observe(host) }
     }
 
-    private fun newContent() = if (graph.showsStates) {
-        LaneContent(drawn.graph, drawn.isShown, scene.range.full.to)
-    } else {
-        LineContent(drawn.graph, drawn.colors, scene, drawn.isShown) { look }
-    }
+    private fun newContent() = GraphContent(drawn, scene) { look }
 
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
         sheet.graphHead(title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
-        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, drawn, newContent(), scene)
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, newContent(), scene)
     }
 
     /** Releases the resources for drawing. */
@@ -256,8 +267,6 @@ internal class GraphCard(
         shown = null
         overlay = null
     }
-
-    private fun resetY() = change(look.copy(yRange = null, rightYRange = null))
 
     /** Draws the graph again with the current colors. */
     fun repaint() {
@@ -340,6 +349,8 @@ internal class GraphCard(
         val entries = imageEntries(scene, title) { listOf(::drawOn) } + table
         openMenu(saveButton, element.parentElement.unsafeCast<HTMLElement>(), entries)
     }
+
+    private fun labelOf(name: String) = "Graph of $name; arrow keys move the cursor"
 
     private companion object {
         const val PAUSE_MILLISECONDS = 150

@@ -8,11 +8,10 @@ import badlog.viewer.draw.figure.xTitle
 import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawPlot
-import badlog.viewer.draw.plot.drawSample
-import badlog.viewer.shown.cursor.dotAt
+import badlog.viewer.draw.plot.drawSamples
 
-/** Draws [content] of [lines] with the cursors upon it, and the title of x below. */
-internal fun drawGraphPlot(sheet: Sheet, lines: CardLines, content: PlotContent, scene: Scene) {
+/** Draws [content] with the cursors upon it, and the title of x below. */
+internal fun drawGraphPlot(sheet: Sheet, content: GraphContent, scene: Scene) {
     val now = scene.range.now
     val colors = PenColors.LIGHT
     sheet.part(content.height.toDouble()) { pen ->
@@ -21,13 +20,7 @@ internal fun drawGraphPlot(sheet: Sheet, lines: CardLines, content: PlotContent,
         pen.drawPlot(frame, plot, scene.marks, colors, PlotMargins.BOTTOM * pen.density)
         // The pointer's accidental place does not belong in a figure.
         pen.drawCursors(frame, scene.cursor.now.copy(hover = null), colors)
-        val x = scene.cursor.now.pinned ?: return@part
-        lines.graph.series.forEachIndexed { index, series ->
-            val share = content.heightAt(index, x)
-            val at = series.dotAt(x)
-            if (share !in 0.0..1.0 || at !in now || x !in now) return@forEachIndexed
-            pen.drawSample(frame.x.placeOf(at), frame.top + share * frame.height, lines.colors[index], colors)
-        }
+        scene.cursor.now.pinned?.let { pen.drawSamples(frame, plot, content.drawnLines, it, colors) }
     }
     sheet.xTitle(scene.xAxis.title)
 }

@@ -67,7 +67,7 @@ internal class Legend(
         for (unit in units) unit.showText("")
         // A single unit is in the title.
         if (axes.size == 1 && axes[0].unit == unitText(graph.unit)) return
-        for (axis in axes) for (line in axis.lines) units[line].showText(axis.legend)
+        for (axis in axes) for (line in axis.lines) units[line].showText(axis.side.legendOf(axis.unit))
     }
 
     /** Lists only the lines that are [found]; all for null. */

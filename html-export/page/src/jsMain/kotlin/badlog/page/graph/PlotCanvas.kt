@@ -14,7 +14,7 @@ import org.w3c.dom.HTMLElement
 import kotlin.math.round
 
 /** One graph, [width] CSS pixels wide: a canvas with a frame and axes, and [content] inside, drawn by [redraw]. */
-internal class PlotCanvas(private val scene: Scene, private val content: PlotContent, host: HTMLElement, private var width: Int) {
+internal class PlotCanvas(private val scene: Scene, private val content: GraphContent, host: HTMLElement, private var width: Int) {
     /** The picture. */
     val canvas: HTMLCanvasElement = host.add("canvas").unsafeCast<HTMLCanvasElement>()
 
@@ -26,11 +26,8 @@ internal class PlotCanvas(private val scene: Scene, private val content: PlotCon
     private var columns = PixelColumns(1)
     private lateinit var frame: PlotFrame
 
-    /** The width of the frame in CSS pixels. Asking the browser for it would make it lay out the whole page. */
-    val frameWidth: Double get() = frame.width / ratio
-
-    /** Its height in CSS pixels. */
-    val frameHeight: Double get() = frame.height / ratio
+    /** The frame in CSS pixels, measured from its own corner. Asking the browser for it would make it lay out the whole page. */
+    val frameOver: PlotFrame get() = PlotFrame(0.0, 0.0, frame.width / ratio, frame.height / ratio, scene.range.now)
 
     init {
         fit()

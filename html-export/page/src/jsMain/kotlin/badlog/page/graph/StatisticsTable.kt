@@ -3,8 +3,7 @@ package badlog.page.graph
 import badlog.core.analysis.Graph
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.page.dom.Icon
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
@@ -14,6 +13,7 @@ import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.pen.CanvasPen
 import badlog.page.view.Scene
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.plot.HISTOGRAM_HEIGHT
 import badlog.viewer.draw.plot.drawHistogram
@@ -37,7 +37,7 @@ import org.w3c.dom.HTMLElement
 internal class StatisticsTable(private val graph: Graph, private val colors: List<Int>, private val scene: Scene) {
     val element: HTMLElement = element("div", "statistics")
 
-    private val runs by lazy { graph.series.map { StateRuns(it.data, scene.range.full.to) } }
+    private val runs by lazy { graph.series.map { it.stateRuns() } }
     private var shown: Span? = null
     private var order = ChannelOrder.CHARGE
 
@@ -67,7 +67,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
         // The keyboard stays on the button of a line.
         val focused = buttons.indexOfFirst { it == document.activeElement }
         element.textContent = ""
-        statistics = if (graph.showsStates) emptyList() else graph.series.map { scene.view.statisticsOf(it, now.from, now.to) }
+        statistics = if (graph.showsStates) emptyList() else graph.series.map { it.statistics(now.from, now.to) }
         buttons = emptyList()
         element.add("table") {
             val name = if (scene.cursor.now.between == null) "" else "${Cursors.BETWEEN}: "
@@ -118,7 +118,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
         val range = shown ?: return
         val line = graph.series.getOrNull(opened) ?: return
         val known = statistics.getOrNull(opened) ?: return
-        val found = Histogram.of(scene.view, line, listOf(range), known)
+        val found = Histogram.of(line, listOf(range), known)
         if (found == null) {
             place.add("p", "cursor-panel-hint", Histogram.NONE)
             return
@@ -171,7 +171,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
 
     /** Adds how the lines after the first differ from it. */
     private fun addDifferences(now: Span) {
-        val differences = NamedDifference.of(graph.series, listOf(now), scene.range.full.to)
+        val differences = NamedDifference.of(graph.series, listOf(now))
         if (differences.isEmpty()) return
         val names = graph.series.zip(legendNames(graph)).toMap()
         element.add("table", "differences") {

@@ -2,7 +2,6 @@ package badlog.page.header
 
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Severity
 import badlog.page.dom.add
 import badlog.page.dom.element
@@ -18,7 +17,7 @@ internal fun infoSection(view: LogView, recording: Recording, about: About): HTM
     add("dl", "values") {
         addFact("File", about.name)
         addFact("Size", bytesText(about.inflatedBytes) + if (about.isCompressed) ", inflated from gzip" else "")
-        addFact("Format", FORMATS.getValue(recording.format))
+        addFact("Format", recording.format.run { if (hasRows) title else "$title: each topic has its own times" })
         addFact("Topics", countText(recording.topics.size))
         addFact("Samples", samplesText(recording))
         addFact("X axis", view.xAxis.title)
@@ -28,13 +27,6 @@ internal fun infoSection(view: LogView, recording: Recording, about: About): HTM
     val header = recording.headerLine
     if (header != null) addHeader(header)
 }
-
-private val FORMATS = mapOf(
-    RecordingFormat.BAG to "bag: a JSON header, then CSV",
-    RecordingFormat.CSV to "plain CSV",
-    RecordingFormat.WPILOG to "WPILOG: each topic has its own times",
-    RecordingFormat.DRIVER_STATION to "log of the Driver Station",
-)
 
 private fun HTMLElement.addFact(name: String, text: String) {
     add("div", "value-row") {

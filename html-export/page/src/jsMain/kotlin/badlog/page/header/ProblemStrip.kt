@@ -8,19 +8,23 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
 import badlog.viewer.text.countText
 import badlog.viewer.text.placeTextOf
 import org.w3c.dom.HTMLElement
 
 /**
- * What was wrong in the file: a summary line that unfolds to a list. Lost data is listed at once.
+ * What was wrong in the file: a summary line that unfolds to a list. Lost data is listed at once; on a phone, where it would push all graphs
+ * off the first screen, when asked for, and on paper.
  *
- * @param additions problems with what else the page shows, which are also listed at once.
+ * @param additions problems with what else the page shows, which are also listed at once; on a phone if there is little else in the list.
  */
 internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
     private val errors = view.count(Severity.ERROR)
     private val warnings = view.count(Severity.WARNING) + additions.size
     private val notes = view.count(Severity.NOTE)
+    private val isListedAtOnce = additions.isNotEmpty() || errors in 1..MAX_OPENED
+    private var wasOpen = false
     private lateinit var list: HTMLElement
     private lateinit var toggle: HTMLElement
 
@@ -46,7 +50,13 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     }
 
     init {
-        open(additions.isNotEmpty() || errors in 1..MAX_OPENED)
+        open(if (isNarrow) additions.isNotEmpty() && errors + warnings <= MAX_OPENED_ON_PHONE else isListedAtOnce)
+    }
+
+    /** Lists on paper, where nothing can be unfolded, what a wide screen lists at once. */
+    fun print(isOnPaper: Boolean) {
+        if (isOnPaper) wasOpen = !list.isHidden
+        open(wasOpen || (isOnPaper && isListedAtOnce))
     }
 
     private fun summary(): String {
@@ -107,5 +117,6 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
 
     private companion object {
         const val MAX_OPENED = 5
+        const val MAX_OPENED_ON_PHONE = 2
     }
 }

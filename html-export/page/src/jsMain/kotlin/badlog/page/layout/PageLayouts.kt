@@ -38,11 +38,12 @@ internal class PageLayouts(
     }
 
     private fun open(opened: BoardLayout, said: String) {
-        val problems = graphs.addAll(opened.formulas, isRemembered = true)
-        val fitted = opened.board?.fittedTo { board.lines[it] != null }
-        board.change { fitted?.board ?: startBoard() }
-        opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
-        scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
-        onOpen()
+        graphs.addAll(opened.formulas, isRemembered = true) { problems ->
+            val fitted = opened.board?.fittedTo { board.lines[it] != null }
+            board.change { fitted?.board ?: startBoard() }
+            opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
+            scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
+            onOpen()
+        }
     }
 }

@@ -1,28 +1,33 @@
 package badlog.page.note
 
 import badlog.page.dom.LocalStorage
-import badlog.viewer.choices.note.Note
+import badlog.protocol.PageAdditions
+import badlog.viewer.choices.note.NoteChange
+import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.Notebook
 import badlog.viewer.choices.note.NotesException
-import badlog.viewer.choices.note.notesMergedWith
+import badlog.viewer.choices.note.noteChangesOf
 import badlog.viewer.choices.note.notesOfJson
-import badlog.viewer.choices.note.toJson
+import badlog.viewer.choices.note.toLines
+import kotlin.js.Date
 
 /**
- * The notes about moments of the recording: those that the page was made with, and those of its reader, which the browser remembers for
- * the file. Other tabs may show the same page.
+ * The notes about moments of the recording: those that the page was made with, and what its reader has changed, which the browser remembers
+ * for the file. Other tabs may show the same page, or a copy of it.
  *
- * @param given the notes that the page was made with.
+ * @param given what the page was made with.
  */
-internal class PageNotes(fileKey: String, private val given: List<Note>) {
-    private val key = "notes:$fileKey"
+internal class PageNotes(fileKey: String, private val given: PageAdditions) {
+    private val key = "note-changes:$fileKey"
+    private val keyBefore = "notes:$fileKey"
     private val listeners = ArrayList<() -> Unit>()
 
-    /** The notes as this tab last read or stored them. */
-    private var known = remembered()
+    /** All that this tab knows of; more than is stored if the browser stores nothing. */
+    var history: NoteHistory = withStored(given.noteChanges)
+        private set
 
     /** The notes, and the one that is being written. */
-    var now: Notebook = Notebook(known)
+    var now: Notebook = Notebook(history.notes)
         private set
 
     /** Calls [listener] after each change of the notes. */
@@ -30,35 +35,51 @@ internal class PageNotes(fileKey: String, private val given: List<Note>) {
         listeners += listener
     }
 
-    /** Changes them by [step], and remembers changed notes. */
+    /** Changes them by [step], and remembers changed notes, with what other tabs have changed meanwhile. */
     fun change(step: Notebook.() -> Notebook) {
         val changed = now.step()
-        val isSame = changed.notes == now.notes
-        now = if (isSame) changed else changed.with(stored(changed.notes))
-        if (!isSame) for (listener in listeners) listener()
+        now = changed
+        val before = history.notes
+        if (changed.notes == before) return
+        val made = history.changesTo(changed.notes, before, author = "", { timeAfter(it, Date.now()) }) {
+            "${Date.now()}-${js("Math.random()")}"
+        }
+        history = withStored(history.changes + made)
+        LocalStorage[key] = history.changes.filter { it !in given.noteChanges && !it.id.startsWith(BEFORE) }.toLines()
+        now = changed.with(history.notes)
+        for (listener in listeners) listener()
     }
 
-    /** Remembers [notes], with what other tabs have changed meanwhile, and returns both. */
-    private fun stored(notes: List<Note>): List<Note> {
-        val merged = notes.notesMergedWith(remembered(), known)
-        // What the page was made with tells another copy of it which of these are the reader's own.
-        LocalStorage[key] = given.toJson() + SEPARATOR + merged.toJson()
-        // A browser that stores nothing is not another tab that removes them.
-        known = remembered()
-        return merged
-    }
+    private fun withStored(changes: List<NoteChange>) =
+        NoteHistory.of(given.notes, changesBefore() + noteChangesOf(LocalStorage[key].orEmpty()).changes + changes)
 
-    private fun remembered(): List<Note> {
-        val text = LocalStorage[key] ?: return given
+    /** Returns the changes that pages of an older badlog remember: the notes that they were made with, and what became of those. */
+    private fun changesBefore(): List<NoteChange> {
+        val text = LocalStorage[keyBefore] ?: return emptyList()
         return try {
-            notesOfJson(text.substringAfter(SEPARATOR)).notesMergedWith(given, notesOfJson(text.substringBefore(SEPARATOR)))
+            val (before, after) = listOf(text.substringBefore(SEPARATOR), text.substringAfter(SEPARATOR)).map(::notesOfJson)
+            val own = NoteHistory.of(given.notes, given.noteChanges)
+            // A copy of such a page was made with what is a change there.
+            val known = before + own.notes.filter { note -> note !in before && after.count { it.x == note.x } == 1 }
+            var count = 0
+            own.changesTo(after, known, author = "", { timeAfter(it, 0.0) }) { "$BEFORE${count++}" }
         } catch (_: NotesException) {
-            given
+            emptyList()
         }
     }
 
     private companion object {
         /** JSON never contains it. */
         const val SEPARATOR = '\u0000'
+
+        /** Begins the ids of what an older badlog remembers, and may still change. */
+        const val BEFORE = "before-"
+
+        /** The end of the years with four digits. */
+        const val LATEST = 253_402_300_799_999.0
+
+        /** Returns the time [now], in milliseconds, or what follows [last] if the clock of another computer is ahead. */
+        fun timeAfter(last: String?, now: Double): String =
+            Date(minOf(LATEST, maxOf(now, if (last == null) now else Date.parse(last) + 1))).toISOString()
     }
 }

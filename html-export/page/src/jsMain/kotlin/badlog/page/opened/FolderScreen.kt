@@ -171,7 +171,7 @@ internal class FolderScreen(
         return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.figures }
     }
 
-    /** Remembers that a person sees [log], which is no news even if rules have not run over it. */
+    /** Remembers that a person sees [log], which is then not new, even if rules have not run over it. */
     fun see(log: OpenedLog) {
         if (arrivals.isNew(latest(log))) seen += log.path
         change(arrivals.without(log.path))

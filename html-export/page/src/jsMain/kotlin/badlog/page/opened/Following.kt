@@ -5,17 +5,20 @@ import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
 import badlog.page.served.NotNow
-import badlog.viewer.input.Action
+import badlog.page.view.PagePlace
+import badlog.viewer.session.Stay
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
+import org.w3c.dom.events.MouseEvent
 import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Follows [log], which is being written on the page's server, until a person touches the page.
+ * Follows [log], which is being written on the page's server, until a person goes elsewhere in it, see [Stay], or begins something that the
+ * page of the grown log would not have: it is another page.
  *
  * @param onGrown called with the log and what is in it now, when the page has done with what was there before.
  * @param onEnd called when it has ended; with a sentence, if nobody asked for that.
@@ -29,19 +32,47 @@ internal class Following(
     private val file = GrowingFile(log.files[0], address)
     private var isOver = false
     private var misses = 0
-    private val pauseAt = { event: Event -> if ((event.target as? Element)?.closest("#live") == null && !isMark(event)) stop() }
+    private var stay = Stay()
+    private var isPressed = false
+    private val onPress = { event: Event ->
+        // Where another button is let go, the page may never know: over the browser’s menu, for example.
+        if (event.unsafeCast<MouseEvent>().button.toInt() == 0) {
+            isPressed = true
+            if (isLost(event.target)) stop()
+        }
+    }
+    private val onKey = { event: Event ->
+        val key = event.unsafeCast<KeyboardEvent>().key
+        if (key == "Tab" || (key in PRESSING && isLost(document.activeElement))) stop()
+    }
+    private val onRelease = { _: Event -> isPressed = false }
+    private val listeners = listOf("pointerdown" to onPress, "keydown" to onKey) +
+        listOf("pointerup", "pointercancel", "contextmenu").map { it to onRelease }
 
-    /** Starts. */
-    fun start() {
-        for (touch in TOUCHES) document.addEventListener(touch, pauseAt, true)
+    /** Starts at [place], where the reader is. */
+    fun start(place: PagePlace) {
+        for ((type, listener) in listeners) document.addEventListener(type, listener, true)
+        // Only of the window: elements that lose the focus do so because something is pressed.
+        window.addEventListener("blur", onRelease)
+        place.change { atEnd() }
+        stayAt(place)
         ask()
+    }
+
+    /** The reader stays at [place], the end of what is shown now. */
+    fun stayAt(place: PagePlace) {
+        stay = stay.begun(place.now)
+        val leave = { if (!stay.isAt(place.now)) stop() }
+        place.range.onChange(leave)
+        place.cursor.onChange(leave)
     }
 
     /** Ends it. */
     fun stop(why: String? = null) {
         if (isOver) return
         isOver = true
-        for (touch in TOUCHES) document.removeEventListener(touch, pauseAt, true)
+        for ((type, listener) in listeners) document.removeEventListener(type, listener, true)
+        window.removeEventListener("blur", onRelease)
         onEnd(why)
     }
 
@@ -64,8 +95,9 @@ internal class Following(
 
     private fun show(grown: File, read: Recording) {
         if (isOver) return
-        if (document.querySelector("#live:active") != null) {
-            // The next page's button would be another one, which was not pressed.
+        if (document.querySelector(BEGUN) != null) return stop()
+        if (isPressed) {
+            // What is pressed would not be there when it is let go.
             window.setTimeout({ show(grown, read) }, PAUSE)
             return
         }
@@ -78,10 +110,10 @@ internal class Following(
         window.setTimeout({ ask() }, millis)
     }
 
-    // Whoever marks a moment goes on to look at the newest.
-    private fun isMark(event: Event): Boolean {
-        val key = event.unsafeCast<KeyboardEvent>()
-        return event.type == "keydown" && (key.key == "Shift" || Action.of(key.key.uppercase(), key.shiftKey) == Action.MARK)
+    /** Whether the next page would not have what [target] does when it is pressed: some lists unfold, for example. */
+    private fun isLost(target: Any?): Boolean {
+        val pressed = target as? Element
+        return pressed?.closest(PRESSED) != null && pressed.closest(KEPT) == null
     }
 
     private companion object {
@@ -93,6 +125,15 @@ internal class Following(
 
         /** Bytes that are read in a fraction of a frame's patience. */
         const val SMALL = 4e6
-        val TOUCHES = listOf("pointerdown", "keydown")
+
+        /** What a press does something to. */
+        const val PRESSED = "button, a, input, select, textarea, summary"
+
+        /** What stays, or is decided by the place to which it leads. */
+        const val KEPT = "#live, .pin, .zoom-buttons, #values-button, #modules-button, #board :is(.legend-entry, .statistics-toggle)"
+
+        /** What would be lost while somebody is at it. */
+        const val BEGUN = "dialog[open], .menu, :is(input, select, textarea):focus"
+        val PRESSING = listOf("Enter", " ")
     }
 }

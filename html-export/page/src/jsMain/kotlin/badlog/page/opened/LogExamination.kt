@@ -16,8 +16,8 @@ import kotlin.js.Promise
 internal class LogExamination(private val rules: RuleSet) {
     /** Examines [log]; [onKnown] is called with what it holds, and again with what the rules found. Rejected if it cannot be read. */
     fun of(log: OpenedLog, onKnown: (OpenedLog) -> Unit): Promise<Unit> = LogFileReader(log.files) {}.read().then { read ->
-        val view = LogView.of(read.overItsTime()).withSignals(rules.signals)
         val name = log.fileName
+        val view = LogView.of(read.overItsTime()).withSignals(rules.signals, name)
         val summary = LogSummary.of(view, rules.signals, name, log.modified, OpenedLog.isOnlyOfLogs(name))
         val known = log.with(summary, found = null)
         onKnown(known)
@@ -26,7 +26,7 @@ internal class LogExamination(private val rules: RuleSet) {
 
     private fun examined(log: OpenedLog, view: LogView) = try {
         val found = rules.foundIn(rules.over(view, log.fileName, isEverywhere = true).findings, key = 0)
-        log.with(log.summary, found, figuresOf(view, rules.signals, log.summary.battery))
+        log.with(log.summary, found, figuresOf(view, rules.signals, log.fileName, log.summary.battery))
     } catch (problem: Throwable) {
         console.error(problem)
         log.with(log.summary, LogFound(0, null))

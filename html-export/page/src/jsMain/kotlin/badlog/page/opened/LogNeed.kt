@@ -49,11 +49,11 @@ internal class LogNeed private constructor(val bytes: Double, val fewBytes: Doub
             val size = files.sumOf { it.size.toDouble() }
             if (size < SMALL) return Promise.resolve(null)
             val head = File(arrayOf(files[0].asDynamic().slice(0, HEAD)), files[0].name)
-            return LogFileReader(listOf(head)) {}.read().then { read -> of(read, size / HEAD, rules) }
+            return LogFileReader(listOf(head)) {}.read().then { read -> of(read, head.name, size / HEAD, rules) }
         }
 
-        private fun of(head: Recording, times: Double, rules: RuleSet): LogNeed {
-            val view = LogView.of(head).withSignals(rules.signals)
+        private fun of(head: Recording, fileName: String, times: Double, rules: RuleSet): LogNeed {
+            val view = LogView.of(head).withSignals(rules.signals, fileName)
             val names = signalTopicsOf(view, rules.signals).all.map { it.topic } + RuleProgram(rules, LogShape.of(view)).topics
             val axis = listOfNotNull(view.xAxis.topic) + view.enabledTopics()
             val few = names.toSet() + axis.map { it.name }

@@ -1,6 +1,5 @@
 package badlog.page.opened
 
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
@@ -48,7 +47,12 @@ internal class LogOpening(
 ) {
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
-    private var following: Following? = null
+
+    /** Follows the shown log while it grows. */
+    val live: LiveButton = LiveButton({ log }) { grown, read ->
+        log = grown
+        showGrown(grown, read)
+    }
 
     /** How often a person asked for something: what was asked for before is not shown any more. */
     private var request = 0
@@ -133,7 +137,7 @@ internal class LogOpening(
         val open = log ?: return null
         return element("div", "downloads") {
             addBack()
-            open.origin?.let { if (open.files.size == 1 && !open.fileName.endsWith(".gz")) addLive(it.address) }
+            open.origin?.let { if (open.files.size == 1 && !open.fileName.endsWith(".gz")) live.addTo(this, it.address) }
             val logs = folder?.visible?.filter { it.isReadable }.orEmpty()
             val at = logs.indexOfFirst { it.path == open.path }
             if (at < 0) return@element
@@ -148,32 +152,6 @@ internal class LogOpening(
                 if (key.altKey && key.key == "PageDown") next()
             }
         }
-    }
-
-    private fun HTMLElement.addLive(address: String) =
-        addButton("", "Live", "Follow the log while the robot writes it; touching the page pauses") { follow(address) }.apply {
-            id = "live"
-            setAttribute("aria-pressed", (following != null).toString())
-        }
-
-    private fun follow(address: String) {
-        following?.let { return it.stop() }
-        val open = log ?: return
-        following = Following(open, address, { grown, read ->
-            log = grown
-            showGrown(grown, read)
-        }) { why ->
-            following = null
-            val button = document.getElementById("live") ?: return@Following
-            button.setAttribute("aria-pressed", "false")
-            if (why != null) button.textContent = "Live: $why"
-        }
-        document.getElementById("live")?.apply {
-            setAttribute("aria-pressed", "true")
-            // Not what was wrong the last time.
-            textContent = "Live"
-        }
-        following?.start()
     }
 
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
@@ -229,8 +207,7 @@ internal class LogOpening(
     }
 
     private fun accept(opened: OpenedLog, read: Recording, compared: List<OpenedLog>, showsWorst: Boolean) {
-        val unreadable = read.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }
-        if (unreadable != null) return fail("There is nothing to show of ${opened.fileName}", unreadable.message)
+        read.refusal?.let { return fail("There is nothing to show of ${opened.fileName}", it) }
         log = opened
         if (folder?.has(opened) == false) endFolder()
         folder?.see(opened)
@@ -260,7 +237,7 @@ internal class LogOpening(
 
     /** Shows that the file [name] is being read; [cancel] ends that. */
     private fun wait(name: String, cancel: () -> Unit): Asked {
-        following?.stop()
+        live.stop()
         folder?.pause()
         cancelLast()
         cancelLast = cancel
@@ -310,7 +287,7 @@ internal class LogOpening(
 
     /** Shows the list from which the log was opened, or else what was there before. */
     private fun goBack() {
-        following?.stop()
+        live.stop()
         request++
         val left = log
         log = null

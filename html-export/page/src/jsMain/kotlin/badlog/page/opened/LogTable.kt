@@ -3,8 +3,8 @@ package badlog.page.opened
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
-import badlog.page.dom.json
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
@@ -66,7 +66,7 @@ internal class LogTable(
         }
         more.isHidden = listing.visible.size <= limit
         more.textContent = "Show more (${countText(listing.visible.size - limit)} left)"
-        focused?.let { document.getElementById(it) }?.asDynamic()?.focus(json("preventScroll" to true))
+        focused?.let { document.getElementById(it) }?.focusInPlace()
     }
 
     private fun HTMLElement.addTitle(column: LogColumn, listing: Listing<OpenedLog>) = add("th", if (column.isNumber) "is-number" else "") {

@@ -65,7 +65,7 @@ internal class OpenedLog(
     }
 
     companion object {
-        /** Returns the logs in [files], of which some may be no logs, in order. */
+        /** Returns the logs in [files], some of which may not be logs, in order. */
         fun logsIn(files: List<File>): List<OpenedLog> {
             // Files from different places may have the same name.
             for (same in files.groupBy(::pathOf).values) {

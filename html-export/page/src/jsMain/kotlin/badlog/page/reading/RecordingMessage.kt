@@ -4,10 +4,10 @@ import badlog.core.recording.CellCounts
 import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
+import badlog.formats.RECORDING_FORMATS
 
 /**
  * A recording as a message between the worker and the page: plain arrays and objects, which the browser can copy, with
@@ -17,7 +17,7 @@ internal object RecordingMessage {
     /** Returns [recording] as a message. */
     fun of(recording: Recording): dynamic {
         val message = js("({})")
-        message.format = recording.format.ordinal
+        message.format = recording.format.id
         message.headerLine = recording.headerLine
         message.rowCount = recording.rowCount
         message.values = recording.values.map { arrayOf(it.name, it.text) }.toTypedArray()
@@ -41,7 +41,7 @@ internal object RecordingMessage {
 
     /** Returns the recording in [message]. */
     fun read(message: dynamic): Recording = Recording(
-        format = RecordingFormat.entries[message.format as Int],
+        format = RECORDING_FORMATS.first { it.id == message.format },
         headerLine = message.headerLine as String?,
         values = message.values.unsafeCast<Array<Array<String>>>().map { Value(it[0], it[1]) },
         topics = message.topics.unsafeCast<Array<dynamic>>().map { readTopic(it) },

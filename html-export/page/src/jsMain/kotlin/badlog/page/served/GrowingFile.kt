@@ -22,7 +22,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
     /** Where the last whole row ends: a part may have no end of a row. */
     private var whole = file.size.toInt()
 
-    // Bytes that are no text may be line feeds anywhere.
+    // Bytes that are not text may be line feeds anywhere.
     private val isText = TEXT_ENDINGS.any { file.name.endsWith(it, ignoreCase = true) }
 
     /** How long to wait before the next [more], in ms: whole logs are asked for seldom. */

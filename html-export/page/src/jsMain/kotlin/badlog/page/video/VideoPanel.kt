@@ -60,7 +60,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         id = "video"
         setAttribute("aria-label", "Video")
         add("header", "graph-head") {
-            heading = add("h2", "findings-title", "Video")
+            heading = add("h2", "findings-title cut-name").add("bdi", "", "Video")
             add("div", "graph-tools") {
                 addIconButton("", Icon.FOLDER, "Open a video") { input.click() }
                 addIconButton("", Icon.CLOSE, "Close") { close() }.id = "close-video"
@@ -119,9 +119,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         video.addEventListener("error", { if (name.isNotEmpty()) fail() })
         // For some files, a browser plays only the sound.
         video.addEventListener("loadedmetadata", { if (video.videoWidth == 0) fail() })
-        if (beside != null &&
-            secondsOfX != null
-        ) {
+        if (beside != null && secondsOfX != null) {
             show(beside.substringAfterLast('/'), beside.split('/').joinToString("/", transform = ::encodeURIComponent))
         }
     }

@@ -96,8 +96,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     fun take(changed: BoardHistory) {
         if (changed === history) return
         // Another tab may have changed it meanwhile.
-        val stored = remembered()
-        show(if (stored == null) changed else changed.mergedWith(stored, known))
+        show(changed.mergedWith(remembered() ?: known, known))
         LocalStorage[key] = history.now.toJson(haveIds = true)
         // As it is read: what JSON cannot hold is not a change of another tab.
         known = remembered() ?: history.now

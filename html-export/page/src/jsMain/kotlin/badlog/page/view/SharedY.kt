@@ -5,6 +5,7 @@ import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.range.holdsUntil
 import badlog.viewer.draw.axis.SeenOfUnit
 import badlog.viewer.draw.axis.seenTogether
 import badlog.viewer.draw.curve.Curve
@@ -21,25 +22,26 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
     private val columns = PixelColumns(COLUMNS)
     private var curvesOf: Pair<BoardLines, List<ComparedLog>>? = null
     private var seenOf: Pair<Board, Span>? = null
-    private var seen = emptyMap<String, SeenOfUnit>()
 
-    /** Returns what is currently visible of [unit]; null for nothing. */
-    fun seen(unit: String): SeenOfUnit? {
-        val now = board.now to range.now
-        val logs = board.lines to compared()
-        if (now != seenOf || logs != curvesOf) {
-            seenOf = now
-            if (logs != curvesOf) curves.clear()
-            curvesOf = logs
-            val names = board.now.graphs.filter { it.sharesY }.flatMap { it.lines - it.hidden }.distinct()
-            seen = seenTogether(names.flatMap { name -> (listOf(board.lines[name]) + logs.second.map { it[name] }).mapNotNull(::see) })
+    /** What is currently visible of each unit. */
+    var seen: Map<String, SeenOfUnit> = emptyMap()
+        private set
+        get() {
+            val now = board.now to range.now
+            val logs = board.lines to compared()
+            if (now != seenOf || logs != curvesOf) {
+                seenOf = now
+                if (logs != curvesOf) curves.clear()
+                curvesOf = logs
+                val names = board.now.graphs.filter { it.sharesY }.flatMap { it.lines - it.hidden }.distinct()
+                field = seenTogether(names.flatMap { name -> (listOf(board.lines[name]) + logs.second.map { it[name] }).mapNotNull(::see) })
+            }
+            return field
         }
-        return seen[unit]
-    }
 
     private fun see(line: GraphSeries?): SeenOfUnit? {
         if (line == null || line.states != null) return null
-        val curve = curves.getOrPut(line) { Curve(line.data, if (line.holds) range.full.to else null) }
+        val curve = curves.getOrPut(line) { Curve(line.data, line.holdsUntil) }
         curve.draw(range.now.from, range.now.to, columns)
         return SeenOfUnit(unitText(line.unit), curve.min, curve.max)
     }

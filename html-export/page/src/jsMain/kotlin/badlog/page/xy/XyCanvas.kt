@@ -8,6 +8,7 @@ import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.DOMRect
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
@@ -24,11 +25,11 @@ internal class XyCanvas(host: HTMLElement) {
     /** Its frame, which shows no x of its own. */
     val frame: PlotFrame = PlotMargins.frameOf(host.clientWidth, host.clientHeight, Span(0.0, 1.0), pixelRatio)
 
-    /** Returns the fraction of the frame's width at [clientX] in the window. */
-    fun shareX(clientX: Double): Double = ((clientX - canvas.getBoundingClientRect().left - PlotMargins.LEFT) * pixelRatio) / frame.width
-
-    /** Returns the fraction of the frame's height at [clientY] in the window, from its top. */
-    fun shareY(clientY: Double): Double = ((clientY - canvas.getBoundingClientRect().top - PlotMargins.TOP) * pixelRatio) / frame.height
+    /** Where in the window the frame is. */
+    val box: DOMRect
+        get() = canvas.getBoundingClientRect().run {
+            DOMRect(left + PlotMargins.LEFT, top + PlotMargins.TOP, frame.width / pixelRatio, frame.height / pixelRatio)
+        }
 
     /** Removes everything, and draws [draw] with its origin at the frame's corner. */
     fun draw(draw: (Pen) -> Unit) {

@@ -5,25 +5,34 @@ import badlog.page.dom.addButton
 import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.showText
+import badlog.page.input.PointerListener
 import badlog.page.pen.PageImage
 import badlog.page.view.Scene
 import badlog.signals.clock.secondsPerX
+import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.color.Shade
+import badlog.viewer.draw.color.faded
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.figure.LegendEntry
 import badlog.viewer.draw.figure.Sheet
-import badlog.viewer.draw.path.Plane
 import badlog.viewer.draw.path.XyDrawing
 import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.flipIn
 import badlog.viewer.draw.path.shown
 import badlog.viewer.draw.path.xyPlotOf
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
-import badlog.viewer.shown.swerve.swerveModulesOf
+import badlog.viewer.input.DragKind
+import badlog.viewer.session.Place
+import badlog.viewer.session.gesture.XyDrag
+import badlog.viewer.session.gesture.XyGestures
+import badlog.viewer.session.gesture.XyTarget
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
@@ -71,6 +80,8 @@ internal class XyGraph(
     private var ground: XyCanvas? = null
     private var overlay: XyCanvas? = null
 
+    private val target = Target()
+
     /** The visible part of the plane; null for all of it. */
     private var plane: Plane? = null
 
@@ -91,7 +102,7 @@ internal class XyGraph(
         host.style.height = "${heightOf(plot, host.clientWidth)}px"
         list()
         ground = XyCanvas(host)
-        overlay = XyCanvas(host).also { XyGestures(it, scene, plot, { frame -> seen(frame) }) { wanted -> show(wanted) } }
+        overlay = XyCanvas(host).also { PointerListener(it.canvas, XyGestures(target), it::box) }
         reading
         draw()
     }
@@ -139,14 +150,29 @@ internal class XyGraph(
     }
 
     private fun drawing(pen: Pen, plot: XyPlot, frame: PlotFrame, colors: PenColors) =
-        XyDrawing(pen, plot, seen(frame), frame.width, frame.height, colors)
+        XyDrawing(pen, plot, seen(frame.width, frame.height), frame.width, frame.height, colors)
 
     /** Shows everything at its place at the cursor. */
     fun updateCursor() {
+        plot?.takeIf { overlay != null }?.let(::showValues)
+        drawOverlay()
+    }
+
+    private fun drawOverlay() {
         val canvas = overlay ?: return
         val plot = plot ?: return
-        showValues(plot)
-        canvas.draw { drawPlaces(it, plot, canvas.frame, scene.palette.colors) }
+        canvas.draw {
+            target.drag?.let { drag -> it.drawCovered(drag, canvas.frame) }
+            drawPlaces(it, plot, canvas.frame, scene.palette.colors)
+        }
+    }
+
+    private fun Pen.drawCovered(drag: XyDrag, frame: PlotFrame) {
+        if (drag.kind == DragKind.PAN) return
+        val (start, at) = drag.start to drag.at
+        val (wide, high) = (at.shareX - start.shareX) * frame.width to (at.shareY - start.shareY) * frame.height
+        val color = faded(scene.palette.colors[Shade.ACCENT], COVER)
+        rectangle(start.shareX * frame.width, start.shareY * frame.height, wide, high, color)
     }
 
     private fun showValues(plot: XyPlot) = plot.traces.asReversed().forEachIndexed { i, trace ->
@@ -160,13 +186,12 @@ internal class XyGraph(
 
     private fun shown(plot: XyPlot) = plot.shown(look().hidden)
 
-    private fun seen(frame: PlotFrame): Plane {
+    private fun seen(width: Double, height: Double): Plane {
         val wanted = plane ?: checkNotNull(plot).full
-        return if (plot?.isField == true) wanted.fitted(frame.width, frame.height) else wanted
+        return if (plot?.isField == true) wanted.fitted(width, height) else wanted
     }
 
     private fun show(wanted: Plane?) {
-        if (wanted?.isDrawable == false) return
         plane = wanted
         draw()
         window.clearTimeout(timer)
@@ -208,7 +233,25 @@ internal class XyGraph(
             }
         }
 
+    private inner class Target : XyTarget {
+        override val place: Place get() = scene.place.now
+        override val plot: XyPlot? get() = this@XyGraph.plot
+        override var plane: Plane?
+            get() = this@XyGraph.plane
+            set(value) = show(value)
+        override var drag: XyDrag? = null
+            set(value) {
+                field = value
+                drawOverlay()
+            }
+
+        override fun seen(width: Double, height: Double): Plane = this@XyGraph.seen(width, height)
+
+        override fun go(step: Place.() -> Place) = scene.place.change(step)
+    }
+
     private companion object {
         const val REST_MILLISECONDS = 300
+        const val COVER = 0.25
     }
 }

@@ -10,10 +10,9 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Topic
 import badlog.files.LogFile
-import badlog.files.readRecording
+import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.signals.overItsTime
 import badlog.signals.signalTopicsOf
@@ -32,19 +31,17 @@ internal class OpenLogs(private val logs: LogFolder) {
     fun open(arguments: Arguments): OpenLog {
         val (name, file) = logs.log(arguments.requiredText("log"))
         val signals = logs.signals()
-        val view = last?.takeIf { it.first == file }?.second ?: read(name, file).also { last = file to it }
+        val view = last?.takeIf { it.first == file }?.second ?: read(file).also { last = file to it }
         val formulas = arguments.texts("formulas")
-        val with = view.withSignals(signals).withVirtualTopics(formulas, signals)
+        val with = view.withSignals(signals, file.name).withVirtualTopics(formulas, signals)
         with.errors.firstOrNull()?.let { throw ToolException("This formula cannot be calculated for “$name”: ${it.pointed()}") }
         return OpenLog(name, with.view, signals)
     }
 
-    private fun read(name: String, file: LogFile): LogView {
+    private fun read(file: LogFile): LogView {
         // Two at once may not fit in memory.
         last = null
-        val recording = readRecording(file.path, LOG_FORMATS)
-        recording.problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.let { throw ToolException("$name: ${it.message}") }
-        return LogView.of(recording.overItsTime())
+        return LogView.of(readLog(file.path, LOG_FORMATS).orThrow().overItsTime())
     }
 
     companion object {

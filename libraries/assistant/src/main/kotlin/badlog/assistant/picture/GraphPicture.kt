@@ -4,7 +4,8 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
+import badlog.viewer.choices.range.holdsUntil
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.draw.axis.AxisSide
 import badlog.viewer.draw.axis.GraphAxis
 import badlog.viewer.draw.axis.graphAxes
@@ -101,9 +102,7 @@ internal class GraphPicture(
         graphHead(
             shown.joinToString { it.name },
             axis.unit,
-            if (shown.size <
-                2
-            ) {
+            if (shown.size < 2) {
                 emptyList()
             } else {
                 shown.map { LegendEntry(it.name, it.color) }
@@ -121,7 +120,7 @@ internal class GraphPicture(
     }
 
     private fun strokesOf(line: GraphSeries, frame: PlotFrame): Strokes {
-        val curve = Curve(line.data, view.xAxis.range?.endInclusive?.takeIf { line.holds })
+        val curve = Curve(line.data, line.holdsUntil)
         curve.draw(range.from, range.to, PixelColumns(frame.width.toInt()))
         return Strokes().apply { trace(curve, frame.x, Scale.NONE) }
     }
@@ -130,8 +129,7 @@ internal class GraphPicture(
         graphHead("States", unit = "", emptyList())
         plot(states.size * LaneLook.HEIGHT) { frame ->
             val lanes = states.map { state ->
-                val runs = StateRuns(state.line.data, view.xAxis.range?.endInclusive ?: range.to)
-                val blocks = LaneBlocks().apply { place(runs, range, frame.width, ceil(LaneLook.MIN_BLOCK).toInt()) }
+                val blocks = LaneBlocks().apply { place(state.line.stateRuns(), range, frame.width, density = 1.0) }
                 PlotLane(state.name, state.line.states.orEmpty(), blocks)
             }
             Plot(emptyList(), emptyList(), lanes, laneShare = 1.0)

@@ -12,7 +12,7 @@ import badlog.assistant.log.OpenLog
 import badlog.assistant.log.OpenLogs
 import badlog.core.analysis.Span
 import badlog.core.analysis.sampleRateOf
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.signals.vocabulary.NamePattern
@@ -50,7 +50,7 @@ internal class DescribeLog(private val logs: OpenLogs) :
         return Answer(
             buildJsonObject {
                 put("log", log.name)
-                put("format", view.recording.format.name.lowercase())
+                put("format", view.recording.format.id)
                 view.title?.let { put("match", it) }
                 log.putX(this, view.xAxis.range?.let { Span(it.start, it.endInclusive) })
                 if (isFirst) putRest(this, log)
@@ -101,7 +101,7 @@ internal class DescribeLog(private val logs: OpenLogs) :
         put("kind", topic.kind.name.lowercase())
         when (topic.kind) {
             TopicKind.NUMERIC, TopicKind.BOOLEAN -> {
-                val statistics = log.view.statisticsOf(log.view.seriesOf(topic))
+                val statistics = log.view.seriesOf(topic).statistics()
                 put("samples", statistics.count)
                 if (topic.kind == TopicKind.NUMERIC) {
                     put("min", number(statistics.min))

@@ -14,8 +14,8 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Series
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
 import badlog.core.recording.TopicKind
+import badlog.viewer.choices.range.stateRuns
 import kotlinx.serialization.json.JsonArrayBuilder
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder
@@ -60,7 +60,7 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         put("unit", unitOf(line.unit))
         when {
             line.topic.kind == TopicKind.EVENT -> putEvents(view, line, range, points)
-            line.states != null -> putStates(view, line, range, points)
+            line.states != null -> putStates(line, range, points)
             else -> putNumbers(line.data, range, points)
         }
     }
@@ -85,8 +85,8 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         }
     }
 
-    private fun JsonObjectBuilder.putStates(view: LogView, line: GraphSeries, range: Span, points: Int) {
-        val runs = StateRuns(line.data, view.xAxis.range?.endInclusive ?: Double.NaN)
+    private fun JsonObjectBuilder.putStates(line: GraphSeries, range: Span, points: Int) {
+        val runs = line.stateRuns()
         val inside = runs.states.indices.filter { runs.from[it] <= range.to && runs.to[it] >= range.from }
         putColumns("from", "to", "state")
         putJsonArray("points") {

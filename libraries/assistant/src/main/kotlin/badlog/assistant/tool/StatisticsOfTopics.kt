@@ -9,8 +9,8 @@ import badlog.assistant.log.OpenLogs
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
-import badlog.core.analysis.StateRuns
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
+import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
@@ -51,7 +51,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
 
     private fun numbers(view: LogView, line: GraphSeries, range: Span): JsonObject = buildJsonObject {
         put("name", line.topic.name)
-        val statistics = view.statisticsOf(line, range.from, range.to)
+        val statistics = line.statistics(range.from, range.to)
         for (statistic in Statistic.entries) {
             putJsonObject(statistic.title) {
                 // Without digits that nobody reads.
@@ -63,7 +63,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
 
     private fun states(view: LogView, line: GraphSeries, range: Span): JsonObject = buildJsonObject {
         put("name", line.topic.name)
-        val runs = StateRuns(line.data, view.xAxis.range?.endInclusive ?: Double.NaN)
+        val runs = line.stateRuns()
         val times = runs.timesOf(line.states.orEmpty(), range.from, range.to)
         put("timeUnit", unitOf(view.xAxis.unit))
         putJsonArray("states") {

@@ -15,18 +15,18 @@ import kotlinx.serialization.builtins.ListSerializer
 /**
  * What rules say of a log, as it is stored.
  *
- * @property title the match, from its values; null if they do not have it, or the file cannot be read.
+ * @property title the match; null if it is unknown, or the file cannot be read.
  * @property findings what they found, in the order of the rules.
  * @property asked the outcome of each rule.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.
  * @property isNoLog whether it is [unreadable] because it is something other than a log.
  * @property isSalvaged whether data of the log is lost.
  * @property undefined the virtual topics that could not be calculated.
- * @property matchType the type of the match as logged, such as `Qualification`; null if the log does not have it.
+ * @property matchType the type of the match, such as `Qualification`; null if it is unknown.
  * @property figureNames the names of its figures, see [badlog.rules.number.FigureText].
  * @property figureValues their values, likewise.
  * @property figureDistributions the distributions of some signals, likewise.
- * @property event the event as logged; null if the log does not have it.
+ * @property event the event; null if it is unknown.
  * @property matchNumber the number of the match, likewise.
  * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
  * @property battery what it says of the robot's battery; null for nothing.
@@ -54,8 +54,8 @@ class ExaminedLog(
     @Serializable(with = BatterySerializer::class)
     val battery: BatteryUse? = null,
 ) {
-    /** Its match, as far as it is known from the log in the file [name]. */
-    fun matchIn(name: String): MatchOfLog = MatchOfLog(event, matchType, matchNumber).orNamed(name)
+    /** Its match, without the alliance. */
+    val match: MatchOfLog get() = MatchOfLog(event, matchType, matchNumber)
 
     /** Returns its figures, read by [reader]. */
     fun figures(reader: FigureReader): LogFigures = reader.read(FigureText(figureNames, figureValues, figureDistributions))

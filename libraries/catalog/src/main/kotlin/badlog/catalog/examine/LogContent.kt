@@ -48,13 +48,13 @@ sealed interface LogContent {
             cores: Int = 1,
             beside: (LogFile, LogView) -> LogView = { _, view -> view },
             work: (LogContent) -> R,
-        ): R = orNotRead({ work(None(it)) }) {
+        ): R = orNotRead(file.path, { work(None(it)) }) {
             work(
                 when (val read = readLog(file.path, LOG_FORMATS, sinks = sinks, cores = cores)) {
                     is ReadResult.NotRead -> None(read)
 
                     is ReadResult.Read -> {
-                        val view = LogView.of(withX(read.recording)).withSignals(signals)
+                        val view = LogView.of(withX(read.recording)).withSignals(signals, file.name)
                         val with = beside(file, view).withVirtualTopics(definitions, signals)
                         Log(read.recording, with.view, with.errors.map { UndefinedTopic(it) })
                     }

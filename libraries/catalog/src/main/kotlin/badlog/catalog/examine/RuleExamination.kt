@@ -9,8 +9,9 @@ import badlog.rules.comparison.figuresOf
 import badlog.rules.number.LogFigures
 import badlog.rules.number.toText
 import badlog.rules.toJson
-import badlog.signals.LogShape
+import badlog.signals.ShapeCache
 import badlog.signals.battery.batteryUseOf
+import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
@@ -30,7 +31,7 @@ class RuleExamination(
     private val measures: Boolean = rules.comparisons.isNotEmpty(),
 ) {
     private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
-    private val programs = LruCache<LogShape, RuleProgram>(MAX_PROGRAMS) { RuleProgram(rules, it) }
+    private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     /** Returns what is stored in [folder] by the [version] of the program. */
     fun storedIn(folder: Path, version: String): ResultCache<ExaminedLog> =
@@ -43,7 +44,17 @@ class RuleExamination(
      */
     fun of(content: LogContent, name: String, checkpoint: () -> Unit = {}): CachedResult<ExaminedLog> = when (content) {
         is LogContent.None -> {
-            val none = ExaminedLog(null, emptyList(), emptyList(), content.why.message, content.why.isLasting)
+            val named = matchInName(name)
+            val none = ExaminedLog(
+                title = null,
+                findings = emptyList(),
+                asked = emptyList(),
+                unreadable = content.why.message,
+                isNoLog = content.why.isLasting,
+                matchType = named.type,
+                event = named.event,
+                matchNumber = named.number,
+            )
             CachedResult(none, content.why.isLasting)
         }
 
@@ -53,14 +64,14 @@ class RuleExamination(
     private fun of(log: LogContent.Log, name: String, checkpoint: () -> Unit): ExaminedLog {
         val findings = ArrayList<Finding>()
         val asked = ArrayList<RuleOutcome>()
-        for (rule in programs[LogShape.of(log.view)].run(log.view, name)) {
+        for (rule in programs[log.view].run(log.view, name)) {
             checkpoint()
             findings += rule.findings
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
         val battery = batteryUseOf(log.view, rules.signals)
-        val figures = if (measures) figuresOf(log.view, rules.signals, battery).toText() else NO_FIGURES
-        val match = rules.signals.matchOf(log.recording)
+        val figures = if (measures) figuresOf(log.view, rules.signals, name, battery).toText() else NO_FIGURES
+        val match = rules.signals.matchOf(log.recording, name)
         val date = LogDate.of(log.recording.values, name, modified = 0)
         return ExaminedLog(
             title = log.view.title,

@@ -1,12 +1,12 @@
 package badlog.catalog.folder
 
+import badlog.files.UnwritableFileException
 import badlog.files.writeAtomically
 import badlog.rules.BatteriesFile
 import badlog.rules.NearestFile
 import badlog.rules.RulesException
 import badlog.signals.battery.TeamBatteries
 import badlog.signals.battery.TeamBattery
-import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -69,8 +69,8 @@ class FolderBatteries private constructor(private val byFolder: Map<Path, Writte
                 null
             } catch (e: RulesException) {
                 e.message
-            } catch (_: IOException) {
-                "$file cannot be written; check the permissions of its folder."
+            } catch (e: UnwritableFileException) {
+                e.message
             }
         }
 

@@ -29,7 +29,7 @@ class LogReading(private val store: FolderStore) {
      * @param onSummary called with what is known before the rules run.
      */
     fun read(file: LogFile, runsRules: Boolean, checkpoint: () -> Unit = {}, onSummary: (LogEntry) -> Unit = {}): LogEntry {
-        val read = orNotRead({ Summarized(unreadable(file, it)) }) { summarized(file, checkpoint) }
+        val read = orNotRead(file.path, { Summarized(unreadable(file, it)) }) { summarized(file, checkpoint) }
         // What is not readable now may be with other permissions, or more memory.
         if (read.isLasting) store[file] = read.summary
         val entry = LogEntry(file, read.summary)
@@ -63,7 +63,7 @@ class LogReading(private val store: FolderStore) {
     fun found(file: LogFile, checkpoint: () -> Unit = {}): LogFound {
         val rules = store.rulesFor(file.path)
         rules.found(file)?.let { return it }
-        return orNotRead({ LogFound(rules.key, null) }) {
+        return orNotRead(file.path, { LogFound(rules.key, null) }) {
             when (val read = readLog(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }) {
                 is ReadResult.NotRead -> LogFound(rules.key, null)
 
@@ -77,7 +77,7 @@ class LogReading(private val store: FolderStore) {
 
     private fun examined(file: LogFile, log: LogContent.Log, checkpoint: () -> Unit): LogFound {
         val rules = store.rulesFor(file.path)
-        return orNotRead({ LogFound(rules.key, null) }) {
+        return orNotRead(file.path, { LogFound(rules.key, null) }) {
             val examined = unhurried { rules.examination.of(log, file.name, checkpoint) }.result
             rules.results?.set(file, examined)
             rules.foundIn(examined)
@@ -85,7 +85,7 @@ class LogReading(private val store: FolderStore) {
     }
 
     private fun viewOf(recording: Recording, file: LogFile) =
-        LogView.of(recording.overItsTime()).withSignals(store.rulesFor(file.path).rules.signals)
+        LogView.of(recording.overItsTime()).withSignals(store.rulesFor(file.path).rules.signals, file.name)
 
     private fun summaryOf(file: LogFile, view: LogView) =
         LogSummary.of(view, store.rulesFor(file.path).rules.signals, file.name, file.modified, LogName.of(file.name).isOnlyOfLogs)

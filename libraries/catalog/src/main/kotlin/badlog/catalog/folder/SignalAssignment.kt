@@ -1,6 +1,7 @@
 package badlog.catalog.folder
 
 import badlog.core.analysis.LogView
+import badlog.files.UnwritableFileException
 import badlog.files.writeAtomically
 import badlog.rules.BUILT_IN
 import badlog.rules.NearestFile
@@ -8,7 +9,6 @@ import badlog.rules.RuleSet
 import badlog.rules.RulesException
 import badlog.rules.SignalsFile
 import badlog.signals.refusalOf
-import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -36,8 +36,8 @@ class SignalAssignment(log: Path, library: Path?) {
             refusal
         } catch (e: RulesException) {
             e.message
-        } catch (_: IOException) {
-            "$file cannot be written; check the permissions of its folder."
+        } catch (e: UnwritableFileException) {
+            e.message
         }
     }
 

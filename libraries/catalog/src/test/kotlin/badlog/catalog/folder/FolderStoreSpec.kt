@@ -73,7 +73,7 @@ class FolderStoreSpec : FunSpec({
         LogReading(FolderStore(logs, cache, "1")).found(file) shouldBe read.found
     }
 
-    test("a log that cannot be read now is read again the next time, and something that is no log is not") {
+    test("a log that cannot be read now is read again the next time, and something that is not a log is not") {
         val logs = tempdir().toPath()
         val store = FolderStore(logs, tempdir().toPath(), "1")
         val gone = LogFile(logs.resolve("gone.bag"), 10, 0)

@@ -2,10 +2,10 @@ package badlog.catalog.folder
 
 import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
+import badlog.formats.wpilog.WpilogFormat
 import badlog.formats.wpilog.WpilogWriter
 import java.io.ByteArrayOutputStream
 
@@ -32,6 +32,6 @@ internal fun loggedTexts(name: String, vararg samples: Pair<Double, String>): To
 /** The bytes of a WPILOG of [topics] and [values]. */
 internal fun wpilogOf(topics: List<Topic>, values: List<Value> = emptyList()): ByteArray {
     val out = ByteArrayOutputStream()
-    WpilogWriter(Recording(RecordingFormat.WPILOG, null, values, topics, 0, emptyList())).write { bytes, size -> out.write(bytes, 0, size) }
+    WpilogWriter(Recording(WpilogFormat, null, values, topics, 0, emptyList())).write { bytes, size -> out.write(bytes, 0, size) }
     return out.toByteArray()
 }

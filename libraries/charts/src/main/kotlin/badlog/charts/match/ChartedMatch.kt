@@ -1,7 +1,7 @@
 package badlog.charts.match
 
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
+import badlog.signals.match.MatchKind
 import badlog.signals.match.NaturalOrder
 
 /**

@@ -1,5 +1,6 @@
 package badlog.charts.match
 
+import badlog.signals.match.MatchType
 import badlog.viewer.text.dateText
 
 /** Returns a label for each of [logs], such as `Q42`; no two are equal. */
@@ -15,14 +16,13 @@ internal fun labelsOf(logs: List<ChartedLog>): List<String> {
 /** Returns the place of the type of the match of [log] in the order of play: first practice, last the final. */
 internal fun roundOf(log: ChartedLog): Int = typeOf(log)?.round ?: QUALIFICATION
 
-private fun typeOf(log: ChartedLog): MatchType? = TYPES.firstOrNull { log.match.type.orEmpty().contains(it.word, ignoreCase = true) }
+private fun typeOf(log: ChartedLog): MatchType? = log.match.type?.let { MatchType.of(it) }
 
 private fun numberOf(log: ChartedLog) = log.match.number?.let { plainText(it, MAX_NUMBER) }.orEmpty()
 
 private fun shortName(log: ChartedLog, hasDay: Boolean): String {
     val number = numberOf(log)
-    // The letters by which The Blue Alliance and teams call matches; a practice match is not P1, which could also be a playoff.
-    if (number.isNotEmpty()) return (typeOf(log)?.letter ?: "M") + number
+    if (number.isNotEmpty()) return (typeOf(log)?.letters ?: "M") + number
     // Names of logs without a match differ in what is too long for an axis: mostly the time.
     return log.began?.let { timeText(it, hasDay) } ?: middleCut(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
 }
@@ -46,21 +46,29 @@ internal fun plainText(text: String, max: Int): String {
     return if (plain.length <= max) plain else plain.take(max - 1).trim() + "…"
 }
 
-/** A type of matches whose names have [word]; its matches are called by [letter], and played in [round]. */
-private class MatchType(val word: String, val letter: String, val round: Int)
+/** How The Blue Alliance and teams call matches of this type; a practice match is not P1, which could also be a playoff. */
+private val MatchType.letters: String
+    get() = when (this) {
+        MatchType.PRACTICE -> "Pr"
+        MatchType.TEST -> "T"
+        MatchType.QUALIFICATION -> "Q"
+        MatchType.QUARTERFINAL -> "QF"
+        MatchType.SEMIFINAL -> "SF"
+        MatchType.FINAL -> "F"
+        MatchType.ELIMINATION, MatchType.PLAYOFF -> "E"
+    }
+
+private val MatchType.round: Int
+    get() = when (this) {
+        MatchType.PRACTICE, MatchType.TEST -> 0
+        MatchType.QUALIFICATION -> QUALIFICATION
+        MatchType.QUARTERFINAL, MatchType.ELIMINATION, MatchType.PLAYOFF -> 2
+        MatchType.SEMIFINAL -> 3
+        MatchType.FINAL -> 4
+    }
 
 /** The round of matches of an unknown type, too. */
 private const val QUALIFICATION = 1
-private val TYPES = listOf(
-    MatchType("qual", "Q", QUALIFICATION),
-    MatchType("quarter", "QF", 2),
-    MatchType("semi", "SF", 3),
-    MatchType("final", "F", 4),
-    MatchType("elim", "E", 2),
-    MatchType("playoff", "E", 2),
-    MatchType("practice", "Pr", 0),
-    MatchType("test", "T", 0),
-)
 
 private const val PLAIN = " -_.,:+#/()'’"
 

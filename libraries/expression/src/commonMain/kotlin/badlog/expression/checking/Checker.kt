@@ -22,9 +22,7 @@ internal object Checker {
 
     private fun isMomentary(node: Node): Boolean {
         if (node is Node.Topic) return node.signal.kind == SignalKind.EVENT
-        if (node is Node.Call &&
-            node.function.timing != Function.Timing.AS_OPERANDS
-        ) {
+        if (node is Node.Call && node.function.timing != Function.Timing.AS_OPERANDS) {
             return node.function.timing == Function.Timing.AT_MOMENTS
         }
         val varying = node.children.filter { it.type.isOverTime }

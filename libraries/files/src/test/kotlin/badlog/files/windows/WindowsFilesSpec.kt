@@ -53,7 +53,7 @@ class WindowsFilesSpec : FunSpec({
             writeAtomically(file) { it.write("old".encodeToByteArray()) }
             protect(file)
             shouldThrow<UnwritableFileException> { writeAtomically(file) { it.write("new".encodeToByteArray()) } }.message shouldBe
-                "$file cannot be replaced: it is read-only, or another program has it open; close it there, or select another name."
+                "$file cannot be replaced: it is read-only, or another program has it open; make it writable, or close it there."
             file.readText() shouldBe "old"
             folder.names() shouldContainExactly listOf("a.txt")
         }

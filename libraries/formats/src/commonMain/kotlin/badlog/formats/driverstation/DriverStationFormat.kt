@@ -11,6 +11,8 @@ public object DriverStationFormat : LogFormat {
     /** The ending of its second file, with messages, which has the first one's name. */
     public const val SECOND_ENDING: String = ".dsevents"
 
+    override val id: String get() = "driver_station"
+
     override val title: String get() = "Driver Station log"
 
     override val endings: List<String> get() = listOf(FIRST_ENDING, SECOND_ENDING)
@@ -25,9 +27,7 @@ public object DriverStationFormat : LogFormat {
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
     /** Returns when a log with the first [HEAD_SIZE] bytes [head] began, in s since 1970; null if those are not the start of such a log. */
-    public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE ||
-        !isHeader(head, 0)
-    ) {
+    public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE || !isHeader(head, 0)) {
         null
     } else {
         secondsAt(head, Int.SIZE_BYTES) + fractionAt(head, Int.SIZE_BYTES) - SECONDS_TO_1970

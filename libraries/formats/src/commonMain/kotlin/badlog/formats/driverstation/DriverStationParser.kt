@@ -7,7 +7,6 @@ import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
@@ -102,7 +101,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         if (refusal == null && rowCount == 0) {
             problems.add(ProblemKind.NO_ROWS, "There are no samples; the Driver Station may have been closed too early.")
         }
-        return Recording(RecordingFormat.DRIVER_STATION, null, values(), topics, 0, problems.toList())
+        return Recording(DriverStationFormat, null, values(), topics, 0, problems.toList())
     }
 
     private fun values(): List<Value> {

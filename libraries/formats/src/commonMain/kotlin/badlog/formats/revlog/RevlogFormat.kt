@@ -7,9 +7,13 @@ import badlog.formats.wpilog.WpilogParser
 
 /** The `.revlog` of REV's devices, read as the WPILOG that [RevlogConversion] makes of it. */
 public object RevlogFormat : LogFormat {
+    override val id: String get() = "revlog"
+
     override val title: String get() = "REV log"
 
     override val endings: List<String> get() = listOf(".revlog")
+
+    override val hasRecords: Boolean get() = true
 
     override val signatureSize: Int get() = SIGNATURE_SIZE
 
@@ -33,6 +37,6 @@ private class RevlogParser(private val wpilog: WpilogParser) : LogParser {
     override fun finish(): Recording {
         val problems = conversion.finish()
         val read = wpilog.finish()
-        return read.copy(problems = problems + read.problems)
+        return read.copy(format = RevlogFormat, problems = problems + read.problems)
     }
 }

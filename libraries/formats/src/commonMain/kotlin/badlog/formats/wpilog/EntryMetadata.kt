@@ -67,9 +67,7 @@ internal fun metadataOf(topic: Topic): String {
     if (!Units.isNone(topic.unit)) members += "\"unit\":" + quotedJson(topic.unit)
     val others = if (members.isEmpty()) "" else members.joinToString(",", "{", "}")
     // An empty list, too, if there would be other ones without it.
-    if (attributes !=
-        attributesIn(others, topic.name)
-    ) {
+    if (attributes != attributesIn(others, topic.name)) {
         members += "\"attrs\":" + attributes.joinToString(",", "[", "]", transform = ::quotedJson)
     }
     return if (members.isEmpty()) "" else members.joinToString(",", "{", "}")

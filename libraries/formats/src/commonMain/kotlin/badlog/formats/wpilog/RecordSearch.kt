@@ -102,9 +102,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         repeat(GOES_ON) {
             if (at == until) return if (isEnd) RecordLook.FITTING else RecordLook.MORE
             val look = look(head, bytes, at, until, last)
-            if (look == RecordLook.NONE || look == RecordLook.ODD ||
-                (look == RecordLook.FITTING && head.length > FARTHEST)
-            ) {
+            if (look == RecordLook.NONE || look == RecordLook.ODD || (look == RecordLook.FITTING && head.length > FARTHEST)) {
                 return RecordLook.NONE
             }
             if (look == RecordLook.MORE || head.length > until - at) return if (isEnd) RecordLook.NONE else RecordLook.MORE

@@ -6,7 +6,6 @@ import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Value
 import badlog.core.recording.timesText
 import badlog.formats.column.ColumnSource
@@ -16,9 +15,13 @@ import badlog.formats.column.addTooMany
 
 /** WPILOG, the format of WPILib's DataLog. */
 public object WpilogFormat : LogFormat {
+    override val id: String get() = "wpilog"
+
     override val title: String get() = "WPILOG"
 
     override val endings: List<String> get() = listOf(".wpilog")
+
+    override val hasRecords: Boolean get() = true
 
     override val signatureSize: Int get() = RecordSplitter.MAGIC.length
 
@@ -69,7 +72,7 @@ public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boo
         val refusal = entries.refusal ?: if (isOther) "This is not a WPILOG file." else null
         if (refusal != null) {
             problems.add(ProblemKind.NOT_A_RECORDING, refusal)
-            return Recording(RecordingFormat.WPILOG, null, emptyList(), emptyList(), 0, problems.toList())
+            return Recording(WpilogFormat, null, emptyList(), emptyList(), 0, problems.toList())
         }
         if (isFull) problems.addTooMany(maxRows) else reportEnd()
         entries.finish()
@@ -81,7 +84,7 @@ public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boo
             problems.add(ProblemKind.NO_ROWS, "There are no samples; the robot may have been switched off too early.")
         }
         return Recording(
-            format = RecordingFormat.WPILOG,
+            format = WpilogFormat,
             headerLine = null,
             values = entries.match.values(cluster?.from ?: 0.0) + extraHeader(),
             topics = topics,
@@ -90,9 +93,7 @@ public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boo
         )
     }
 
-    private fun extraHeader() = if (entries.extraHeader.isBlank() ||
-        entries.extraHeader == OWN_HEADER
-    ) {
+    private fun extraHeader() = if (entries.extraHeader.isBlank() || entries.extraHeader == OWN_HEADER) {
         emptyList()
     } else {
         listOf(Value("Extra Header", entries.extraHeader))

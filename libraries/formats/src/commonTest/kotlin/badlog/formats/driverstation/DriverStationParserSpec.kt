@@ -23,7 +23,7 @@ private fun Recording.kinds() = problems.map { it.kind }
 class DriverStationParserSpec : FunSpec({
     test("a record of version 4 gives every value in its unit, each 20 ms") {
         val read = parseStation(TestDslog().record(Status.BOTH_AUTO, 12.25, trip = 17, loss = 3, cpu = 109, can = 126).record().bytes)
-        read.format shouldBe RecordingFormat.DRIVER_STATION
+        read.format shouldBe DriverStationFormat
         read.problems.shouldBeEmpty()
         fun first(name: String) = read.topic("Driver Station/$name").samples.first()
         first("Battery Voltage") shouldBe 12.25
@@ -157,8 +157,8 @@ class DriverStationParserSpec : FunSpec({
             accept(bytes)
             finish().format
         }
-        formatOf(STATION_LOG.bytes) shouldBe RecordingFormat.DRIVER_STATION
-        formatOf(STATION_EVENTS.bytes) shouldBe RecordingFormat.DRIVER_STATION
+        formatOf(STATION_LOG.bytes) shouldBe DriverStationFormat
+        formatOf(STATION_EVENTS.bytes) shouldBe DriverStationFormat
         formatOf(ByteArray(40)) shouldBe RecordingFormat.CSV
         formatOf("a,b\n1,2\n".encodeToByteArray()) shouldBe RecordingFormat.CSV
         parseStation(TestDslog().bytes).kinds() shouldContainExactly listOf(ProblemKind.NO_ROWS)

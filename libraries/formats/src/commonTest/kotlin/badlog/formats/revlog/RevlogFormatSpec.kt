@@ -136,6 +136,7 @@ internal class RevlogFormatSpec : FunSpec({
     test("it is known by its content, and no text, bag, WPILOG or Driver Station log is taken for it") {
         val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).bytes
         val whole = read(log + log.copyOf(7))
+        whole.format shouldBe RevlogFormat
         whole.topics.any { it.name == "REV/Spark-3/CURRENT" } shouldBe true
         whole.problems.map { it.kind } shouldContainExactly listOf(ProblemKind.RECORD_CUT)
         for (other in listOf("{\"topics\":[]}", "Time,A\n0,1\n", "WPILOG\u0000\u0001", "\u0000\u0000\u0000\u0004\u0000\u0000\u0000\u0000", "", "\u0000")) {

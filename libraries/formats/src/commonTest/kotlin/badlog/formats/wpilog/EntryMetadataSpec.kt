@@ -73,7 +73,7 @@ class EntryMetadataSpec : FunSpec({
         topics.getValue("said").run { wasXAxis to wasSparse } shouldBe (false to false)
     }
 
-    test("a property that is no text and no list of texts says nothing") {
+    test("a property that is neither a text nor a list of texts says nothing") {
         for (value in listOf("null", "1", "true", "{}", "[]", "[1,null]")) attributesOf(withProperties("\"badlog\":$value")).shouldBeEmpty()
         attributesOf("{\"properties\":7}").shouldBeEmpty()
         attributesOf("{\"properties\":{\"badlog\":").shouldBeEmpty()

@@ -2,7 +2,6 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import io.kotest.core.spec.style.FunSpec
@@ -32,7 +31,7 @@ class WpilogParserSpec : FunSpec({
             .record(2, 3, floats(0.25f)).record(3, 1_000_000, longs(3))
             .record(4, 5, byteArrayOf(1)).record(4, 6, byteArrayOf(0))
             .read()
-        recording.format shouldBe RecordingFormat.WPILOG
+        recording.format shouldBe WpilogFormat
         recording.rowCount shouldBe 0
         recording.sampleCount shouldBe 6L
         recording.problems.shouldBeEmpty()

@@ -7,7 +7,7 @@ import badlog.core.recording.Topic
 
 /** Returns everything that [recording] holds as JSON, which readers in other languages must find in the same bytes, too. */
 internal fun logJson(recording: Recording): String = buildString {
-    append("{\n\"format\":").append(quotedJson(recording.format.name.lowercase()))
+    append("{\n\"format\":").append(quotedJson(recording.format.id))
     append(",\n\"values\":").append(list(recording.values) { "[${quotedJson(it.name)},${quotedJson(it.text)}]" })
     append(",\n\"topics\":").append(list(recording.topics, "\n", ::topicJson))
     append(",\n\"problems\":").append(list(recording.problems, "\n", ::problemJson))

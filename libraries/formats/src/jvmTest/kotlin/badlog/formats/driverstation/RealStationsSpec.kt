@@ -2,7 +2,6 @@ package badlog.formats.driverstation
 
 import badlog.core.python.TestPython
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
@@ -82,7 +81,7 @@ class RealStationsSpec : FunSpec({
     test("every entry of a real .dsevents is in its messages, at its time").config(enabledOrReasonIf = where) {
         for (file in STATIONS.filter { it.extension == "dsevents" }) {
             val read = parseStation(file.readBytes())
-            read.format shouldBe RecordingFormat.DRIVER_STATION
+            read.format shouldBe DriverStationFormat
             read.problems.shouldBeEmpty()
             val entries = oracle(file).map { (time, hex) ->
                 time.toDouble() to if (hex == "-") "" else hex.chunked(2).map { it.toInt(16).toByte() }.toByteArray().decodeToString()

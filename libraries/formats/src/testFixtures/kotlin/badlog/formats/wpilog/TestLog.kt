@@ -64,7 +64,7 @@ internal fun parseLog(bytes: ByteArray, piece: Int = maxOf(1, bytes.size), keepS
 
 /** All that a recording holds, as text. */
 internal fun describeLog(recording: Recording): String = buildString {
-    appendLine("${recording.format} ${recording.sampleCount}")
+    appendLine("${recording.format.id} ${recording.sampleCount}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")
     for (topic in recording.topics) {
         val texts = List(topic.texts.size) { "${topic.texts.rows[it]}:${topic.texts[it]}" }

@@ -7,6 +7,7 @@ import badlog.core.bag.BagTopic
 import badlog.core.bag.BagValue
 import badlog.core.bag.headerText
 import badlog.core.recording.Recording
+import badlog.files.withShutdownHook
 import badlog.rules.HookCommand
 import java.io.File
 import java.io.IOException

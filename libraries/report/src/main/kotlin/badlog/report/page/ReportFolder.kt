@@ -8,6 +8,7 @@ import badlog.exporter.layoutFor
 import badlog.files.LogFile
 import badlog.files.LogName
 import badlog.files.UnwritableFileException
+import badlog.files.requireTarget
 import badlog.files.writeAtomically
 import badlog.protocol.PageAdditions
 import badlog.report.LogReport
@@ -20,6 +21,12 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
+
+/** Returns the sentence about [file], which is where badlog was to write, and which it did not make. */
+fun foreignFileSentence(file: Path): String = "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
+
+/** What helps where the folder is named, or the file. */
+private const val ELSEWHERE = "name another place with --out"
 
 /**
  * A folder with a report: `index.html`, and a page for each log that was added. Earlier pages of badlog are replaced, other files
@@ -157,13 +164,13 @@ class ReportFolder(
     }
 
     private fun check(page: Path) {
-        if (!Files.exists(page)) return
-        val reason = when {
-            realPath(page) in read -> "$page would overwrite a log that is read; select another folder."
-            isForced || isOfBadlog(page) -> return
-            else -> "$page exists already, and badlog did not make it; select another folder, or use --force to replace it."
+        try {
+            requireTarget(page, ELSEWHERE) { realPath(it) in read }
+        } catch (e: UnwritableFileException) {
+            throw ExportException.Unwritable(page, e.message, e)
         }
-        throw ExportException.Unwritable(page, reason)
+        if (isForced || !Files.exists(page) || isOfBadlog(page)) return
+        throw ExportException.Unwritable(page, foreignFileSentence(page))
     }
 
     private fun pageName(log: LogReport): String {

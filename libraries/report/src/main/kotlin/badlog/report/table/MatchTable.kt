@@ -1,7 +1,6 @@
 package badlog.report.table
 
 import badlog.catalog.examine.LogContent
-import badlog.catalog.examine.LruCache
 import badlog.catalog.examine.UndefinedTopic
 import badlog.catalog.folder.FolderBatteries
 import badlog.catalog.store.CachedResult
@@ -31,6 +30,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import badlog.signals.QuestionNames
+import badlog.signals.ShapeCache
 import badlog.signals.battery.batteryNameIn
 import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
@@ -69,7 +69,7 @@ class MatchTable(
 
     // A hook receives everything in the log.
     private val sinks = if (hooks.isEmpty()) neededTopics() else NumberSinks.RECORDING
-    private val asked = LruCache<LogShape, Asked>(MAX_SHAPES) { Asked(it) }
+    private val asked = ShapeCache(MAX_SHAPES) { Asked(it) }
 
     private inner class Asked(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
@@ -141,12 +141,14 @@ class MatchTable(
             FolderBatteries.NONE
         }
         batteries.problems.forEach(complain)
-        runCached(files, known, { file, cores ->
-            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores, work = ::ask)
-        }) { file, stored ->
+        val examine = { file: LogFile, cores: Int ->
+            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores) { ask(it, file.name) }
+        }
+        val advance = { progress(rows.size, files.size) }
+        runCached(files, known, examine, advance) { file, stored ->
             val battery = batteries.usedFor(listOf(file.path), stored.match ?: matchInName(file.name).match)
             rows += rowOf(file, stored, by.zip(stored.headers) { name, header -> if (isBattery(name)) battery ?: header else header })
-            progress(rows.size, files.size)
+            advance()
         }
         return rows.sortedWith { one, other ->
             by.indices.map { compareHeaders(one.headers.getOrNull(it), other.headers.getOrNull(it)) }.firstOrNull { it != 0 } ?: 0
@@ -172,19 +174,19 @@ class MatchTable(
         }
     }
 
-    private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
+    private fun ask(content: LogContent, name: String): CachedResult<Stored> = when (content) {
         is LogContent.None -> CachedResult(
             Stored(null, unreadable = content.why.message, isNoLog = content.why.isLasting),
             content.why.isLasting,
         )
 
-        is LogContent.Log -> CachedResult(ask(content), isLasting = true)
+        is LogContent.Log -> CachedResult(ask(content, name), isLasting = true)
     }
 
-    private fun ask(log: LogContent.Log): Stored {
+    private fun ask(log: LogContent.Log, name: String): Stored {
         val values = log.recording.values
         val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
-        val asked = asked[LogShape.of(log.view)]
+        val asked = asked[log.view]
         val signals = asked.names.signalsOf(log.view)
         return Stored(
             log.view.title,
@@ -195,7 +197,7 @@ class MatchTable(
             isWanted = isWanted,
             mistake = mistake,
             undefined = log.undefined,
-            match = usedSignals.matchOf(log.recording).match,
+            match = usedSignals.matchOf(log.recording, name).match,
             hooks = if (isWanted) hooks.map { HookOutcome.of(it, log.recording) } else emptyList(),
         )
     }

@@ -3,11 +3,11 @@ package badlog.report.hook
 import badlog.core.python.HAS_PYTHON
 import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
-import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.WpilogFormat
 import badlog.report.ROOT
 import badlog.report.sample
 import badlog.rules.commandWords
@@ -90,7 +90,7 @@ class HookRunnerSpec : FunSpec({
     test("a log without rows is given in rows of 20 ms").config(enabled = HAS_PYTHON) {
         val counts = CellCounts(2, 0, 0, 0, 0, 0)
         val topic = Topic("volts", "V", emptyList(), doubleArrayOf(12.0, 6.0), TextColumn.EMPTY, counts, doubleArrayOf(0.0, 0.05))
-        val recording = Recording(RecordingFormat.WPILOG, null, emptyList(), listOf(topic), 0, emptyList())
+        val recording = Recording(WpilogFormat, null, emptyList(), listOf(topic), 0, emptyList())
         val program = "import json, sys; print(json.dumps({'values': {'csv': sys.stdin.read().strip()}}))"
         HookRunner(listOf("python3", "-c", program), 5.minutes).run(recording).values.getValue("csv").lines() shouldBe
             listOf("Time,volts", "0,12", "0.02,12", "0.04,12", "0.06,6")

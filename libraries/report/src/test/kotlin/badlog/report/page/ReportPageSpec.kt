@@ -74,7 +74,8 @@ class ReportPageSpec : FunSpec({
                 pages.writeIndex(Report(RuleSet.NONE).over(logs) { read, hooks -> pages.add(read, hooks) })
             }
             val own = Files.readString(log)
-            shouldThrow<ExportException> { report(folder, isForced = true) }.message shouldContain "would overwrite a log that is read"
+            shouldThrow<ExportException> { report(folder, isForced = true) }.message shouldContain
+                "would overwrite a file that is read; name another place with --out."
             Files.readString(log) shouldBe own
 
             val out = folder.resolve("out")

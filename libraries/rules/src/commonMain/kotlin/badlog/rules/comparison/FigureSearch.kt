@@ -14,7 +14,6 @@ import badlog.rules.number.DistributedSignal
 import badlog.rules.number.Distribution
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
 import badlog.rules.number.common
 import badlog.rules.number.meanOf
@@ -28,35 +27,37 @@ import badlog.signals.NamedSignal
 import badlog.signals.battery.BatteryUse
 import badlog.signals.battery.Resistance
 import badlog.signals.battery.batteryUseOf
+import badlog.signals.match.MatchKind
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.withSignals
 import kotlin.math.abs
 
 /**
  * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
  * time was too short.
  *
+ * @param fileName the name of its file, which may show the match.
  * @param battery what it says of the robot's battery.
  */
-fun figuresOf(view: LogView, vocabulary: SignalVocabulary, battery: BatteryUse? = batteryUseOf(view, vocabulary)): LogFigures {
+fun figuresOf(
+    view: LogView,
+    vocabulary: SignalVocabulary,
+    fileName: String,
+    battery: BatteryUse? = batteryUseOf(view, vocabulary),
+): LogFigures {
     val shape = LogShape.of(view)
     if (!shape.vocabulary.hasTime) return LogFigures.NONE
-    return FigureSearch(
-        view.withSignals(vocabulary),
-        shape.topicsOf(vocabulary),
-        vocabulary.matchOf(view.recording).type,
-        battery?.resistance,
-    )
-        .figures()
+    val topics = shape.topicsOf(vocabulary)
+    val kind = vocabulary.matchOf(view.recording, fileName).kind
+    return FigureSearch(view.identified(view.title, topics.modes), topics, kind, battery?.resistance).figures()
 }
 
 private class FigureSearch(
     private val view: LogView,
     private val topics: SignalTopics,
-    private val matchType: String?,
+    private val kind: MatchKind,
     private val resistance: Resistance?,
 ) {
     private val samples = NamedSamples(LogViewSignals(view), view)
@@ -84,7 +85,7 @@ private class FigureSearch(
     }
 
     fun figures(): LogFigures {
-        if (Measure.ENABLED !in spans) return LogFigures(kind(), emptyList(), DoubleArray(0), Double.NaN, beginsEnabled, endsEnabled)
+        if (Measure.ENABLED !in spans) return LogFigures(kind, emptyList(), DoubleArray(0), Double.NaN, beginsEnabled, endsEnabled)
         val keys = ArrayList<FigureKey>()
         val values = ArrayList<Double>()
         for (compared in ComparedSignal.ALL) {
@@ -106,7 +107,7 @@ private class FigureSearch(
             values += usefulDigits(resistance.milliohms)
         }
         val uncertainty = resistance?.uncertainty?.let(::usefulDigits) ?: Double.NaN
-        return LogFigures(kind(), keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled, distributions())
+        return LogFigures(kind, keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled, distributions())
     }
 
     private fun distributions(): List<Distribution> = DistributedSignal.ALL.mapNotNull { distributed ->
@@ -173,12 +174,6 @@ private class FigureSearch(
 
     private fun isOfDrivetrain(topic: String) = DRIVETRAIN.any { topic.contains(it, ignoreCase = true) }
 
-    private fun kind(): MatchKind = when {
-        matchType == null -> MatchKind.UNKNOWN
-        MATCH_TYPES.any { matchType.contains(it, ignoreCase = true) } -> MatchKind.MATCH
-        else -> MatchKind.PRACTICE
-    }
-
     private companion object {
         /** The share of a second before its end in which a log is at its end. */
         const val LAST = 10
@@ -195,7 +190,6 @@ private class FigureSearch(
         const val BRIDGED = 0.3
         const val MAX_FIGURES = 240
         val DRIVETRAIN = listOf("drive", "module", "swerve", "chassis")
-        val MATCH_TYPES = listOf("qual", "playoff", "elim", "final")
     }
 }
 

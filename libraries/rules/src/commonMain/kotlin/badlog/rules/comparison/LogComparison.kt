@@ -7,9 +7,9 @@ import badlog.rules.number.Baseline
 import badlog.rules.number.ComparedSignal
 import badlog.rules.number.FigureKey
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
 import badlog.rules.timeText
+import badlog.signals.match.MatchKind
 import kotlin.math.abs
 import kotlin.math.round
 
@@ -153,6 +153,13 @@ private class LogComparison(private val rules: List<Comparison>, private val log
             isForEach = true,
         )
     }
+
+    private val MatchKind.words: String
+        get() = when (this) {
+            MatchKind.MATCH -> "matches"
+            MatchKind.PRACTICE -> "practice runs"
+            MatchKind.UNKNOWN -> "logs"
+        }
 
     private fun differenceText(difference: Difference): String {
         val away = difference.value - difference.usual.median

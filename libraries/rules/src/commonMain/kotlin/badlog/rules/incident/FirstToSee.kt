@@ -7,7 +7,7 @@ import badlog.rules.worstFirst
 /**
  * What somebody who has only a moment sees of a log's findings.
  *
- * @property finding the worst; of an incident, the last of those that its sentences tell, to which the others have led.
+ * @property finding the worst; of an incident, the last of those that its sentences report, to which the others have led.
  * @property incident the incident that it is of; null if there is none.
  */
 class FirstToSee internal constructor(val finding: Finding, val incident: Incident?) {
@@ -26,6 +26,6 @@ fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? 
     return FirstToSee(finding, incident)
 }
 
-/** Returns the last finding of [severity] that its sentences tell; one about the whole log comes before all others. */
+/** Returns the last finding of [severity] that its sentences report; one about the whole log comes before all others. */
 private fun Incident.lastTold(severity: Severity): Finding? = sentences.map { it.finding }.filter { it.severity == severity }
     .maxByOrNull { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }

@@ -1,5 +1,7 @@
 package badlog.rules.number
 
+import badlog.signals.match.MatchKind
+
 /**
  * [LogFigures] as texts: logs of one robot usually share [names], which are then parsed only once.
  *

@@ -1,5 +1,7 @@
 package badlog.rules.number
 
+import badlog.signals.match.MatchKind
+
 /**
  * Identifies a figure: what is measured, and in which topic.
  *
@@ -12,18 +14,6 @@ data class FigureKey(val signal: String, val topic: String, val measure: Measure
         /** The signal of the figure calculated from battery voltage and total current. */
         const val RESISTANCE: String = "battery resistance"
     }
-}
-
-/** The kind of run that a log is of: logs of the same kind are compared. */
-enum class MatchKind(internal val words: String) {
-    /** A match that counts. */
-    MATCH("matches"),
-
-    /** Practice, or a test. */
-    PRACTICE("practice runs"),
-
-    /** The log does not say. */
-    UNKNOWN("logs"),
 }
 
 /**

@@ -54,9 +54,7 @@ internal fun united(spans: List<Span>, gap: Double): List<Span> {
     val united = ArrayList<Span>()
     for (span in spans.sortedBy { it.from }) {
         val last = united.lastOrNull()
-        if (last != null &&
-            span.from <= last.to + gap
-        ) {
+        if (last != null && span.from <= last.to + gap) {
             united[united.lastIndex] = Span(last.from, maxOf(last.to, span.to))
         } else {
             united += span

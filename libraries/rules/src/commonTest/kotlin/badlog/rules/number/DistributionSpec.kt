@@ -1,6 +1,7 @@
 package badlog.rules.number
 
 import badlog.core.analysis.Series
+import badlog.signals.match.MatchKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe

@@ -1,5 +1,6 @@
 package badlog.rules.number
 
+import badlog.signals.match.MatchKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeSameInstanceAs
@@ -25,7 +26,7 @@ class FigureTextSpec : FunSpec({
         FigureReader().read(long.toText()).run { listOf(beginsEnabled, endsEnabled) } shouldBe listOf(false, true)
     }
 
-    test("none is none, and so is what is no text of figures") {
+    test("none is none, and so is any other text") {
         val reader = FigureReader()
         val texts = listOf(LogFigures.NONE.toText(), FigureText("x", "1;2;3"), FigureText(figures.toText().names, "9;;false;false;1;2"), FigureText("", ""))
         texts.map { reader.read(it).keys.size } shouldBe listOf(0, 0, 0, 0)

@@ -24,7 +24,7 @@ internal fun claimsAbout(bytes: ByteArray, file: String): List<Claim> {
     val parser = RecordingParser(LOG_FORMATS, bytes.size.toLong())
     parser.accept(bytes)
     val rules = RuleSet.BUILT_IN
-    val view = LogView.of(parser.finish()).withSignals(rules.signals)
+    val view = LogView.of(parser.finish()).withSignals(rules.signals, file)
     val findings = rules.over(view, file).findings
     val incidents = rules.incidentsIn(findings).map { incident ->
         Claim(incident.sentences.joinToString(" ") { it.text }, incident.evidence, isIncident = true)

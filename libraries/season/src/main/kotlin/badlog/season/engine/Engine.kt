@@ -3,7 +3,6 @@ package badlog.season.engine
 import org.duckdb.DuckDBConnection
 import org.duckdb.DuckDBDriver
 import org.duckdb.DuckDBFunctions
-import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Properties
 
@@ -20,14 +19,14 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
         requireEngine()
     }
 
-    private val scratch: Path = Files.createTempDirectory("badlog-duckdb")
+    private val scratch = ScratchFolder()
     private val tables = LentTables()
     private val root: DuckDBConnection = connected(if (streams) mapOf(DuckDBDriver.JDBC_STREAM_RESULTS to "true") else emptyMap())
 
     init {
         root.run(
             "SET threads = $threads",
-            "SET temp_directory = ${literal("$scratch")}",
+            "SET temp_directory = ${literal("${scratch.path}")}",
             // Nothing is ever downloaded.
             "SET autoinstall_known_extensions = false",
             "SET autoload_known_extensions = false",
@@ -55,9 +54,12 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
         "SET lock_configuration = true",
     )
 
+    /** Does [work], which writes. If the program is asked to end meanwhile, [finish] runs before it ends: see [ScratchFolder.finishing]. */
+    fun <R> finishing(finish: () -> Unit, work: () -> R): R = scratch.finishing(finish, work)
+
     override fun close() {
         root.close()
-        scratch.toFile().deleteRecursively()
+        scratch.close()
     }
 
     companion object {

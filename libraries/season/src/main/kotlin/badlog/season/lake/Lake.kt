@@ -2,6 +2,7 @@ package badlog.season.lake
 
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.unwritable
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
 import java.io.IOException
@@ -105,7 +106,7 @@ class Lake(val folder: Path) {
             Files.createDirectories(folder)
             FileChannel.open(folder.resolve(LakeLayout.LOCK), CREATE, WRITE)
         } catch (e: IOException) {
-            throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
+            throw LakeException("The lake ${unwritable(folder, e).message}", e)
         }
         return channel.use {
             while (!it.takesLock()) {
@@ -150,7 +151,7 @@ internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
 } catch (e: SQLException) {
     throw LakeException("The lake $folder cannot be written (${e.message}); make room on the disk, or make the lake in another folder.", e)
 } catch (e: IOException) {
-    throw LakeException("The lake $folder cannot be written (${e.message}); make it in another folder.", e)
+    throw LakeException("The lake ${unwritable(folder, e).message}", e)
 }
 
 /** One run of [Lake.refresh] with [engine] on the lake [folder], which is locked and has the mark [mark]. */
@@ -171,22 +172,20 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
             dropDrafts()
             val byPath = plan.changed.associateBy { it.source.path }
             val changed = logs.map { it.file }.filter { pathOf(it.path) in byPath }
+            val advance = { progress(examined.size, changed.size) }
             try {
-                plan.gone.forEach(stage::remove)
-                val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
-                FolderRun().forEach(changed, work) { file, found ->
-                    examined[pathOf(file.path)] = found
-                    // Tables are rewritten each time, so the larger they are, the more logs are collected first.
-                    if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
-                    progress(examined.size, changed.size)
+                engine.finishing(::stop) {
+                    plan.gone.forEach(stage::remove)
+                    val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
+                    FolderRun().forEach(changed, work, advance) { file, found ->
+                        examined[pathOf(file.path)] = found
+                        // Tables are rewritten each time, so the larger they are, the more logs are collected first.
+                        if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
+                        advance()
+                    }
                 }
             } finally {
-                // Logs being written when the work is stopped are also added to the tables, and nothing is written after the lock is
-                // released.
-                underWay.write {
-                    isStopped = true
-                    stage.flush()
-                }
+                stop()
             }
         }
         val salvaged = registered.filter { it.isSalvaged }.mapTo(HashSet()) { it.path }
@@ -195,6 +194,15 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         }
         if (examined.isNotEmpty()) noteIgnored(outcomes)
         return LakeResult(outcomes, plan.gone.size)
+    }
+
+    /**
+     * Waits for the logs that are being written, and adds them to the tables. Nothing is written later: the lock is released, or the
+     * program ends.
+     */
+    private fun stop() = underWay.write {
+        isStopped = true
+        stage.flush()
     }
 
     /** Removes the drafts that killed runs left behind. */

@@ -10,11 +10,10 @@ import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.season.engine.Engine
-import badlog.signals.LogShape
+import badlog.signals.ShapeCache
 import badlog.signals.withSignals
 import java.nio.file.Path
 import java.sql.SQLException
-import java.util.concurrent.ConcurrentHashMap
 import java.util.zip.CRC32
 
 /** What a file for a lake turned out to be. */
@@ -28,7 +27,7 @@ sealed interface ExaminedLog {
 
 /** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe. */
 internal class LakeExamination(private val rules: RuleSet, private val engine: Engine, private val hasSamples: Boolean = true) {
-    private val programs = ConcurrentHashMap<LogShape, RuleProgram>()
+    private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     /** What decides what becomes of a log besides its file. */
     val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}" +
@@ -39,13 +38,13 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
      * it [log]. Whatever fails, fails for this log alone, but for a full disk.
      */
     fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
-        orNotRead({ Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
+        orNotRead(file, { Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
             when (val read = readLog(file, LOG_FORMATS, cores = cores, name = source.file)) {
                 is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
 
                 is ReadResult.Read -> {
-                    val view = LogView.of(read.recording).withSignals(rules.signals)
-                    val findings = programFor(view).run(view, source.file).flatMap { it.findings }.toList()
+                    val view = LogView.of(read.recording).withSignals(rules.signals, source.file)
+                    val findings = programs[view].run(view, source.file).flatMap { it.findings }.toList()
                     unlessDiskIsFull { ExaminedLog.Written(write(view, findings, source, log, folder)) }
                 }
             }
@@ -69,11 +68,6 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
         val files = targets.map { it.first }
         val records = LogRecords(log, source, view, findings, identity, tables?.columnOf.orEmpty(), files, maker)
         return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
-    }
-
-    private fun programFor(view: LogView): RuleProgram {
-        if (programs.size > MAX_PROGRAMS) programs.clear()
-        return programs.computeIfAbsent(LogShape.of(view)) { RuleProgram(rules, it) }
     }
 
     private companion object {

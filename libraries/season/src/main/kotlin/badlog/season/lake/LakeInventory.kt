@@ -56,7 +56,7 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
         }
     }
 
-    /** Returns what the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are no logs, and why. */
+    /** Returns what the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are not logs, and why. */
     fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 
     companion object {

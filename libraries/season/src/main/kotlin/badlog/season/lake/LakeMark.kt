@@ -24,7 +24,7 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
     /** Its text. */
     val text: String get() = JSON.encodeToString(this)
 
-    /** This, after a run that found those of [logs] to be no logs that [ignored] has, and why. */
+    /** This, after a run that found that those of [logs] in [ignored] are not logs, and why. */
     fun after(logs: List<LogSource>, ignored: Map<LogSource, String>): LakeMark {
         val here = logs.mapTo(HashSet()) { it.path }
         return LakeMark(

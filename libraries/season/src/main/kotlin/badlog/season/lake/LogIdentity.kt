@@ -33,7 +33,7 @@ internal class LogIdentity private constructor(
     companion object {
         /** Returns the identity of [recording], which was read from a file called [name], using the names in [signals]. */
         fun of(name: String, recording: Recording, signals: SignalVocabulary): LogIdentity {
-            val match = signals.matchOf(recording).orNamed(name)
+            val match = signals.matchOf(recording, name)
             val clock = ClockedLog(name, recording, signals)
             val zero = if (clock.hasClock) clock.start else null
             val start = zero?.let { if (clock.first.isNaN()) it else it + clock.first } ?: loggedStart(recording)

@@ -3,7 +3,7 @@ package badlog.season.lake
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.analysis.sampleRateOf
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.text.UniqueNames
@@ -72,7 +72,7 @@ internal class LogRecords(
 
     private fun statisticsRecord(topic: Topic): List<Any?>? {
         if (isOfTexts(topic) || topic.samples.isEmpty()) return null
-        return view.statisticsOf(view.seriesOf(topic)).run {
+        return view.seriesOf(topic).statistics().run {
             listOf(
                 log, topic.name, unitOf(topic), count.toLong(), gaps.toLong(), min, max, mean, standardDeviation, percentile5, median,
                 percentile95, first, last,
@@ -93,7 +93,7 @@ internal class LogRecords(
         return listOf(
             log, identity.title, identity.type, identity.number, identity.alliance, identity.start?.let(::microsOf),
             range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex }, view.xAxis.name,
-            view.xAxis.unit.takeUnless(Units::isNone), recording.format.name.lowercase(), recording.rowCount.toLong(),
+            view.xAxis.unit.takeUnless(Units::isNone), recording.format.id, recording.rowCount.toLong(),
             recording.sampleCount, recording.topics.size.toLong(), events.size.toLong(), findings.size.toLong(), recording.isSalvaged,
             problemsJson(), headerJson(), source.path, source.size, source.modified * 1000,
             textsJson(files), maker,

@@ -1,12 +1,15 @@
 package badlog.season.lake
 
 import badlog.core.analysis.LogView
+import badlog.files.unwritable
 import badlog.season.engine.Engine
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
 import java.io.IOException
 import java.nio.file.Path
 import java.sql.SQLException
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
 
 /**
  * A Parquet file that was written.
@@ -18,6 +21,7 @@ class ParquetFile internal constructor(val path: Path, val rows: Long)
 /** Writes single logs as Parquet files, with the columns that a [Lake] has for them; `docs/season.md` specifies these. Safe for several threads. */
 class ParquetWriter : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
+    private val turn = ReentrantLock()
 
     /**
      * Writes the samples of [view] to [target], which is there whole or as it was before. Where some topics share rows and others have
@@ -30,17 +34,22 @@ class ParquetWriter : AutoCloseable {
      * @throws LakeException when a file cannot be written.
      */
     fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
-        val tables = LogTables(view.withSignals(signals), log, LogIdentity.of(file, view.recording, signals))
+        // DuckDB cannot be stopped without leaving a draft.
+        engine.finishing({ turn.withLock {} }) { turn.withLock { written(view, log, file, signals, target) } }
+    } catch (e: SQLException) {
+        throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)
+    } catch (e: IOException) {
+        throw LakeException(unwritable(target, e).message, e)
+    }
+
+    private fun written(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> {
+        val tables = LogTables(view.withSignals(signals, file), log, LogIdentity.of(file, view.recording, signals))
         val samples = tables.samples
         val series = tables.series
         val path = target.toAbsolutePath()
         val ofSeries = if (samples == null) path else path.resolveSibling(path.fileName.toString().removeSuffix(LakeLayout.ENDING) + SERIES)
-        listOfNotNull(samples?.let { it to path }, series?.let { it to ofSeries })
+        return listOfNotNull(samples?.let { it to path }, series?.let { it to ofSeries })
             .map { (table, file) -> ParquetFile(file, tables.write(table, file, engine)) }
-    } catch (e: SQLException) {
-        throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)
-    } catch (e: IOException) {
-        throw LakeException("$target cannot be written (${e.message}); name another file.", e)
     }
 
     override fun close(): Unit = engine.close()

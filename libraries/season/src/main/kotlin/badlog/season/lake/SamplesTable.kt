@@ -94,9 +94,7 @@ internal class TextsInRows(private val topic: Topic) {
         return if (number.isNaN()) null else numberText(number)
     }
 
-    private fun numberText(number: Double) = if (number == Math.rint(number) &&
-        Math.abs(number) < EXACT
-    ) {
+    private fun numberText(number: Double) = if (number == Math.rint(number) && Math.abs(number) < EXACT) {
         "${number.toLong()}"
     } else {
         "$number"

@@ -3,6 +3,7 @@ package badlog.signals.clock
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.recording.Recording
+import badlog.signals.match.MatchOfLog
 import badlog.signals.match.daysTo
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
@@ -35,10 +36,10 @@ class ClockedLog(val name: String, val recording: Recording, private val vocabul
     }
 
     /** When the robot was enabled and disabled. */
-    val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary).enabledEdges() }
+    val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary, name).enabledEdges() }
 
-    /** The type and the number of its match; null if it is unknown. */
-    internal val match: Pair<String?, String>? by lazy { vocabulary.matchOf(recording).run { number?.let { type to it } } }
+    /** What match it is of. */
+    internal val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
 
     private companion object {
         /** The form in which WPILib names its logs, in UTC. */

@@ -1,12 +1,10 @@
 package badlog.signals.clock
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.core.text.UniqueNames
 import badlog.signals.signalTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.signals.withSignals
 
 /**
  * The log of a robot, and that of the Driver Station of the same match, on the robot's clock.
@@ -17,18 +15,18 @@ import badlog.signals.withSignals
  */
 class RobotBesideStation(
     private val robot: LogView,
-    private val station: Recording,
+    private val station: ClockedLog,
     private val fit: ClockFit,
     private val vocabulary: SignalVocabulary,
 ) {
     private val names = UniqueNames().also { names -> robot.recording.topics.forEach { names.give(it.name) } }
-    private val namesOf = station.topics.map { names.give(it.name) }
+    private val namesOf = station.recording.topics.map { names.give(it.name) }
 
     /** The names of the Driver Station's topics in [both], in order. */
     val stationTopics: Set<String> get() = namesOf.toSet()
 
     /** All topics of both, over the robot's time and the [AROUND] s before and after it. */
-    val both: LogView by lazy { with(station.topics.zip(namesOf), AROUND) }
+    val both: LogView by lazy { with(station.recording.topics.zip(namesOf), AROUND) }
 
     /**
      * The view on which rules run: the robot's topics, plus those topics of the Driver Station that are signals which the robot's log
@@ -36,8 +34,8 @@ class RobotBesideStation(
      */
     val forRules: LogView by lazy {
         val own = signalTopicsOf(robot, vocabulary).all.mapTo(HashSet()) { it.signal }
-        val served = signalTopicsOf(LogView.of(station), vocabulary).all.groupBy({ it.topic }, { it.signal })
-        with(station.topics.zip(namesOf).filter { (topic, _) -> served[topic.name].orEmpty().none { it in own } }, 0.0)
+        val served = signalTopicsOf(LogView.of(station.recording), vocabulary).all.groupBy({ it.topic }, { it.signal })
+        with(station.recording.topics.zip(namesOf).filter { (topic, _) -> served[topic.name].orEmpty().none { it in own } }, 0.0)
     }
 
     private fun with(added: List<Pair<Topic, String>>, around: Double): LogView {
@@ -55,9 +53,9 @@ class RobotBesideStation(
             }
             topic.slice(from, from + times.size, name, times)
         }
-        val both = LogView.of(robot.recording.copy(topics = robot.recording.topics + topics)).withSignals(vocabulary)
-        val modes = if (robot.modes.enabled != null) robot.modes else both.modes
-        return both.identified(robot.title ?: LogView.of(station).withSignals(vocabulary).title, modes)
+        val both = LogView.of(robot.recording.copy(topics = robot.recording.topics + topics))
+        val modes = if (robot.modes.enabled != null) robot.modes else signalTopicsOf(both, vocabulary).modes
+        return both.identified(robot.title ?: station.match.title, modes)
     }
 
     companion object {

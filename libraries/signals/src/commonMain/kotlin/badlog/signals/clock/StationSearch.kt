@@ -66,8 +66,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     }
 
     private fun byMatch(candidates: List<Candidate<F>>): Candidate<F>? {
-        val match = robot.match ?: return null
-        return candidates.filter { it.station.match == match }.singleOrNull()
+        val match = robot.match.match ?: return null
+        return candidates.filter { it.station.match.match == match }.singleOrNull()
     }
 
     /** Returns the only candidate with all moments of enabling in the robot's log, or nearly all if there are many. */

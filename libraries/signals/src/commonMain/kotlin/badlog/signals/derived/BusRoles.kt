@@ -4,7 +4,7 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * What motors that are known by their ids alone move, as far as their speeds tell. Motors of one shaft turn in one ratio; of those, the
+ * What motors that are known by their ids alone move, as far as their speeds show. Motors of one shaft turn in one ratio; of those, the
  * first stands for all.
  *
  * @param speeds the speed of each motor, at the same times.

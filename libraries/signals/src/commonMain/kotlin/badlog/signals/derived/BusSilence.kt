@@ -4,7 +4,7 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns for how long a device whose topics are [sent] was not heard while the robot was enabled and half of [others] were, in s: the
+ * Returns for how long a device whose topics are [sent] sent nothing while the robot was enabled and half of [others] did, in s: the
  * length
  * of each such gap from its start to its end, 0 elsewhere. Empty if the log keeps changes only: then silence says that nothing changed.
  */
@@ -30,7 +30,7 @@ fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> 
     return Series(times.toDoubleArray(), gaps.toDoubleArray())
 }
 
-/** Returns [series] without its gaps: where rows hold what was logged, a device that is not heard leaves cells empty. */
+/** Returns [series] without its gaps: where rows hold what was logged, a device that sends nothing leaves cells empty. */
 private fun known(series: Series): Series {
     val kept = (0 until series.size).filter { series.y[it].isFinite() }
     return if (kept.size == series.size) {

@@ -7,7 +7,7 @@ import kotlin.math.round
 
 /**
  * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned
- * just before and just after. 0 elsewhere. A full turn is no jump, since angles are counted from 0 to 360° or from -180 to 180°.
+ * just before and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°.
  *
  * @param degrees what its numbers are multiplied by to get degrees.
  */

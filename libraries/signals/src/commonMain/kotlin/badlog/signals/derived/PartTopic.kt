@@ -94,7 +94,7 @@ private val QUALIFIERS = ABSOLUTE + MOTOR + setOf(
     "reverse", "is", "pressed",
 )
 
-/** Words of topics that are no sensor of a part, whatever else their names say. */
+/** Words of topics that are not a sensor of a part, whatever else their names say. */
 private val OTHER = setOf(
     "temp", "temperature", "celsius", "fault", "faults", "gain", "limit", "max", "min", "tolerance", "offset", "error",
     "torque", "ks", "kv", "kp", "kd", "ki", "time", "count",

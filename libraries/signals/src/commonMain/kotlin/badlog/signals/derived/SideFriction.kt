@@ -35,7 +35,7 @@ private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray)
     for (i in 2 until times.size - 2) {
         val speed = side.speed[i]
         if (!isStraight[i] || !(abs(speed) > 0.1 * top) || !side.output[i].isFinite()) continue
-        // A device that is not heard leaves its last values.
+        // A device that sends nothing leaves its last values.
         if (side.speed[i] == side.speed[i - 1] && side.speed[i] == side.speed[i - 2] && side.output[i] == side.output[i - 2]) continue
         val seconds = times[i + 2] - times[i - 2]
         if (seconds <= 0 || seconds > 0.3) continue

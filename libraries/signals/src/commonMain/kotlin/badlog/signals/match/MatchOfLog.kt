@@ -30,16 +30,16 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
     /** Its name for people, with the event; null unless there is an event or a number. */
     val title: String? get() = matchTitle(event, type, number)
 
-    /** Returns the same, where it is unknown as in the file's name [fileName]. */
-    fun orNamed(fileName: String): MatchOfLog {
-        val named = matchInName(fileName)
-        return MatchOfLog(
-            event = event ?: named.event,
-            type = type ?: named.type.takeIf { number == null || number == named.number },
-            number = number ?: named.number,
-            alliance = alliance,
-        )
-    }
+    /** The kind of run. */
+    val kind: MatchKind get() = type?.let { MatchType.of(it) }?.kind ?: MatchKind.UNKNOWN
+
+    /** Returns the same, where it is unknown as in [named], which the file's name shows. */
+    internal fun or(named: MatchOfLog) = MatchOfLog(
+        event = event ?: named.event,
+        type = type ?: named.type.takeIf { number == null || number == named.number },
+        number = number ?: named.number,
+        alliance = alliance,
+    )
 
     companion object {
         /** The red [alliance]. */
@@ -50,8 +50,11 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
     }
 }
 
-/** Returns the match that [recording] is of, from its values, or else from its topics, found by this vocabulary. */
-fun SignalVocabulary.matchOf(recording: Recording): MatchOfLog {
+/**
+ * Returns the match that [recording] is of: from its values, otherwise from its topics, found by this vocabulary, otherwise from the name
+ * of its file, [fileName].
+ */
+fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
     val empty = recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
     val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
     fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
@@ -60,12 +63,13 @@ fun SignalVocabulary.matchOf(recording: Recording): MatchOfLog {
         return recording.values.firstOrNull { value -> isMeant(value.text) && patterns.any { it.matches(value.name) } }?.text?.trim()
     }
     val values = recording.values
-    return MatchOfLog(
+    val logged = MatchOfLog(
         event = values.meant("event name", "event") ?: value(EVENT_NAME) ?: topic(EVENT_NAME)?.let(::lastText),
         type = values.meant("match type") ?: value(MATCH_TYPE) ?: topic(MATCH_TYPE)?.let(::typeIn),
         number = values.meant("match number", "match") ?: value(MATCH_NUMBER) ?: topic(MATCH_NUMBER)?.let(::lastNumber)?.toString(),
         alliance = allianceIn(values),
     )
+    return logged.or(matchInName(fileName))
 }
 
 /** Returns the alliance in the header [values] of a log: `Red` or `Blue` if it can be recognized, otherwise as logged; null if none has it. */
@@ -82,6 +86,7 @@ private fun lastText(topic: Topic): String? {
 
 private fun lastNumber(topic: Topic): Int? = topic.samples.lastOrNull { it.isFinite() && it >= 1 }?.toInt()
 
-private fun typeIn(topic: Topic): String? = lastText(topic) ?: lastNumber(topic)?.let { TYPES.getOrNull(it - 1) }
+private fun typeIn(topic: Topic): String? = lastText(topic) ?: lastNumber(topic)?.let { NUMBERED.getOrNull(it - 1)?.title }
 
-private val TYPES = listOf("Practice", "Qualification", "Elimination")
+/** The types that WPILib logs as the numbers 1, 2 and 3. */
+private val NUMBERED = listOf(MatchType.PRACTICE, MatchType.QUALIFICATION, MatchType.ELIMINATION)

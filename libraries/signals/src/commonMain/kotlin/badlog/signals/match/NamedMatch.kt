@@ -1,15 +1,8 @@
 package badlog.signals.match
 
-private val TYPES = listOf(
-    "Qualification" to "qualification|qualifier|quals?|qm|q",
-    "Quarterfinal" to "quarterfinals?|qf",
-    "Semifinal" to "semifinals?|semis?|sf",
-    "Final" to "finals?|f",
-    "Elimination" to "eliminations?|elims?|e",
-    "Playoff" to "playoffs?",
-    "Practice" to "practice|prac|pm|p",
-    null to "match|m",
-)
+/** How names of files write each type; null for a match of an unknown one. */
+private val TYPES: List<Pair<MatchType?, String>> =
+    MatchType.entries.filter { it.inNames.isNotEmpty() }.map { it to it.inNames } + (null to "match|m")
 
 private val MATCH = Regex(
     "(?<![A-Za-z0-9])(${TYPES.joinToString("|") { it.second }})[-_. #]?0*(\\d{1,3})(?:-?m0*(\\d{1,2}))?(?![A-Za-z0-9])",
@@ -34,5 +27,5 @@ fun matchInName(fileName: String): MatchOfLog {
     } else {
         EVENT.matchEntire(fileName.substring(afterDate, found.range.first))?.groupValues?.get(1)
     }
-    return MatchOfLog(event, type, if (second.isEmpty()) number else "$number-$second")
+    return MatchOfLog(event, type?.title, if (second.isEmpty()) number else "$number-$second")
 }

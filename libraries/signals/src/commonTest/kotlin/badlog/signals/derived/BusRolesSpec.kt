@@ -31,7 +31,7 @@ class BusRolesSpec : FunSpec({
         roles(listOf(rare(1), rare(1), rare(-1), rare(-1), roller)).drive shouldContainExactly listOf(0, 2)
     }
 
-    test("rollers that run alike are no drive, and without a drive nothing is known of mechanisms") {
+    test("rollers that run alike are not a drive, and without a drive nothing is known of mechanisms") {
         val other = times.of { if (it % 9 < 4) 82 + swing(it) else 0.0 }
         val found = roles(listOf(roller, roller, other, other))
         found.drive.shouldBeEmpty()

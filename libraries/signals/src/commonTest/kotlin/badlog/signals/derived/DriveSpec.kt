@@ -27,7 +27,7 @@ class DriveSpec : FunSpec({
         error(0) { 0.0 } shouldBeLessThan 1e-6
     }
 
-    test("a module that is further behind its target than the others lags, whatever the others have to turn; late measurements are no lag") {
+    test("a module that is further behind its target than the others lags, whatever the others have to turn; late measurements are not a lag") {
         val turns = listOf(1.0, 1.0, 1.4, 1.4)
         val targets = turns.map { much -> times.of { much * swing(2 * it) } }
         fun lags(behind: (Int) -> Double) = moduleAngleLags(

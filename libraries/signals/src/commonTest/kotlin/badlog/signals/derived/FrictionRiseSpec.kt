@@ -24,7 +24,7 @@ class FrictionRiseSpec : FunSpec({
         abs(checkNotNull(rise(effort { 1.0 }))) shouldBeLessThan 0.02
     }
 
-    test("a load is no friction: it helps down as much as it hinders up") {
+    test("a load is not friction: it helps down as much as it hinders up") {
         abs(checkNotNull(rise(effort(weight = { if (it < 30) 3.0 else 12.0 }) { 1.0 }))) shouldBeLessThan 0.05
     }
 

@@ -28,7 +28,7 @@ class SightErrorSpec : FunSpec({
         }
     }
 
-    test("nothing is logged between pictures, which is no picture that agrees") {
+    test("nothing is logged between pictures, which is not a picture that agrees") {
         error({ 0.0 }) {
             if (it % 2 == 1) {
                 Double.NaN

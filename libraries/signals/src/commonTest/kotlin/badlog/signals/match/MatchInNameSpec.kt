@@ -25,7 +25,7 @@ class MatchInNameSpec : FunSpec({
         test("the name “$name” shows ${facts.match ?: "no match"}") { matchInName(name) shouldBe facts }
     }
 
-    test("a number of digits that is no match is none") {
+    test("digits that are not the number of a match are ignored") {
         checkAll(Arb.string(0, 40)) { name -> matchInName(name).number?.length?.let { (it <= 6) shouldBe true } }
     }
 })

@@ -43,7 +43,7 @@ class BatteryUseSpec : FunSpec({
         }
         val text = (listOf("""{"topics":[$described],"values":[$given]}""", topics.joinToString(",")) + rows).joinToString("\n", postfix = "\n")
         val vocabulary = RuleSet.BUILT_IN.signals
-        val view = LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish()).withSignals(vocabulary)
+        val view = LogView.of(BagParser().apply { accept(text.encodeToByteArray()) }.finish()).withSignals(vocabulary, "log")
         return batteryUseOf(view, vocabulary)
     }
 
@@ -80,7 +80,7 @@ class BatteryUseSpec : FunSpec({
         logOf(texts = "Battery Number" to listOf("7"))?.name shouldBe "7"
     }
 
-    test("a voltage, or what says nothing, is no name") {
+    test("a voltage, or what says nothing, is not a name") {
         for (text in listOf("12.4", "12.4 V", "12.4 volts", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
         logOf(values = mapOf("Battery Name" to "none"))?.name.shouldBeNull()
     }

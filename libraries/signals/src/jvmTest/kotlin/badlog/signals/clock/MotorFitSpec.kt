@@ -16,7 +16,7 @@ class MotorFitSpec : FunSpec({
     /** A motor that is driven in each of [spans], sampled every 20 ms for 30 s, by a clock that began [later]. */
     fun output(name: String, spans: List<ClosedRange<Double>>, later: Double = 0.0, level: Double = 0.5): Topic = numbers(name, List(1500) { it / 50.0 }.map { time -> time - later to if (spans.any { time in it }) level else 0.0 })
 
-    fun view(vararg topics: Topic): LogView = LogView.of(logOf(topics.toList())).withSignals(signals)
+    fun view(vararg topics: Topic): LogView = LogView.of(logOf(topics.toList())).withSignals(signals, "log")
 
     val arm = listOf(3.0..5.0, 7.0..8.5, 12.0..20.0)
     val wheel = listOf(2.0..9.0, 11.0..13.0, 14.5..21.0)

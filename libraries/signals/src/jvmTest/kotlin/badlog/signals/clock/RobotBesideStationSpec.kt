@@ -17,7 +17,7 @@ import io.kotest.matchers.shouldBe
 class RobotBesideStationSpec : FunSpec({
     val signals = RuleSet.BUILT_IN.signals
 
-    fun beside(robot: Recording, station: Recording, seconds: Double) = RobotBesideStation(LogView.of(robot).withSignals(signals), station, ClockFit(seconds, 4, 0.0), signals)
+    fun beside(robot: Recording, station: Recording, seconds: Double) = RobotBesideStation(LogView.of(robot).withSignals(signals, "log"), clocked(station), ClockFit(seconds, 4, 0.0), signals)
 
     fun LogView.topic(name: String) = recording.topics.single { it.name == name }
 

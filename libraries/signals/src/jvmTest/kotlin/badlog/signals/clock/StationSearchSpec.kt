@@ -45,6 +45,12 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null), practice, stations[0])?.station?.name shouldBe "a"
     }
 
+    test("the match may be in the name of the robot's log alone") {
+        val qualification = number("42") + Value("Match Type", "Qualification")
+        val stations = arrayOf(log(0.0, "2026-03-07 15:04:05 UTC", number("41"), "a"), log(0.0, "2026-03-07 16:04:05 UTC", qualification, "b"))
+        found(log(3.0, null, name = "Q42.wpilog"), *stations)?.station?.name shouldBe "b"
+    }
+
     test("of many logs, only those are read that may be of the same time of day") {
         val read = ArrayList<Int>()
         fun search(robot: ClockedLog) = StationSearch(robot, { hour: Int -> hour * 3600.0 }, { hour ->

@@ -30,6 +30,14 @@ private fun topic(name: String, samples: List<Pair<Double, Double>>, unit: Strin
 )
 
 /** A log of [topics], which began at the time of day [start]. */
-internal fun logOf(topics: List<Topic>, start: String? = null, values: List<Value> = emptyList()): Recording = Recording(RecordingFormat.WPILOG, null, values + listOfNotNull(start?.let { Value("Start Time", it) }), topics, 0, emptyList())
+internal fun logOf(topics: List<Topic>, start: String? = null, values: List<Value> = emptyList()): Recording = Recording(Records, null, values + listOfNotNull(start?.let { Value("Start Time", it) }), topics, 0, emptyList())
 
 internal fun clocked(recording: Recording, name: String = "log"): ClockedLog = ClockedLog(name, recording, RuleSet.BUILT_IN.signals)
+
+/** A format without rows. */
+private object Records : RecordingFormat {
+    override val id: String get() = "records"
+    override val title: String get() = "log of records"
+    override val endings: List<String> get() = emptyList()
+    override val hasRows: Boolean get() = false
+}

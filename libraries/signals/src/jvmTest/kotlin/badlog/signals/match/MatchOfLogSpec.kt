@@ -5,13 +5,14 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Value
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class MatchOfLogSpec : FunSpec({
     fun of(values: List<Value>, name: String): MatchOfLog {
         val recording = Recording(RecordingFormat.BAG, null, values, emptyList(), 0, emptyList())
-        return RuleSet.BUILT_IN.signals.matchOf(recording).orNamed(name)
+        return RuleSet.BUILT_IN.signals.matchOf(recording, name)
     }
 
     test("values show event, type, number and alliance") {
@@ -31,6 +32,20 @@ class MatchOfLogSpec : FunSpec({
 
     test("a type in the name is not put to a number of the values") {
         of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchOfLog(number = "5")
+    }
+
+    test("a log without metadata is of the match that its name shows") {
+        of(emptyList(), "FRC_20240316_104107_MILLC_Q42.wpilog") shouldBe MatchOfLog("MILLC", "Qualification", "42")
+        of(listOf(Value("Event Name", "OHCL")), "Q42.wpilog") shouldBe MatchOfLog("OHCL", "Qualification", "42")
+    }
+
+    test("the kind of run follows from the type, whatever it is called") {
+        val types = mapOf(
+            MatchKind.MATCH to listOf("Qualification", "quals", "QUAL", "Quarterfinal", "Semifinal", "Elimination", "Elims", "playoff", "Final"),
+            MatchKind.PRACTICE to listOf("Practice", "practice match", "Test"),
+            MatchKind.UNKNOWN to listOf("Demonstration", "3", null),
+        )
+        for ((kind, texts) in types) for (text in texts) withClue(text) { MatchOfLog(type = text).kind shouldBe kind }
     }
 
     test("an alliance that is neither red nor blue is as logged") {

@@ -4,7 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.PathName
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
@@ -76,9 +76,9 @@ data class LogSummary(
             val time = if (axis.isIndex) timeTopic(recording) else axis.topic
             val duration = if (axis.isIndex) time?.let { finiteSpan(it.samples)?.width } else axis.range?.let { it.endInclusive - it.start }
             val xUnit = if (axis.isIndex) time?.unit.orEmpty() else axis.unit
-            val trouble = if (recording.isReadable) null else recording.problems.last().message
+            val trouble = recording.refusal
             return LogSummary(
-                match = vocabulary.matchOf(recording).orNamed(name),
+                match = vocabulary.matchOf(recording, name),
                 date = LogDate.of(recording.values, name, modified),
                 duration = duration,
                 xUnit = xUnit,
@@ -125,7 +125,7 @@ data class TopicSummary(
 
 private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     val line = view.seriesOf(topic)
-    val statistics = view.statisticsOf(line)
+    val statistics = line.statistics()
     val held = if (line.holds) view.xAxis.range else null
     return TopicSummary(
         topic.name,

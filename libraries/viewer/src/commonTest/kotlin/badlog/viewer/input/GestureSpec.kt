@@ -89,24 +89,4 @@ class GestureSpec : FunSpec({
         OverviewGrip.at(50.0, whole, 0.2) shouldBe OverviewGrip.NEW
         OverviewGrip.at(50.0, whole.showing(49.9, 50.1), 1.0) shouldBe OverviewGrip.WINDOW
     }
-
-    test("an edge moves alone, and stops at the other") {
-        OverviewDrag(zoomed, 40.0, 0.1).movedTo(30.0).visible shouldBe Span(30.0, 60.0)
-        OverviewDrag(zoomed, 60.0, 0.1).movedTo(10.0).visible.from shouldBe (40.0 plusOrMinus 1e-3)
-    }
-
-    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes each") {
-        val drag = OverviewDrag(zoomed, 50.0, 0.1)
-        drag.movedTo(50.1) shouldBe zoomed
-        drag.hasMoved shouldBe false
-        drag.movedTo(60.0)
-        drag.movedTo(70.0).visible shouldBe Span(60.0, 80.0)
-        drag.movedTo(70.0).back().visible shouldBe zoomed.visible
-        OverviewDrag(whole, 20.0, 0.1).movedTo(50.0).visible shouldBe Span(20.0, 50.0)
-    }
-
-    test("a click beside the visible range moves it there, one inside it does nothing") {
-        OverviewDrag(zoomed, 80.0, 0.1).clicked(80.0).visible shouldBe Span(70.0, 90.0)
-        OverviewDrag(zoomed, 50.0, 0.1).clicked(50.0) shouldBe zoomed
-    }
 })

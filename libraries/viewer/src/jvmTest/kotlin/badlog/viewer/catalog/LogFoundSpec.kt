@@ -45,7 +45,7 @@ class LogFoundSpec : FunSpec({
         verdict(finding("Jump", Severity.WARNING, 12.0, unit = "m"))!!.headline shouldBe "Jump at 12 m"
     }
 
-    test("notes alone, or nothing, are no verdict") {
+    test("notes alone, or nothing, are not a verdict") {
         verdict(finding("Note", Severity.NOTE, 3.0)) shouldBe null
         RuleSet.BUILT_IN.foundIn(emptyList(), 7) shouldBe LogFound(7, emptyList())
     }

@@ -2,8 +2,6 @@ package badlog.viewer.choices.board
 
 import badlog.core.analysis.Span
 import badlog.signals.pose.Pose
-import badlog.viewer.draw.path.FieldOrigin
-import badlog.viewer.draw.path.Plane
 
 /**
  * The graphs that a person put together, from top to bottom. Immutable; each change returns a new board.

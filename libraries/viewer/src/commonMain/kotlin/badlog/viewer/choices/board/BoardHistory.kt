@@ -3,23 +3,24 @@ package badlog.viewer.choices.board
 /**
  * A board with its undo and redo history. Immutable; each step returns a new one.
  *
- * @property now the board that is shown.
+ * @param at the place in [steps] of the board that is shown; those after it were undone.
  * @param newId returns an id that no graph of any tab or window has; null if nobody else changes this board.
  */
-class BoardHistory private constructor(
-    val now: Board,
-    private val before: List<Board>,
-    private val after: List<Board>,
-    private val newId: (() -> Int)?,
-) {
+class BoardHistory private constructor(private val steps: List<Step>, private val at: Int, private val newId: (() -> Int)?) {
+    /** A board, and whether others do not know yet how it differs from the one before it. */
+    private class Step(val board: Board, val isNew: Boolean)
+
     /** Creates a history that begins with [board]. */
-    constructor(board: Board = Board(), newId: (() -> Int)? = null) : this(board, emptyList(), emptyList(), newId)
+    constructor(board: Board = Board(), newId: (() -> Int)? = null) : this(listOf(Step(board, isNew = false)), 0, newId)
+
+    /** The board that is shown. */
+    val now: Board get() = steps[at].board
 
     /** Whether there is something to undo. */
-    val canUndo: Boolean get() = before.isNotEmpty()
+    val canUndo: Boolean get() = at > 0
 
     /** Whether something undone can be done again. */
-    val canRedo: Boolean get() = after.isNotEmpty()
+    val canRedo: Boolean get() = at < steps.lastIndex
 
     /**
      * Shows [board], a change of [shown], which is the part of [now] that the open log can show: the rest stays. Nothing changes if it shows
@@ -28,39 +29,63 @@ class BoardHistory private constructor(
     fun changed(board: Board, shown: Board = now): BoardHistory {
         val own = identified(board)
         val whole = if (shown === now) own else own.mergedWith(now, shown)
-        return if (whole.showsSame(now)) this else BoardHistory(whole, (before + now).takeLast(MAX_STEPS), emptyList(), newId)
+        if (whole.showsSame(now)) return this
+        val all = (steps.take(at + 1) + Step(whole, isNew = true)).takeLast(MAX_STEPS + 1)
+        return BoardHistory(all, all.lastIndex, newId)
     }
 
     /** Undoes the last change. */
-    fun undone(): BoardHistory = if (canUndo) BoardHistory(before.last(), before.dropLast(1), after + now, newId) else this
+    fun undone(): BoardHistory = if (canUndo) BoardHistory(steps, at - 1, newId) else this
 
     /** Redoes what [undone] undid. */
-    fun redone(): BoardHistory = if (canRedo) BoardHistory(after.last(), before + now, after.dropLast(1), newId) else this
+    fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
+
+    /** Returns this history with each of its boards changed by [change], which can therefore not be undone. */
+    fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
 
     /**
      * Returns this history with what other tabs or windows have changed of the board that they remember in one place, since this one
-     * [read] it: in each of its boards, so that undoing does not undo what others did.
+     * [read] it: in each of its boards, so that undoing does not undo what others did. [now] is then what to remember; what was changed
+     * here before that is no longer later than what others do.
      */
     fun mergedWith(stored: Board, read: Board): BoardHistory {
-        if (stored.showsSame(read)) return this
-        // After undoing, others have the last word.
-        val merged = now.mergedWith(stored, read, prefersStored = canRedo)
-
-        fun steps(boards: List<Board>): List<Board> {
-            val all = boards.map { it.mergedWith(stored, read, prefersStored = true) } + merged
-            return all.filterIndexed { i, board -> i < boards.size && !board.showsSame(all[i + 1]) }
+        if (stored == read) return BoardHistory(steps.map { Step(it.board, isNew = false) }, at, newId)
+        val merged = ArrayList<Step>()
+        for ((i, step) in steps.withIndex()) {
+            val before = merged.lastOrNull()?.board
+            val board = if (step.isNew && before != null) {
+                step.board.mergedWith(before, steps[i - 1].board)
+            } else {
+                step.board.mergedWith(stored, read, prefersStored = true)
+            }
+            merged += Step(board, isNew = false)
         }
-        return BoardHistory(merged, steps(before), steps(after), newId)
+        return withSteps(merged)
+    }
+
+    /** Returns a history of [changed], the steps of this one, without those that show the same as the one before. */
+    private fun withSteps(changed: List<Step>): BoardHistory {
+        val all = ArrayList<Step>()
+        var place = 0
+        for ((i, step) in changed.withIndex()) {
+            val before = all.lastOrNull()
+            if (before == null || !step.board.showsSame(before.board)) {
+                all += step
+            } else if (i == at) {
+                all[all.lastIndex] = Step(step.board, before.isNew)
+            }
+            if (i == at) place = all.lastIndex
+        }
+        return BoardHistory(all, place, newId)
     }
 
     /** Returns [board] with ids of their own for graphs that were never in this history: a board knows only which ids are free on it. */
     private fun identified(board: Board): Board {
         val id = newId ?: return board
-        val known = before + after + now
         return Board(
             board.graphs.map { graph ->
-                val isKnown = known.any { it.graphs.any { other -> other.id == graph.id && other.isOnceSame(graph) } }
-                if (isKnown) graph else graph.copy(id = id())
+                val wasHere = steps.any { step -> step.board.graphs.any { it.id == graph.id && it.isOnceSame(graph) } }
+                if (wasHere || graph.id == graph.idOfLines) graph else graph.copy(id = id())
             },
         )
     }

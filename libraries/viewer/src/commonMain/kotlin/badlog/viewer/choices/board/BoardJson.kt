@@ -4,7 +4,6 @@ import badlog.core.analysis.Span
 import badlog.core.json.JsonReader
 import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
-import badlog.viewer.draw.path.FieldOrigin
 
 /**
  * Returns the board as a JSON object with the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,

@@ -1,7 +1,6 @@
 package badlog.viewer.choices.board
 
 import badlog.core.analysis.Span
-import badlog.viewer.draw.path.FieldOrigin
 import badlog.viewer.text.addressText
 
 /**

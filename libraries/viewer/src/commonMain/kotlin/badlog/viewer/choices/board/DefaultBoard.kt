@@ -2,8 +2,6 @@ package badlog.viewer.choices.board
 
 import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
-import badlog.viewer.draw.lane.framesOf
-import badlog.viewer.draw.lane.statesTitle
 import badlog.viewer.shown.outline.everChanges
 
 /**
@@ -12,19 +10,18 @@ import badlog.viewer.shown.outline.everChanges
  * that a dashboard shows, topics that never change remain in the list.
  */
 fun defaultBoard(view: LogView): Board {
-    var id = 0
     val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
     val specs = view.folders.flatMap { folder ->
         val graphsOfFolder = folder.graphs.filter { graph ->
             graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
         }
         framesOf(graphsOfFolder).map { graphs ->
-            val first = graphs.first().asBoardGraph().copy(id = ++id)
+            val first = graphs.first().asBoardGraph()
             if (graphs.size == 1) return@map first
             first.copy(title = statesTitle(folder.name), lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
         }
     }
-    return Board(specs)
+    return Board(specs).identifiedByLines()
 }
 
 private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }

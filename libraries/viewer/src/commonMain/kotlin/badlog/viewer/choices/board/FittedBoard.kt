@@ -43,3 +43,10 @@ fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boole
     }
     return FittedBoard(Board(fitting), missing.toList(), dropped)
 }
+
+/**
+ * Returns this board, and the graphs of [start] below it where a recording can show none of this one; [isThere] says whether the recording
+ * has a line.
+ */
+fun Board.orAlso(start: () -> Board, isThere: (String) -> Boolean): Board =
+    if (graphs.any { it.lines.any(isThere) }) this else Board(graphs + start().graphs)

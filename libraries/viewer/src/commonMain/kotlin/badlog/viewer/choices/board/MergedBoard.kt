@@ -16,7 +16,10 @@ fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false)
     val own = graphs.filter { it.id !in known }.associateBy { it.id }
     // Ids of new graphs may meet by chance.
     var free = (graphs + stored.graphs).maxOfOrNull { it.id } ?: 0
-    val others = stored.graphs.map { graph -> if (own[graph.id].let { it == null || it == graph }) graph else graph.copy(id = ++free) }
+    val others = stored.graphs.map { graph ->
+        val isFree = own[graph.id].let { it == null || it == graph || it.id == it.idOfLines || graph.id == graph.idOfLines }
+        if (isFree) graph else graph.copy(id = ++free)
+    }
     val merged = graphs.mergedWith(others, read.graphs, prefersStored, { it.id }) { mine, before, theirs ->
         if (before == null) mine else mine.mergedWith(theirs, before, prefersStored)
     }

@@ -19,7 +19,7 @@ fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<Str
     val above = boardAbove(view, vocabulary)
     // A path is drawn on a field, so its parts are not yet drawn over time.
     val shown = above.graphs.filterNot { it.isXy }.flatMapTo(HashSet()) { it.lines }
-    return above.withGraphs(defaultBoard(view).graphs.filterNot { shown.containsAll(it.lines) })
+    return above.withGraphs(defaultBoard(view).graphs.filterNot { shown.containsAll(it.lines) }).identifiedByLines()
 }
 
 /**
@@ -33,7 +33,7 @@ fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<Str
 fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
     boardOfLarge(view, vocabulary, pointed)?.let { return it }
     val path = pathBoard(view)
-    if (view.folders.sumOf { it.graphs.size } <= FEW) return path
+    if (view.folders.sumOf { it.graphs.size } <= FEW) return path.identifiedByLines()
     val topics = LogShape.of(view).topicsOf(vocabulary)
     val changing = changingIn(view)
     val power = POWER.mapNotNull { signal -> namesOf(signal, topics).firstOrNull { it in changing } }
@@ -42,7 +42,8 @@ fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String
     val others = listOf(MODES, LOOP).flatMap { signals ->
         evidenceBoard(view, signals.flatMap { namesOf(it, topics) }.filter { it in changing }, vocabulary).graphs
     }
-    return path.withGraphs(first + others).let { it.withGraphs(evidenceBeside(it.graphs, view, pointed, vocabulary)) }
+    val all = path.withGraphs(first + others)
+    return all.withGraphs(evidenceBeside(all.graphs, view, pointed, vocabulary)).identifiedByLines()
 }
 
 private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: List<String>, vocabulary: SignalVocabulary): List<BoardGraph> {
@@ -76,7 +77,7 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
     val shown = first.flatMapTo(HashSet()) { it.lines }
     val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
         .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size - path.graphs.size))
-    return path.withGraphs(first + others)
+    return path.withGraphs(first + others).identifiedByLines()
 }
 
 private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).map { it.topic }

@@ -13,6 +13,14 @@ enum class AxisSide {
 
     /** Nowhere: a graph has only two sides, so lines of a third unit have their own scale, but their values are only in the legend. */
     NONE,
+    ;
+
+    /** Returns what a legend says about a line in [unit] here: the unit, and where its numbers are, unless on the left. */
+    fun legendOf(unit: String): String = when (this) {
+        LEFT -> unit
+        RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"
+        NONE -> if (unit.isEmpty()) "own scale" else "$unit, own scale"
+    }
 }
 
 /**
@@ -21,15 +29,7 @@ enum class AxisSide {
  * @property unit the unit; empty for none.
  * @property lines the indices of its lines in the graph.
  */
-class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>) {
-    /** What a legend says about each of [lines]: the unit, and where its numbers are, unless on the left. */
-    val legend: String
-        get() = when (side) {
-            AxisSide.LEFT -> unit
-            AxisSide.RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"
-            AxisSide.NONE -> if (unit.isEmpty()) "own scale" else "$unit, own scale"
-        }
-}
+class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>)
 
 /**
  * Returns the y axes of a graph whose lines have [units], null for a line that is not drawn: a hidden line leaves its axis to another unit.
@@ -66,5 +66,8 @@ private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
     whole.from + (chosen.from - first.from) / first.width * whole.width,
     whole.from + (chosen.to - first.from) / first.width * whole.width,
 ).takeIf(::isShowable)
+
+/** Returns the same [part] of each of [limits], given as fractions from the top. */
+fun yParts(limits: List<Span>, part: Span): List<Span> = limits.map { Span(it.to - part.to * it.width, it.to - part.from * it.width) }
 
 private fun isShowable(span: Span) = span.width > 0 && span.width.isFinite()

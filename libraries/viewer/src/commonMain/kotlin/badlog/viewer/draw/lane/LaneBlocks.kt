@@ -29,10 +29,12 @@ class LaneBlocks {
     private var slivers = IntArray(0)
 
     /**
-     * Finds the visible parts of [runs] in [span] on [width] pixels. No state is lost: one shorter than [shortest] pixels gets
-     * that many, on top of its longer neighbors; if several compete, the state that is rarest in the recording is shown.
+     * Finds the visible parts of [runs] in [span] on [width] physical pixels, [density] for each CSS pixel or dp. No state is lost: one
+     * shorter than [LaneLook.MIN_BLOCK] gets that many, on top of its longer neighbors; if several compete, the state that is rarest in the
+     * recording is shown.
      */
-    fun place(runs: StateRuns, span: Span, width: Double, shortest: Int) {
+    fun place(runs: StateRuns, span: Span, width: Double, density: Double) {
+        val shortest = ceil(LaneLook.MIN_BLOCK * density).toInt()
         size = 0
         val columns = ceil(width).toInt()
         if (slivers.size != columns) slivers = IntArray(columns)

@@ -2,6 +2,7 @@ package badlog.viewer.draw.path
 
 import badlog.core.analysis.Span
 import badlog.signals.pose.Trail
+import badlog.viewer.choices.board.Plane
 
 /**
  * The field that paths are on: its outline and its center line, in meters from the corner at the right end of the blue alliance's

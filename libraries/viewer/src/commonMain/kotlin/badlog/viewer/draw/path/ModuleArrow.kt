@@ -1,8 +1,9 @@
 package badlog.viewer.draw.path
 
 import badlog.core.analysis.GraphSeries
+import badlog.signals.swerve.SwerveModules
 import badlog.viewer.shown.cursor.indexAt
-import badlog.viewer.shown.swerve.SwerveModules
+import badlog.viewer.shown.swerve.places
 import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
@@ -23,12 +24,14 @@ internal class ModuleLines private constructor(
     private val angles: List<GraphSeries>,
     private val modules: SwerveModules,
 ) {
+    private val places = modules.places
+
     /** Returns the arrows at [time] of a robot at ([x], [y]) with [heading]. */
     fun arrowsAt(time: Double, x: Double, y: Double, heading: Double): List<ModuleArrow> = speeds.indices.mapNotNull { i ->
         val length = valueAt(speeds[i], time) * modules.meters * SECONDS
         val turn = heading + valueAt(angles[i], time) * modules.radians
-        val ahead = modules.places[i].ahead * CORNER
-        val left = modules.places[i].left * CORNER
+        val ahead = places[i].ahead * CORNER
+        val left = places[i].left * CORNER
         val fromX = x + ahead * cos(heading) - left * sin(heading)
         val fromY = y + ahead * sin(heading) + left * cos(heading)
         val toX = fromX + length * cos(turn)

@@ -2,6 +2,7 @@ package badlog.viewer.draw.path
 
 import badlog.core.analysis.Span
 import badlog.signals.pose.PoseRole
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.axis.Ticks
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade

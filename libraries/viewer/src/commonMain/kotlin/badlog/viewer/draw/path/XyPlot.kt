@@ -10,8 +10,10 @@ import badlog.signals.pose.PoseRole
 import badlog.signals.pose.planDistance
 import badlog.signals.pose.planSpans
 import badlog.signals.pose.trailOf
+import badlog.signals.swerve.SwerveModules
+import badlog.viewer.choices.board.Plane
+import badlog.viewer.choices.range.wholeRange
 import badlog.viewer.draw.axis.limitsFor
-import badlog.viewer.shown.swerve.SwerveModules
 import badlog.viewer.text.shortNames
 
 /**
@@ -142,6 +144,7 @@ fun xyPlotOf(
             pose.role,
             trail(x, y, pose),
             listOf(pose.x, pose.y),
+            x.wholeRange,
             Heading.of(pose, flip, line),
             followers.mapNotNull { next -> line(next.x)?.let { a -> line(next.y)?.let { b -> trail(a, b, next) } } },
             pose,
@@ -161,7 +164,7 @@ private fun plainPlot(found: List<GraphSeries>): XyPlot? {
     val over = found[0]
     val names = shortNames(found.map { it.topic.name })
     val traces = found.drop(1).mapIndexed { i, series ->
-        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over.data, series.data), listOf(series.topic.name))
+        XyTrace(names[i + 1], i, PoseRole.SEEN, trailOf(over.data, series.data), listOf(series.topic.name), over.wholeRange)
     }
     fun title(series: GraphSeries, name: String) = if (Units.isNone(series.unit)) name else "$name (${series.unit})"
     return XyPlot(traces, isField = false, title(over, names[0]), title(found[1], names[1]), over.unit, found[1].unit)

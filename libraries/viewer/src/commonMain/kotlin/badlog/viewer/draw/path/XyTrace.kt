@@ -5,6 +5,7 @@ import badlog.core.analysis.Span
 import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.Trail
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.text.fixedText
@@ -22,6 +23,7 @@ import kotlin.math.sin
  * @property role what it is; seen poses are drawn as dots.
  * @property trail its places over time.
  * @property lines the names of the lines that it is made of, by which a board hides it.
+ * @param recorded the whole range of its recording, outside which nothing has a place.
  * @property followers for a plan that is an array, the places after the first one.
  */
 class XyTrace internal constructor(
@@ -30,6 +32,7 @@ class XyTrace internal constructor(
     val role: PoseRole,
     val trail: Trail,
     val lines: List<String>,
+    private val recorded: Span,
     private val heading: Heading? = null,
     val followers: List<Trail> = emptyList(),
     internal val pose: Pose? = null,
@@ -51,8 +54,11 @@ class XyTrace internal constructor(
         drawing.draw(trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
     }
 
-    /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then. */
-    fun indexAt(time: Double): Int = trail.indexAt(time).let { if (it >= 0 && trail.isPlace(it)) it else -1 }
+    /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then, as before and after its recording. */
+    fun indexAt(time: Double): Int = indexIn(trail, time)
+
+    private fun indexIn(trail: Trail, time: Double): Int =
+        if (time in recorded) trail.indexAt(time).let { if (it >= 0 && trail.isPlace(it)) it else -1 } else -1
 
     /** Returns the heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
     fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
@@ -69,12 +75,7 @@ class XyTrace internal constructor(
 
     /** Returns, for an array, the places at [time] in sequence, alternating x and y. */
     fun chainAt(time: Double): DoubleArray {
-        val places = (listOf(trail) + followers).mapNotNull { one ->
-            one.indexAt(time).takeIf { it >= 0 && one.isPlace(it) }?.let {
-                one to
-                    it
-            }
-        }
+        val places = (listOf(trail) + followers).map { it to indexIn(it, time) }.filter { (_, index) -> index >= 0 }
         return DoubleArray(places.size * 2) { i -> places[i / 2].let { (one, at) -> if (i % 2 == 0) one.x[at] else one.y[at] } }
     }
 

@@ -23,7 +23,7 @@ private fun Pen.drawLine(frame: PlotFrame, x: Double?, color: Int, width: Double
 }
 
 /** Draws a dot at ([x], [y]), a place in pixels on line [color]. */
-fun Pen.drawSample(x: Double, y: Double, color: Int, colors: PenColors) {
+internal fun Pen.drawSample(x: Double, y: Double, color: Int, colors: PenColors) {
     val place = Points().add(x, y)
     dots(place, (DOT + 1) * density, colors[Shade.SURFACE])
     dots(place, DOT * density, colors.line(color))

@@ -27,9 +27,7 @@ fun Pen.drawLanes(frame: PlotFrame, lanes: List<PlotLane>, colors: PenColors, ha
             for (block in 0 until blocks.size) {
                 val left = (start + blocks.left[block] * stretch).coerceAtLeast(frame.left)
                 val right = (start + blocks.right[block] * stretch).coerceAtMost(frame.right)
-                if (right >
-                    left
-                ) {
+                if (right > left) {
                     drawBlock(left, right - left, top + height * i, height - GAP * density, lane.states, blocks.states[block], colors)
                 }
             }

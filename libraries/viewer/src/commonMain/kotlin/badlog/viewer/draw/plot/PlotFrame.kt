@@ -1,8 +1,8 @@
 package badlog.viewer.draw.plot
 
 import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.curve.Scale
-import badlog.viewer.draw.path.Plane
 import kotlin.math.round
 
 /**

@@ -9,6 +9,8 @@ import badlog.viewer.choices.board.spanText
 import badlog.viewer.choices.board.toText
 import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.text.addressText
+import badlog.viewer.text.decimalsFor
+import badlog.viewer.text.fixedText
 import badlog.viewer.text.nameOfAddress
 
 /**
@@ -39,6 +41,20 @@ class PageAddress(
     /** Whether it asks for nothing. */
     val isEmpty: Boolean get() =
         moment == null && visible == null && board == null && formulas.isEmpty() && video == null && opened == OpenedParts()
+
+    /**
+     * Returns the same for a link that is short enough to read: where a pointer put a cursor or the end of a range, only the decimals stay
+     * that can be seen while [width] of x is visible. Times as logs have them, and those of findings, stay as they are.
+     */
+    fun seenIn(width: Double): PageAddress {
+        val decimals = decimalsFor(width)
+        fun seen(x: Double) = if (x.toString().length <= TIME_LENGTH) x else fixedText(x, decimals).toDouble()
+        return PageAddress(
+            moment = if (finding == null) moment?.let(::seen) else moment,
+            visible = visible?.run { Span(seen(from), seen(to)) },
+            board, formulas, problems, finding, video, second?.let(::seen), opened,
+        )
+    }
 
     /** Returns the end of the address, from the `#` on; empty if it asks for nothing. */
     fun toText(): String {
@@ -107,6 +123,9 @@ private fun withoutPercents(text: String): String {
         if (code == null) "%$part" else code.toChar() + part.drop(DIGITS)
     }
 }
+
+/** Seconds and microseconds of a log that is not too long for any battery: `12345.678901`. */
+private const val TIME_LENGTH = 12
 
 private const val HEXADECIMAL = 16
 private const val DIGITS = 2

@@ -4,6 +4,7 @@ import badlog.signals.battery.BatteryUse
 import badlog.signals.battery.Resistance
 import badlog.signals.battery.TeamBattery
 import badlog.signals.battery.meanOf
+import badlog.signals.match.MatchKind
 import badlog.signals.match.NaturalOrder
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.shown.folder.MatchRun
@@ -104,7 +105,7 @@ private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
 }
 
 private fun counts(log: ListedLog): Boolean = with(log.summary.match) {
-    match != null && type?.contains("practice", ignoreCase = true) != true
+    match != null && kind != MatchKind.PRACTICE
 }
 
 private fun resistancesOf(matches: List<BatteryMatch>) = matches.mapNotNull { it.use.resistance }

@@ -27,9 +27,12 @@ class ComparedLog(val name: String, private val lines: BoardLines, val offset: D
 class ComparedGraph(val graph: Graph, val lines: List<String>, val colors: List<Int>)
 
 /**
- * Returns [graph], whose lines the board calls [lines], with the same lines of [logs]. The colors show first which log it is, the same in
- * all graphs, also where a log lacks a line.
+ * Returns the index of the color of the line at [place] in a graph, as log [index] of [count] drawn ones has it: it shows first which log it
+ * is, the same in all graphs, also where a log lacks a line.
  */
+fun colorOf(place: Int, index: Int, count: Int): Int = place * count + index
+
+/** Returns [graph], whose lines the board calls [lines], with the same lines of [logs]. */
 fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): ComparedGraph {
     if (logs.isEmpty()) return ComparedGraph(graph, lines, lines.indices.toList())
     val series = ArrayList<GraphSeries>()
@@ -41,7 +44,7 @@ fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): C
             if (line == null) return@forEachIndexed
             series += line
             names += lines[i]
-            colors += i * all.size + log
+            colors += colorOf(i, log, all.size)
         }
     }
     return ComparedGraph(Graph(graph.name, graph.unit, graph.isVirtual, graph.isFilled, graph.includesZero, series), names, colors)

@@ -2,17 +2,18 @@ package badlog.viewer.shown.cursor
 
 import badlog.core.analysis.GraphSeries
 import badlog.signals.pose.lastAtOrBefore
+import badlog.viewer.choices.range.wholeRange
 import badlog.viewer.text.numberText
 
 /**
- * Returns the index of the sample of this line that a cursor at [x] reads; -1 for none, and if [x] is NaN.
+ * Returns the index of the sample of this line that a cursor at [x] reads; -1 for none: before and after its recording, and if [x] is NaN.
  *
  * One rule for all front ends: values that hold until they change, such as states and topics with times of their own, are read
  * from the last sample at or before the cursor; there is no value before their first sample. Numbers that were measured row by
  * row, and calculated ones, are read from the nearest sample, on which the cursor's dot is drawn.
  */
 fun GraphSeries.indexAt(x: Double): Int = when {
-    x.isNaN() -> -1
+    x !in wholeRange -> -1
     states != null || holds -> data.lastAtOrBefore(x)
     else -> data.nearest(x)
 }

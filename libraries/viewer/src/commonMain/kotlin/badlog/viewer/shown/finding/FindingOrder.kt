@@ -29,10 +29,7 @@ class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?) {
  * the order of time. What begins at one instant is one step, to the worst of it.
  */
 class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: List<Incident>) {
-    private val ofIncidents = incidents.mapNotNull { incident ->
-        val first = (listOf(incident.first) + incident.sentences.map { it.finding }).firstOrNull { it.places.isNotEmpty() }
-        first?.let { FindingStep(FindingPlace(it, it.severity, it.places[0]), incident) }
-    }
+    private val ofIncidents = incidents.mapNotNull(::stepTo)
     private val ofAnyIncident = incidents.flatMapTo(HashSet()) { it.causes + it.effects }
     private val others = timeline.places.filter { it.finding !in ofAnyIncident }
         .groupBy { it.span.from }.values
@@ -46,9 +43,7 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
      */
     fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
         val index = all.indexOfFirst { step ->
-            if (step.incident ==
-                null
-            ) {
+            if (step.incident == null) {
                 isAt(step, current, x)
             } else {
                 current != null && current in step.incident

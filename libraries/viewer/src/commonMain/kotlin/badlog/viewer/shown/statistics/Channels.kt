@@ -4,7 +4,7 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.signals.vocabulary.SignalTopics
 import badlog.viewer.text.NO_NUMBER
 import badlog.viewer.text.fixedText
@@ -68,7 +68,7 @@ class Channels private constructor(private val view: LogView, private val lines:
     /** Returns those that gave anything within [parts] of x, by [order], the largest first. */
     fun ranked(parts: List<Span>, order: ChannelOrder): List<RankedChannel> {
         val hours = Units.secondsIn(view.xAxis.unit)?.let { it / SECONDS_PER_HOUR }
-        val statistics = lines.map { (line, _) -> view.statisticsOf(line, parts) }
+        val statistics = lines.map { (line, _) -> line.statistics(parts) }
         val charges = lines.indices.map { i -> hours?.let { statistics[i].integral * lines[i].second * it }?.takeIf { it.isFinite() } }
         val total = charges.sumOf { it ?: 0.0 }
         val channels = lines.indices.filter { statistics[it].max * lines[it].second > 0 }.map { i ->

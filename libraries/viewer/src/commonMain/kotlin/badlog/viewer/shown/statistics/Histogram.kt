@@ -1,10 +1,10 @@
 package badlog.viewer.shown.statistics
 
 import badlog.core.analysis.GraphSeries
-import badlog.core.analysis.LogView
 import badlog.core.analysis.Series
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
+import badlog.viewer.choices.range.holdsUntil
 
 /**
  * How long a line had which values: each value counts as long as it holds, as for the statistics.
@@ -23,13 +23,13 @@ class Histogram internal constructor(val values: Span, val shares: DoubleArray) 
         private const val BINS = 30
 
         /**
-         * Returns that of [line], one of [view]'s, over [parts] of x, which are in order, and over which it has [statistics]. Null if it has
-         * states, if it has only one value, or if x goes backwards.
+         * Returns that of [line] over [parts] of x, which are in order, and over which it has [statistics]. Null if it has states, if it
+         * has only one value, or if x goes backwards.
          */
-        fun of(view: LogView, line: GraphSeries, parts: List<Span>, statistics: SeriesStatistics): Histogram? {
+        fun of(line: GraphSeries, parts: List<Span>, statistics: SeriesStatistics): Histogram? {
             val values = Span(statistics.min, statistics.max)
             if (line.states != null || !line.data.isOrdered || !(values.width > 0) || !values.width.isFinite()) return null
-            val end = if (line.holds) view.xAxis.range?.endInclusive ?: Double.NaN else Double.NaN
+            val end = line.holdsUntil ?: Double.NaN
             val times = DoubleArray(BINS)
             for (part in parts) line.data.addTimes(times, part, values, end)
             val all = times.sum()

@@ -3,6 +3,7 @@ package badlog.viewer.shown.statistics
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
+import badlog.viewer.choices.range.holdsUntil
 import badlog.viewer.text.exactText
 import badlog.viewer.text.lengthText
 import badlog.viewer.text.numberText
@@ -51,12 +52,11 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
         const val MOST: Int = 6
 
         /**
-         * Returns how [lines], which are those of a graph, differ within [parts] of x: each from the first of its unit; at most [MOST]. A line
-         * that holds its last value does so until [end].
+         * Returns how [lines], which are those of a graph, differ within [parts] of x: each from the first of its unit; at most [MOST].
          */
-        fun of(lines: List<GraphSeries>, parts: List<Span>, end: Double): List<NamedDifference> {
+        fun of(lines: List<GraphSeries>, parts: List<Span>): List<NamedDifference> {
             val width = parts.sumOf { it.width }
-            fun endOf(line: GraphSeries) = if (line.holds) end else line.data.range?.endInclusive ?: Double.NaN
+            fun endOf(line: GraphSeries) = line.holdsUntil ?: line.data.range?.endInclusive ?: Double.NaN
             val pairs = lines.filter {
                 it.states == null
             }.groupBy { it.unit }.values.flatMap { alike -> alike.drop(1).map { it to alike[0] } }

@@ -1,5 +1,6 @@
 package badlog.viewer.shown.swerve
 
+import badlog.signals.swerve.SwerveModules
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.cos
@@ -12,6 +13,9 @@ import kotlin.math.sin
  * @property left how far to the left of the center; negative to the right.
  */
 internal class ModulePlace(val ahead: Double, val left: Double)
+
+/** Where these modules are, in their order. */
+internal val SwerveModules.places: List<ModulePlace> get() = corners?.map(CORNER_PLACES::get) ?: modulePlacesOf(labels.size)
 
 /**
  * Returns where [count] modules are, in their order. Logs do not say it. Four are at the corners, front before back, left before right;
@@ -33,5 +37,5 @@ internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
 private val TRIANGLE = listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), ModulePlace(-1.0, 0.0))
 
 /** The corners, front before back, left before right. */
-internal val CORNER_PLACES: List<ModulePlace> =
+private val CORNER_PLACES: List<ModulePlace> =
     listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), ModulePlace(-1.0, 1.0), ModulePlace(-1.0, -1.0))

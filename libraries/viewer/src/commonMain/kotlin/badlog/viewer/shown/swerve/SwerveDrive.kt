@@ -4,6 +4,8 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.enabledSpans
 import badlog.core.analysis.knowsEnabled
+import badlog.signals.swerve.DriveTopics
+import badlog.signals.swerve.SwerveModules
 
 /**
  * The swerve drive of a log.
@@ -50,17 +52,14 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
             fun wheels(modules: SwerveModules) = modules.speeds.zip(modules.angles) { speed, angle ->
                 WheelLines(line(speed), line(angle), modules.meters, modules.radians)
             }
-            val all = swerveModulesOf(view.recording.topics)
-            val actual = all.firstOrNull { !it.isTarget } ?: return null
-            val targets = all.filter { it.isTarget }
-            val whole = targets.filter { it.labels.containsAll(actual.labels) }
-            val target = whole.maxByOrNull { "optimized" in it.speeds[0].lowercase() }
-            val wanted = target?.let { it.labels.zip(wheels(it)).toMap() }.orEmpty()
-            val modules = wheels(actual).mapIndexed { i, wheel ->
-                DriveModule(actual.labels[i], actual.places[i], wheel, wanted[actual.labels[i]])
+            val drive = DriveTopics.of(view.recording.topics) ?: return null
+            val wanted = drive.target?.let { it.labels.zip(wheels(it)).toMap() }.orEmpty()
+            val places = drive.measured.places
+            val modules = wheels(drive.measured).mapIndexed { i, wheel ->
+                val label = drive.measured.labels[i]
+                DriveModule(label, places[i], wheel, wanted[label])
             }
-            val lacking = targets.map { actual.labels - it.labels.toSet() }.minByOrNull { it.size } ?: actual.labels
-            return SwerveDrive(view, modules, lacking)
+            return SwerveDrive(view, modules, drive.withoutTarget)
         }
     }
 }

@@ -61,6 +61,19 @@ class BoardHistorySpec : FunSpec({
     test("without changes of other tabs, a history stays the same") {
         val board = Board().withGraph(listOf("A"))
         val history = BoardHistory(board).changed(board.withGraph(listOf("B")))
-        (history.mergedWith(board, board) === history) shouldBe true
+        val merged = history.mergedWith(board, board)
+        merged.now shouldBe history.now
+        merged.undone().now shouldBe board
+    }
+
+    test("what is changed everywhere is not undone, and a step of nothing else is none") {
+        val one = Board().withGraph(listOf("A"))
+        val history = BoardHistory(one).changed(one.withGraph(listOf("B"))).changed(one.withGraph(listOf("B")).withGraph(listOf("C")))
+        val without = history.everywhere { withoutSignal("B") }
+        without.now.graphs.map { it.title } shouldBe listOf("A", "C")
+        without.undone().now shouldBe one
+        without.undone().canUndo shouldBe false
+        history.everywhere { withoutSignal("C") }.undone().now shouldBe one
+        history.undone().undone().everywhere { renamed("B", "D") }.redone().now.graphs.map { it.title } shouldBe listOf("A", "D")
     }
 })

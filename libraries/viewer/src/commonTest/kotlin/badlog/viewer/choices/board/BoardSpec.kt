@@ -1,7 +1,6 @@
 package badlog.viewer.choices.board
 
 import badlog.core.analysis.Span
-import badlog.viewer.draw.path.FieldOrigin
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique

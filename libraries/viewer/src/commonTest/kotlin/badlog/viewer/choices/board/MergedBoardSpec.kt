@@ -22,13 +22,23 @@ class MergedBoardSpec : FunSpec({
         val board get() = history.now
 
         fun take(step: BoardHistory.() -> BoardHistory) {
-            history = history.step().mergedWith(store.board, known)
+            later(step)
+            save()
+        }
+
+        fun change(step: Board.() -> Board) = take { changed(now.step()) }
+
+        /** As a window does, which writes after a pause. */
+        fun later(step: BoardHistory.() -> BoardHistory) {
+            history = history.step()
+        }
+
+        fun save() {
+            history = history.mergedWith(store.board, known)
             // As a file is written and read.
             known = boardOfJson(history.now.toJson(haveIds = true))
             store.board = known
         }
-
-        fun change(step: Board.() -> Board) = take { changed(now.step()) }
     }
 
     fun Board.named(title: String) = graphs.find { it.title == title }
@@ -119,6 +129,65 @@ class MergedBoardSpec : FunSpec({
         mine.take { undone() }
         store.board.graphs[0].height shouldBe 200
         store.board.graphs[0].lines shouldBe listOf("A", "E")
+    }
+
+    test("undoing before it is remembered takes back nothing of another's, whatever is changed after it") {
+        val store = Store(start)
+        val (mine, theirs) = List(2) { Tab(store) }
+        val (first, second, third) = start.graphs.map { it.id }
+        mine.change { resized(first, 100) }
+        theirs.change { resized(first, 200) }
+        mine.later { undone() }
+        mine.later { changed(now.resized(second, 90)) }
+        mine.save()
+        store.board.graphs.map { it.height } shouldBe listOf(200, 90, null)
+        theirs.change { resized(third, 70).resized(second, 300) }
+        mine.later { changed(now.resized(third, 80)) }
+        mine.later { undone() }
+        mine.save()
+        store.board.graphs.map { it.height } shouldBe listOf(200, 300, 70)
+        mine.later { undone() }
+        mine.save()
+        store.board.graphs.map { it.height } shouldBe listOf(200, 300, 70)
+    }
+
+    test("whenever tabs remember what they do and undo, they end with the same board, and undo only their own") {
+        val own = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..6).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..60)
+        checkAll(300, own) { all ->
+            val store = Store(start)
+            val tabs = List(3) { Tab(store) }
+            for (deed in all) {
+                val tab = tabs[deed.tab]
+                // Each tab has a graph of its own, of which nobody else takes anything back.
+                val id = start.graphs[deed.tab].id
+                when (deed.kind) {
+                    0 -> tab.later { changed(now.withGraph(listOf("New ${deed.tab} ${deed.value}"))) }
+                    1 -> tab.later { changed(now.resized(id, deed.value)) }
+                    2 -> tab.later { changed(now.moved(id, deed.value % 3 - 1)) }
+                    3 -> tab.later { undone() }
+                    4 -> tab.later { redone() }
+                    5 -> tab.later { changed(now.withoutSignal("New ${deed.tab} ${deed.value}")) }
+                    else -> tab.save()
+                }
+            }
+            // What each has done and undone of its own is what is there in the end.
+            val wanted = tabs.mapIndexed { i, tab -> tab.board.graphs.filter { it.id == start.graphs[i].id || "New $i" in it.title }.map { it.copy(id = 0) }.toSet() }
+            repeat(2) { tabs.forEach(Tab::save) }
+            tabs.map { it.board }.toSet().size shouldBe 1
+            store.board.graphs.map { it.id }.shouldBeUnique()
+            store.board.graphs.map { it.copy(id = 0) }.toSet() shouldBe wanted.flatten().toSet()
+        }
+    }
+
+    test("tabs that begin with the same graphs know them as the same, also in another order and beside others") {
+        fun begun(vararg lines: String) = Board(lines.map { BoardGraph(0, it, listOf(it)) }).identifiedByLines()
+        val (mine, theirs) = begun("A", "B", "C") to begun("C", "B", "D")
+        mine.graphs.takeLast(2).map { it.id }.toSet() shouldBe theirs.graphs.take(2).map { it.id }.toSet()
+        begun("A", "A").graphs.map { it.id }.shouldBeUnique()
+        BoardHistory(Board()) { 7 }.changed(mine).now shouldBe mine
+        val changed = mine.resized(mine.graphs[1].id, 100)
+        changed.mergedWith(stored = theirs.resized(theirs.graphs[0].id, 200), read = mine).graphs.map { it.title to it.height } shouldBe
+            listOf("C" to 200, "B" to 100, "D" to null)
     }
 
     test("a change of what a log can show leaves the graphs and lines that it cannot show") {

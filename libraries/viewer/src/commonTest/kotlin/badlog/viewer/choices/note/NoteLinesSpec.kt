@@ -18,6 +18,8 @@ class NoteLinesSpec : FunSpec({
         noteChangesOf(lines.joinToString("\r\n")).run { changes to unreadable } shouldBe (listOf(hit, gone) to listOf(2, 3, 5))
     }
 
+    fun notesOf(beginning: List<Note>, changes: List<NoteChange>) = NoteHistory.of(beginning, changes).notes
+
     test("notes of today’s files are a beginning: they stay until a line removes them, and come back when one writes them") {
         val old = listOf(Note(1.0, "a"), Note(2.0, "b"))
         val removed = NoteChange("1", time, "Ada", old[0], isRemoved = true)

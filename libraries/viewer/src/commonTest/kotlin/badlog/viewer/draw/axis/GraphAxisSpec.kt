@@ -17,7 +17,7 @@ class GraphAxisSpec : FunSpec({
         val axes = graphAxes(listOf("V", "A", "V", "rpm", "ul", ""))
         axes.map { it.side } shouldContainExactly listOf(AxisSide.LEFT, AxisSide.RIGHT, AxisSide.NONE, AxisSide.NONE)
         axes.map { it.lines } shouldContainExactly listOf(listOf(0, 2), listOf(1), listOf(3), listOf(4, 5))
-        axes.map { it.legend } shouldContainExactly listOf("V", "A, right", "rpm, own scale", "own scale")
+        axes.map { it.side.legendOf(it.unit) } shouldContainExactly listOf("V", "A, right", "rpm, own scale", "own scale")
     }
 
     test("a hidden line gives its axis to another unit") {

@@ -16,7 +16,7 @@ class LaneBlocksSpec : FunSpec({
     fun blocks(count: Int, width: Double, state: (Int) -> Int): List<Triple<Double, Double, Int>> {
         val series = Series(DoubleArray(count) { it.toDouble() }, DoubleArray(count) { state(it).toDouble() })
         val end = count - 1.0
-        reused.place(StateRuns(series, end), Span(0.0, end), width, shortest = 2)
+        reused.place(StateRuns(series, end), Span(0.0, end), width, density = 1.0)
         return List(reused.size) { Triple(reused.left[it], reused.right[it], reused.states[it]) }
     }
 

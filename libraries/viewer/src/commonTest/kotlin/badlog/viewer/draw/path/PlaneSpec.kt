@@ -1,6 +1,7 @@
 package badlog.viewer.draw.path
 
 import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Plane
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe

@@ -2,6 +2,7 @@ package badlog.viewer.draw.path
 
 import badlog.core.analysis.Span
 import badlog.signals.pose.Trail
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.curve.Strokes
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

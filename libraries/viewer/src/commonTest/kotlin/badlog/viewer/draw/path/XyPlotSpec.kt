@@ -6,9 +6,8 @@ import badlog.core.recording.Topic
 import badlog.signals.pose.Pose
 import badlog.signals.pose.PoseRole
 import badlog.signals.pose.posesOf
+import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.bagView
-import badlog.viewer.shown.swerve.SwerveModules
-import badlog.viewer.shown.swerve.swerveModulesOf
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
@@ -74,6 +73,24 @@ class XyPlotSpec : FunSpec({
         plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
     }
 
+    test("before and after a log, nothing of it has a place, also where another one goes on; until its end, the last place counts") {
+        val names = listOf("Pose", "Target Pose", "Trajectory[0]", "Trajectory[1]")
+        val paths = names.flatMap { path(it, Triple(0.0, 1.0, 2.0), Triple(1.0, 3.0, 2.0)) }
+        val view = timed(paths + timedTopic("Voltage", 0.0 to 12.0, 5.0 to 11.0))
+        val plot = view.plot(*names.dropLast(1).flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
+        plot.driven!!.run {
+            textAt(5.0, isField = true) shouldBe "3.00, 2.00 m · 90°"
+            textAt(5.1, isField = true) shouldBe ""
+            robotAt(5.1).size shouldBe 0
+        }
+        plot.traces.single { it.followers.isNotEmpty() }.run {
+            chainAt(5.0).toList() shouldBe listOf(3.0, 2.0, 3.0, 2.0)
+            chainAt(5.1).size shouldBe 0
+        }
+        for (time in listOf(-0.1, 5.1)) plot.marksAt(time, emptySet()) shouldBe emptyList()
+        view.plot("Voltage", "Pose/translation/x")!!.traces.single().indexAt(5.1) shouldBe -1
+    }
+
     test("swerve modules are arrows at the robot's corners, with the targets drawn first") {
         fun states(name: String, speed: Double) = List(4) { i ->
             listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
@@ -99,36 +116,6 @@ class XyPlotSpec : FunSpec({
             view.recording.topics.find { it.name == name }?.let(view::seriesOf)
         }!!
         plot.arrowsAt(0.0)[2].places.take(4).zip(listOf(2.0, 2.7, 2.0, 3.7)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
-    }
-
-    test("modules with a topic of their own for speed and for angle are arrows, however their corners are named") {
-        fun found(vararg names: String, units: List<String> = listOf("m/s", "deg")): List<SwerveModules> {
-            val topics = names.flatMapIndexed { i, name -> listOf(name, name.replace("Speed", "Angle")).map { it to i } }
-            return swerveModulesOf(
-                topics.mapIndexed { i, (name, corner) -> timedTopic(name, 0.0 to corner.toDouble()).copy(unit = units[i % 2]) },
-            )
-        }
-
-        fun corners(vararg ends: String) = ends.map { "Drive/$it Speed" }.toTypedArray()
-        val right = listOf("Front Right", "Rear Right", "Front Left", "Rear Left")
-        found(*right.map { "Drive/$it Speed" }.toTypedArray()).single().speeds shouldBe
-            listOf("Drive/Front Left Speed", "Drive/Front Right Speed", "Drive/Rear Left Speed", "Drive/Rear Right Speed")
-        found(*corners("FL", "FR", "BL", "BR")).single().radians shouldBe (PI / 180 plusOrMinus 1e-12)
-        found(*corners("Module0/", "Module1/", "Module2/", "Module3/"), units = listOf("ft/s", "rad")).single().meters shouldBe 0.3048
-        found(*corners("Target FL", "Target FR", "Target BL", "Target BR")).single().isTarget shouldBe true
-        found(*corners("FrontLeft", "FrontRightt", "BackLeft", "BackRight")).single().isTarget shouldBe false
-        found(*corners("FL", "FR", "BR")).single().labels shouldBe listOf("Front Left", "Front Right", "Back Right")
-        found(*corners("FL", "BR")) shouldBe emptyList()
-        found(*corners("Module0/", "Module1/", "Module3/")) shouldBe emptyList()
-        found(*corners("Module0/", "Module1/", "Module2/")).single().labels shouldBe listOf("Module 0", "Module 1", "Module 2")
-        found(*corners("FL", "FR", "BL", "BR"), units = listOf("rpm", "deg")) shouldBe emptyList()
-        // How far a wheel has turned is not its direction.
-        val driven = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
-            listOf("Speed" to "m/s", "DrivePosition" to "rad", "TurnPosition" to "rad").map { (what, unit) ->
-                timedTopic("Drive/$corner/$what", 0.0 to 0.0).copy(unit = unit)
-            }
-        }
-        swerveModulesOf(driven).single().angles[0] shouldBe "Drive/FL/TurnPosition"
     }
 
     test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {

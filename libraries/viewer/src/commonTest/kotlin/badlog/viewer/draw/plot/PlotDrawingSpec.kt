@@ -58,7 +58,7 @@ class PlotDrawingSpec : FunSpec({
 
     test("lanes have their states' names where they fit, and their own names beside them, if there are several") {
         val runs = StateRuns(Series(doubleArrayOf(0.0, 5.0), doubleArrayOf(0.0, 1.0)), end = 10.0)
-        val blocks = LaneBlocks().apply { place(runs, frame.shown, frame.width, shortest = 2) }
+        val blocks = LaneBlocks().apply { place(runs, frame.shown, frame.width, density = 1.0) }
         val lane = PlotLane("Intake/Deployed", listOf("false", "true"), blocks)
         val plot = Plot(emptyList(), emptyList(), listOf(lane, PlotLane("Hidden", listOf("a"), null)), laneShare = 1.0)
         drawn { drawPlot(frame, plot, noMarks, colors, 0.0) }.filterNot { "e9ecf0" in it } shouldBe listOf(

@@ -3,8 +3,11 @@ package badlog.viewer.session.link
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.session.video.VideoAlignment
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.string.shouldMatch
@@ -21,6 +24,7 @@ import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlin.math.pow
 
 class PageAddressSpec : FunSpec({
     val name = Arb.choice(Arb.string(0..12), Arb.string(1..8, Codepoint.alphanumeric()), Arb.element("a&b=c", "100%", "#", "A;B", "é\uD800"))
@@ -75,6 +79,46 @@ class PageAddressSpec : FunSpec({
         PageAddress(93.0, second = 95.5, opened = OpenedParts("battery", hasValues = true, statistics = listOf(1, 3))).toText() shouldBe
             "#t=93&b=95.5&q=battery&open=values;1;3"
         PageAddress().toText() shouldBe ""
+    }
+
+    // On a log of up to a quarter of an hour, a person puts the cursors anywhere, and zooms to anything between a millisecond and all.
+    val looked = arbitrary {
+        val width = 10.0.pow(Arb.numericDouble(-3.0, 2.9).bind())
+        val from = Arb.numericDouble(0.0, 900.0).bind()
+        val places = Arb.numericDouble(from, from + width)
+        PageAddress(places.bind(), Span(from, from + width), second = places.orNull().bind()) to width
+    }
+
+    test("of a page that is as it was exported, at most 60 characters follow the #, and lead to the same place on the screen") {
+        checkAll(1000, looked) { (address, width) ->
+            val text = address.seenIn(width).toText()
+            withClue(text) { text.length shouldBeLessThanOrEqual 61 }
+            val read = pageAddressOf(text)
+            fun places(of: PageAddress) = listOf(of.moment, of.second, of.visible?.from, of.visible?.to)
+            for ((there, here) in places(read) zip places(address)) {
+                if (here == null) there shouldBe null else there!! shouldBe (here plusOrMinus width / 10_000)
+            }
+        }
+    }
+
+    test("of a board of four topics, their names and at most 80 more follow the #, and a finding adds its own") {
+        val topic = Arb.string(1..40, Codepoint.alphanumeric())
+        checkAll(1000, looked, Arb.list(topic, 4..4), topic, topic) { (address, width), topics, rule, about ->
+            val names = topics.map { "Drive/$it" }
+            val board = names.fold(Board()) { board, name -> board.withGraph(listOf(name)) }
+            val link = PageAddress(address.moment, address.visible, board, second = address.second).seenIn(width).toText()
+            withClue(link) { link.length shouldBeLessThanOrEqual 81 + names.sumOf { it.length } }
+            val finding = FindingName(rule, about)
+            val time = (address.moment!! * 1e6).toLong() / 1e6
+            val ofFinding = PageAddress(time, address.visible, finding = finding).seenIn(width)
+            ofFinding.moment shouldBe time
+            withClue(ofFinding.toText()) { ofFinding.toText().length shouldBeLessThanOrEqual 61 + "finding=;&$rule$about".length }
+        }
+    }
+
+    test("times as a log has them are in a link as they are, however little of it is visible") {
+        val address = PageAddress(12345.678901, Span(0.02, 149.98), second = -3.0)
+        address.seenIn(1000.0).toText() shouldBe address.toText()
     }
 
     test("each damaged part is reported in a sentence, and the rest is used") {

@@ -1,9 +1,16 @@
 package badlog.viewer.shown.comparison
 
 import badlog.core.analysis.LogView
+import badlog.core.analysis.statistics
 import badlog.viewer.bagView
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.lineNames
+import badlog.viewer.choices.range.holdsUntil
+import badlog.viewer.choices.range.stateRuns
+import badlog.viewer.shown.cursor.indexAt
+import badlog.viewer.shown.cursor.textOf
+import badlog.viewer.timedTopic
+import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -22,6 +29,21 @@ class ComparedLogSpec : FunSpec({
         both.graph.series.map { it.topic.name } shouldContainExactly listOf("A/Volts", "A/Volts (Q2)", "A/Amps", "A/Amps (Q2)")
         both.graph.series[1].data.x.toList() shouldContainExactly listOf(0.0, 1.0)
         both.graph.series[1].data.y.toList() shouldContainExactly listOf(8.0, 7.0)
+    }
+
+    test("the last values of a log of changes hold until its own end, however long the open one is") {
+        val longer = timedView(timedTopic("A", 0.0 to 1.0), timedTopic("End", 20.0 to 0.0))
+        val shorter = timedView(timedTopic("A", 100.0 to 5.0, 102.0 to 7.0), timedTopic("End", 104.0 to 0.0))
+        val graph = longer.folders.flatMap { it.graphs }.first { it.name == "A" }
+        val (own, other) = comparedGraph(graph, graph.lineNames, listOf(compared(shorter, offset = -100.0))).graph.series
+        own.holdsUntil shouldBe 20.0
+        other.holdsUntil shouldBe 4.0
+        other.statistics().mean shouldBe 6.0
+        other.statistics(0.0, 20.0).integral shouldBe 24.0
+        other.textOf(other.indexAt(4.0)) shouldBe "7"
+        other.textOf(other.indexAt(4.5)) shouldBe "–"
+        other.textOf(other.indexAt(-0.5)) shouldBe "–"
+        other.stateRuns().to.last() shouldBe 4.0
     }
 
     test("a line that the other log lacks, or that is a number there and a state here, is drawn alone") {

@@ -25,6 +25,6 @@ class CursorComparisonSpec : FunSpec({
     }
 
     test("a value that holds changes over the time between the cursors, not between its samples") {
-        timedView(timedTopic("A", 0.0 to 1.0, 4.0 to 3.0)).compared("A", 3.0, 5.0) shouldBe "A 1 · B 3 · Δ 2 · 1 V/s"
+        timedView(timedTopic("A", 0.0 to 1.0, 4.0 to 3.0), timedTopic("End", 6.0 to 0.0)).compared("A", 3.0, 5.0) shouldBe "A 1 · B 3 · Δ 2 · 1 V/s"
     }
 })

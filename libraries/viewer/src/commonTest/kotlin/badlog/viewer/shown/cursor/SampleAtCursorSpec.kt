@@ -23,7 +23,7 @@ class SampleAtCursorSpec : FunSpec({
     test("a state that was logged row by row is that of the last row, however near the next one is") {
         rows.textAt("Mode", 0.9) shouldBe "auto"
         rows.textAt("Mode", 0.0) shouldBe "auto"
-        rows.textAt("Mode", 9.0) shouldBe "teleop"
+        rows.textAt("Mode", 2.0) shouldBe "teleop"
         rows.textAt("Mode", -1.0) shouldBe "–"
         rows.textAt("On", 0.9) shouldBe "true"
         rows.textAt("On", 1.0) shouldBe "false"
@@ -33,7 +33,6 @@ class SampleAtCursorSpec : FunSpec({
         rows.textAt("A", 0.4) shouldBe "1"
         rows.textAt("A", 0.6) shouldBe "–"
         rows.textAt("A", 1.6) shouldBe "3"
-        rows.textAt("A", -5.0) shouldBe "1"
         rows.line("A").dotAt(1.6) shouldBe 2.0
         rows.line("A").indexAt(Double.NaN) shouldBe -1
     }
@@ -45,6 +44,25 @@ class SampleAtCursorSpec : FunSpec({
         line.indexAt(5.0) shouldBe 1
         line.indexAt(-1.0) shouldBe -1
         line.dotAt(-1.0).isNaN() shouldBe true
+    }
+
+    test("at the newest moment of a log of changes, each line has its last value, however old; after the log, none has one") {
+        val log = timedView(timedTopic("A", 0.0 to 1.0, 5.0 to 3.0), timedTopic("B", 0.0 to 7.0, 1.0 to 8.0))
+        log.textAt("A", 5.0) shouldBe "3"
+        log.textAt("B", 5.0) shouldBe "8"
+        log.textAt("B", 5.1) shouldBe "–"
+        log.line("B").dotAt(5.1).isNaN() shouldBe true
+    }
+
+    test("before and after a log of rows, no line has a value, however near its first or last sample is") {
+        for (x in listOf(-0.1, 2.1)) for (name in listOf("A", "Mode", "On")) rows.textAt(name, x) shouldBe "–"
+        rows.textAt("A", 2.0) shouldBe "3"
+    }
+
+    test("the only sample of a log is read everywhere in the range that is shown around it") {
+        val one = bagView(listOf("Time|xaxis", "A"), listOf("4,1"))
+        one.textAt("A", 4.3) shouldBe "1"
+        one.textAt("A", 4.6) shouldBe "–"
     }
 
     test("the last sample at or before a place is found in any order of x") {

@@ -2,7 +2,7 @@ package badlog.viewer.shown.statistics
 
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
-import badlog.core.analysis.statisticsOf
+import badlog.core.analysis.statistics
 import badlog.core.recording.Topic
 import badlog.viewer.bagView
 import badlog.viewer.draw.color.PenColors
@@ -25,7 +25,7 @@ import io.kotest.property.checkAll
 class HistogramSpec : FunSpec({
     fun histogramOf(view: LogView, topic: Topic, parts: List<Span>): Histogram? {
         val line = view.seriesOf(topic)
-        return Histogram.of(view, line, parts, view.statisticsOf(line, parts))
+        return Histogram.of(line, parts, line.statistics(parts))
     }
 
     fun histogramOf(samples: List<Pair<Double, Double>>, vararg parts: Span, others: List<Pair<Double, Double>> = emptyList()): Histogram? {

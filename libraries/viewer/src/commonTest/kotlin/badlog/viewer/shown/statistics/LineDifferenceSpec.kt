@@ -35,7 +35,7 @@ class LineDifferenceSpec : FunSpec({
         differenceOf(target, follower, all, "m/s").shouldNotBeNull().lag.shouldNotBeNull() shouldBe (-0.12 plusOrMinus 0.01)
     }
 
-    test("a motor that turns on by a turn between two samples is no angle") {
+    test("a motor that turns on by a turn between two samples is not an angle") {
         differenceOf(line { 100 * it + 3.2 }, line { 100 * it }, all, "rot").shouldNotBeNull().mean shouldBe (3.2 plusOrMinus 1e-6)
     }
 

@@ -1,6 +1,7 @@
 package badlog.viewer.choices.board
 
 import badlog.rules.NearestFile
+import badlog.signals.match.MatchType
 import java.io.IOException
 import java.nio.file.DirectoryIteratorException
 import java.nio.file.Files
@@ -31,7 +32,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
          * a file.
          */
         fun of(log: Path, top: Path? = null, matchType: () -> String? = { null }): FolderLayout {
-            val type by lazy { matchType()?.lowercase().orEmpty() }
+            val type by lazy { matchType()?.let { MatchType.of(it) } }
             val nearest = NearestFile.of(log, top, { folder -> fileIn(folder) { type } }) { text -> text to boardLayoutOf(NAME, text) }
             val file = nearest.file ?: return NONE
             val problem = nearest.problem?.replace(NAME, "It")?.let { "The layout $file is not used: $it" }
@@ -54,7 +55,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             throw unreadable(folder, e)
         }
 
-        /** Returns the name under which [file] is kept; null if it is no layout, or one with which logs begin. */
+        /** Returns the name under which [file] is kept; null if it is not a layout, or one with which logs begin. */
         fun nameOf(file: Path): String? {
             val name = file.fileName.toString()
             return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
@@ -68,17 +69,18 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
 
         private val BY_NAME = compareBy<String> { it.lowercase() }.thenBy { it }
 
-        private fun fileIn(folder: Path, type: () -> String): Path? {
+        private fun fileIn(folder: Path, type: () -> MatchType?): Path? {
             val typed = TYPES.keys.map { it to folder.resolve(it + BoardLayout.ENDING) }.filter { Files.isRegularFile(it.second) }
-            val own = typed.firstOrNull { (name, _) -> TYPES.getValue(name).any { type().startsWith(it) } }?.second
+            val own = typed.firstOrNull { (name, _) -> type() in TYPES.getValue(name) }?.second
             return own ?: folder.resolve(NAME).takeIf(Files::isRegularFile)
         }
 
-        /** The beginnings of the types of match for which there may be a file, as robots, fields and file names write them. */
+        /** The types of match for which there may be a file, by its name. */
         private val TYPES = mapOf(
-            "practice" to listOf("prac"),
-            "qualification" to listOf("qual"),
-            "elimination" to listOf("elim", "playoff", "quarter", "semi", "final"),
+            "practice" to setOf(MatchType.PRACTICE),
+            "qualification" to setOf(MatchType.QUALIFICATION),
+            "elimination" to
+                setOf(MatchType.ELIMINATION, MatchType.PLAYOFF, MatchType.QUARTERFINAL, MatchType.SEMIFINAL, MatchType.FINAL),
         )
     }
 }

@@ -6,9 +6,9 @@ import badlog.rules.fromJson
 import badlog.rules.number.FigureReader
 import badlog.rules.number.FigureText
 import badlog.rules.number.LogFigures
-import badlog.rules.number.MatchKind
 import badlog.rules.number.Measure
 import badlog.rules.toJson
+import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource

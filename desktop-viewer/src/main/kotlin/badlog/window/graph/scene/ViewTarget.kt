@@ -1,0 +1,33 @@
+package badlog.window.graph.scene
+
+import badlog.core.analysis.Span
+import badlog.viewer.draw.axis.yParts
+import badlog.viewer.session.Place
+import badlog.viewer.session.gesture.PlotDrag
+import badlog.viewer.session.gesture.PlotTarget
+import badlog.window.graph.plot.PlotPicture
+import badlog.window.log.PlotGesture
+
+/**
+ * What gestures change over graph [id], or over the axis and the overview for null.
+ *
+ * @param picture returns what the graph shows.
+ */
+internal class ViewTarget(private val scene: GraphScene, private val id: Int? = null, private val picture: () -> PlotPicture? = { null }) :
+    PlotTarget {
+    private val plot get() = picture()?.plot
+    override val place: Place get() = scene.view.place
+    override val isCursorLed: Boolean get() = scene.player.state.isPlaying
+    override val lineShare: Double get() = plot?.takeIf { it.axes.isNotEmpty() }?.let { 1 - it.laneShare } ?: 0.0
+    override var drag: PlotDrag?
+        get() = scene.view.gesture?.drag
+        set(value) = scene.view.drag(value?.let { PlotGesture(id, it) })
+
+    override fun go(step: Place.() -> Place) = scene.view.go(step)
+
+    override fun showY(part: Span?) {
+        if (id == null) return
+        val parts = if (part == null) emptyList() else yParts(plot?.axes.orEmpty().map { it.shown }, part)
+        scene.board.change { withYRange(id, parts.getOrNull(0), parts.getOrNull(1)) }
+    }
+}

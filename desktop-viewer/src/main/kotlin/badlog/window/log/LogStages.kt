@@ -1,0 +1,67 @@
+package badlog.window.log
+
+import badlog.core.analysis.LogView
+import badlog.files.LogFile
+import badlog.signals.clock.FoundStation
+import badlog.signals.clock.RobotBesideStation
+import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.withSignals
+import badlog.signals.withVirtualTopics
+import badlog.viewer.choices.formula.Formula
+import badlog.viewer.choices.formula.formulasOf
+
+/**
+ * What is shown of a log, in stages: the log with its signals, then the Driver Station's log beside it, then formulas. Each is made of the
+ * stage before and of one choice, and is taken from the stages [before] if both are the same there: another field calculates no formula.
+ *
+ * @param read the content of the file.
+ * @param name the name of its file.
+ * @param vocabulary the names of its signals.
+ * @param station the Driver Station's log of the same match that is shown with it; null for none.
+ * @param definitions the definitions of the formulas calculated in it.
+ * @param before the stages of the same log for other choices; null for none.
+ */
+internal class LogStages(
+    private val read: LogView,
+    name: String,
+    private val vocabulary: SignalVocabulary,
+    private val station: FoundStation<LogFile>?,
+    private val definitions: List<String>,
+    before: LogStages? = null,
+) {
+    private val own: LogView =
+        before?.takeIf { it.read === read && it.vocabulary === vocabulary }?.own ?: read.withSignals(vocabulary, name)
+
+    private val beside: RobotBesideStation? =
+        if (before?.own === own && before.station == station) {
+            before.beside
+        } else {
+            station?.let { RobotBesideStation(own, it.station, it.fit, vocabulary) }
+        }
+
+    /** The content of the file, and of the [station]'s. */
+    val logged: LogView = beside?.both ?: own
+
+    /** The view on which rules run. */
+    val forRules: LogView get() = beside?.forRules ?: own
+
+    /** The names of the topics from the [station]. */
+    val stationTopics: Set<String> = beside?.stationTopics.orEmpty()
+
+    /** The content of the files, and the topics of formulas. */
+    val view: LogView
+
+    /** The result of each of [definitions], in order. */
+    val formulas: List<Formula>
+
+    init {
+        if (before?.logged === logged && before.definitions == definitions) {
+            view = before.view
+            formulas = before.formulas
+        } else {
+            val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
+            view = calculated?.view ?: logged
+            formulas = calculated?.let { formulasOf(definitions, it) }.orEmpty()
+        }
+    }
+}

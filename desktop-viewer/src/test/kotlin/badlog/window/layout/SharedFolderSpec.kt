@@ -1,0 +1,252 @@
+package badlog.window.layout
+
+import badlog.files.UserFolders
+import badlog.viewer.choices.board.Board
+import badlog.window.app.Viewer
+import badlog.window.export.armBag
+import badlog.window.export.recordingOf
+import badlog.window.folder.LibraryState
+import badlog.window.log.OpenRecording
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.cancelAndJoin
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.swing.Swing
+import kotlinx.coroutines.withTimeout
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
+
+/** What several windows do with the layout of one folder. */
+class SharedFolderSpec : FunSpec({
+    val home = tempdir().toPath()
+    val folders = generateSequence(0) { it + 1 }.map { Files.createDirectories(home.resolve("logs $it")) }.iterator()
+    val layouts = FolderLayouts(home.resolve("layouts"))
+
+    fun arm(folder: Path, name: String = "one.bag", change: (String) -> String = { it }): OpenRecording = recordingOf(change(armBag(50)), folder.resolve(name))
+
+    /** Opens a window on [folder], in which [recording] is shown at last, and [before] is done before the folder is known. */
+    fun window(folder: Path, recording: OpenRecording = arm(folder), before: Viewer.() -> Unit = {}): Viewer = runBlocking(Dispatchers.Swing) {
+        val viewer = Viewer(MainScope(), UserFolders(home, home)).apply(before)
+        layouts.write(folder, (layouts.read(folder) ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)))
+        viewer.library.change { LibraryState(folder) }
+        val saving = launch { viewer.layouts.autosave() }
+        withTimeout(60.seconds) { while (viewer.panels.state.topics) delay(1) }
+        saving.cancelAndJoin()
+        if (viewer.current.recording == null) viewer.show(recording)
+        viewer
+    }
+
+    fun stored(folder: Path): List<String> = layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.title }
+
+    /** Saves, whether or not something has changed, so that the window takes over what others have changed. */
+    fun Viewer.exchange() {
+        panels.change { copy(topics = !topics) }
+        this.layouts.saveNow()
+    }
+
+    fun arranged(vararg lines: String) = lines.fold(Board()) { board, line -> board.withGraph(listOf(line)) }
+
+    fun Viewer.id(title: String) = board.arranged.graphs.single { it.title == title }.id
+
+    val edits = mapOf<String, Viewer.(String) -> Unit>(
+        "adds" to { board.change { withGraph(listOf("Arm/Mode", it)) } },
+        "removes" to { board.change { without(id(it)) } },
+        "renames" to { board.change { with(graphs.single { graph -> graph.title == it }.copy(title = "Own $it")) } },
+        "moves" to { board.change { movedBefore(id(it), null) } },
+        "resizes" to { board.change { resized(id(it), 200) } },
+        "adds a line to" to { board.change { withLine(id(it), "Arm/Mode") } },
+    )
+    val done = mapOf<String, (Board, String) -> Boolean>(
+        "adds" to { board, line -> board.graphs.count { it.lines == listOf("Arm/Mode", line) } == 1 },
+        "removes" to { board, line -> board.graphs.none { it.lines == listOf(line) } },
+        "renames" to { board, line -> board.graphs.count { it.title == "Own $line" } == 1 },
+        "moves" to { board, line -> board.graphs.count { it.title == line } == 1 },
+        "resizes" to { board, line -> board.graphs.single { it.title == line }.height == 200 },
+        "adds a line to" to { board, line -> board.graphs.single { it.title == line }.lines == listOf(line, "Arm/Mode") },
+    )
+
+    for ((mine, edit) in edits) {
+        test("a window that $mine a graph keeps what another window did with another one, in any order") {
+            for ((theirs, other) in edits) {
+                for (isFirst in listOf(true, false)) {
+                    val folder = folders.next()
+                    layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")))
+                    val (a, b) = List(2) { window(folder) }
+                    a.edit("Arm/Angle")
+                    b.other("Arm/Current")
+                    for (each in if (isFirst) listOf(a, b) else listOf(b, a)) each.layouts.saveNow()
+                    a.exchange()
+                    b.exchange()
+                    val board = checkNotNull(layouts.read(folder)?.graphs)
+                    board.graphs.map { it.id }.shouldBeUnique()
+                    (done.getValue(mine)(board, "Arm/Angle") to done.getValue(theirs)(board, "Arm/Current")) shouldBe (true to true)
+                    stored(folder) shouldContain "Arm/Mode"
+                    a.board.arranged shouldBe board
+                    b.board.arranged shouldBe board
+                }
+            }
+        }
+    }
+
+    test("windows that begin with the same graphs, for different logs, have them once") {
+        val folder = folders.next()
+        val a = window(folder)
+        val b = window(folder, arm(folder, "other.bag") { it.replace("Arm/Mode", "Wrist/Mode") })
+        a.board.change { withGraph(listOf("Arm/Angle", "Arm/Current")) }
+        a.layouts.saveNow()
+        b.board.change { without(graphs.single { it.lines == listOf("Arm/Current") }.id) }
+        b.layouts.saveNow()
+        a.exchange()
+        val lines = layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.lines }
+        lines.shouldBeUnique()
+        lines shouldContain listOf("Arm/Angle", "Arm/Current")
+        lines shouldNotContain listOf("Arm/Current")
+        lines.count { it == listOf("Arm/Angle") } shouldBe 1
+        a.board.arranged.graphs.map { it.lines } shouldBe lines
+    }
+
+    test("a formula that one window removes takes its graphs along everywhere: from other windows, their undo, and logs that lack it") {
+        val folder = folders.next()
+        val twice = "Twice = 2 * Arm/Angle"
+        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Twice", "Arm/Current"), formulas = listOf(twice)))
+        val a = window(folder, arm(folder, "poor.bag") { it.replace("Arm/Angle", "Wrist/Angle") })
+        val b = window(folder)
+        b.board.change { resized(b.id("Twice"), 200).withGraph(listOf("Twice", "Arm/Mode")) }
+        b.layouts.saveNow()
+        a.formulas.remove(twice) shouldBe true
+        a.board.undo()
+        a.layouts.saveNow()
+        b.board.change { withGraph(listOf("Twice")) }
+        b.exchange()
+        b.formulas.definitions shouldBe emptyList()
+        layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.lines } shouldBe listOf(listOf("Arm/Angle"), listOf("Arm/Current"), listOf("Arm/Mode"))
+        while (b.board.canUndo) b.board.undo()
+        b.exchange()
+        a.exchange()
+        for (board in listOf(a.board.arranged, b.board.arranged, layouts.read(folder)?.graphs)) {
+            board?.graphs.orEmpty().flatMap { it.lines } shouldNotContain "Twice"
+        }
+    }
+
+    test("undoing in one window takes back nothing that another did, whatever is changed before it is written") {
+        val folder = folders.next()
+        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current")))
+        val (a, b) = List(2) { window(folder) }
+        a.board.change { resized(a.id("Arm/Angle"), 100) }
+        a.layouts.saveNow()
+        b.board.change { resized(b.id("Arm/Angle"), 200).withGraph(listOf("Arm/Mode")) }
+        b.exchange()
+        a.board.undo()
+        a.board.change { resized(a.id("Arm/Current"), 300) }
+        a.layouts.saveNow()
+        a.board.arranged.graphs.map { it.title to it.height } shouldBe listOf("Arm/Angle" to 200, "Arm/Current" to 300, "Arm/Mode" to null)
+        layouts.read(folder)?.graphs shouldBe a.board.arranged
+        while (a.board.canUndo) a.board.undo()
+        a.layouts.saveNow()
+        layouts.read(folder)?.graphs?.graphs?.map { it.title to it.height } shouldBe
+            listOf("Arm/Angle" to 200, "Arm/Current" to null, "Arm/Mode" to null)
+    }
+
+    test("what a person has arranged before the folder is known is a change of the graphs that the log began with") {
+        val folder = folders.next()
+        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle")))
+        val viewer = window(folder) {
+            show(arm(folder))
+            board.change { withGraph(listOf("Arm/Current", "Arm/Mode")) }
+        }
+        viewer.layouts.saveNow()
+        layouts.read(folder)?.graphs?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"), listOf("Arm/Angle"))
+        viewer.board.arranged shouldBe layouts.read(folder)?.graphs
+    }
+
+    test("a layout that both windows switch to is there once") {
+        val folder = folders.next()
+        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Mode")))
+        val (a, b) = List(2) { window(folder) }
+        val layout = Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current"))
+        a.layouts.switchTo(layout)
+        a.board.change { resized(a.id("Arm/Angle"), 200) }
+        a.layouts.saveNow()
+        b.layouts.switchTo(layout)
+        b.layouts.saveNow()
+        a.exchange()
+        stored(folder) shouldBe listOf("Arm/Angle", "Arm/Current")
+        b.layouts.showStartBoard()
+        b.layouts.saveNow()
+        a.layouts.showStartBoard()
+        a.exchange()
+        layouts.read(folder)?.graphs shouldBe null
+    }
+
+    test("graphs that are arranged for a folder survive what is changed while a young log has none or few of their lines") {
+        for (before in listOf(arranged("Arm/Angle", "Arm/Mode"), arranged("Arm/Angle", "Arm/Current", "Arm/Mode"))) {
+            val folder = folders.next()
+            layouts.write(folder, Layout(Layout.VERSION, before))
+            val viewer = window(folder, arm(folder, "young.bag") { it.replace("Arm/Angle", "Young/Angle").replace("Arm/Mode", "Young/Mode") })
+            viewer.board.state.graphs.flatMap { it.lines } shouldContain "Arm/Current"
+            viewer.board.change { withGraph(listOf("Arm/Current")) }
+            viewer.board.change { moved(graphs.last().id, -1) }
+            viewer.layouts.saveNow()
+            viewer.shown.show(arm(folder, "young.bag"))
+            val lines = viewer.board.state.graphs.flatMap { it.lines }
+            lines.toSet() shouldBe setOf("Arm/Angle", "Arm/Current", "Arm/Mode")
+            lines.count { it == "Arm/Current" } shouldBe 2
+            window(folder).board.arranged shouldBe viewer.board.arranged
+        }
+    }
+
+    class Deed(val window: Int, val kind: Int, val graph: Int, val value: Int)
+
+    test("whatever three windows do and undo, in logs of different topics, they end with the same graphs and formulas, and nothing draws a removed one") {
+        val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..11).bind(), Arb.int(0..5).bind(), Arb.int(0..9).bind()) }, 0..40)
+        checkAll(60, deeds) { all ->
+            val folder = folders.next()
+            val logs = listOf(arm(folder), arm(folder, "poor.bag") { it.replace("Arm/Mode", "Wrist/Mode") }, arm(folder, "other.bag") { it.replace("Arm/", "Wrist/") })
+            val windows = logs.map { window(folder, it) }
+            for (deed in all) {
+                val viewer = windows[deed.window]
+                val graph = viewer.board.state.graphs.getOrNull(deed.graph)
+                val formula = "F${deed.value % 3} = ${deed.value}"
+                when (deed.kind) {
+                    0 -> viewer.board.change { withGraph(listOf(listOf("Arm/Angle", "Arm/Mode", "Wrist/Mode")[deed.value % 3])) }
+                    1 -> graph?.let { viewer.board.change { without(it.id) } }
+                    2 -> graph?.let { viewer.board.change { with(it.copy(title = "Own ${deed.value}")) } }
+                    3 -> graph?.let { viewer.board.change { moved(it.id, deed.value - 4) } }
+                    4 -> graph?.let { viewer.board.change { resized(it.id, 60 + deed.value) } }
+                    5 -> if (viewer.formulas.with(listOf(formula)).size > viewer.formulas.definitions.size) viewer.formulas.add(formula, "F${deed.value % 3}")
+                    6 -> viewer.formulas.definitions.getOrNull(deed.graph)?.let { viewer.formulas.remove(it) }
+                    7 -> viewer.board.undo()
+                    8 -> viewer.board.redo()
+                    9 -> viewer.show(logs[deed.value % 3])
+                    10 -> if (deed.value == 0) viewer.layouts.showStartBoard()
+                    else -> viewer.layouts.saveNow()
+                }
+            }
+            repeat(2) { windows.forEach { it.exchange() } }
+            val last = checkNotNull(layouts.read(folder))
+            for (viewer in windows) {
+                viewer.formulas.definitions.toSet() shouldBe last.formulas.toSet()
+                viewer.board.arranged.graphs.map { it.id }.shouldBeUnique()
+                last.graphs?.let { graphs ->
+                    viewer.board.arranged.graphs.filter { it.id in graphs.graphs.map { other -> other.id } } shouldBe graphs.graphs
+                }
+            }
+            val names = last.formulas.map { it.substringBefore(" =") }
+            last.graphs?.graphs.orEmpty().flatMap { it.lines }.filter { it.startsWith("F") && it !in names } shouldBe emptyList()
+        }
+    }
+})

@@ -1,0 +1,85 @@
+package badlog.page.app
+
+import badlog.core.analysis.LogView
+import badlog.page.findings.FindingList
+import badlog.page.rules.RuleSearch
+import badlog.page.screen.setRulesState
+import badlog.page.view.Scene
+import badlog.page.view.timelineOf
+import badlog.protocol.PageAdditions
+import badlog.rules.Finding
+import badlog.rules.LogFindings
+import badlog.rules.incident.Incident
+import badlog.rules.incident.incidentsIn
+import kotlinx.browser.window
+
+/**
+ * Runs the rules of [additions] over the log, and lists in [list] what they find beside what is [embedded] in the page.
+ *
+ * @param file the name of the log's file.
+ * @param isShown returns whether the log's page is still shown.
+ */
+internal class PageRules(
+    private val additions: PageAdditions,
+    private val embedded: List<Finding>,
+    private val file: String,
+    private val scene: Scene,
+    private val list: FindingList,
+    private val isShown: () -> Boolean,
+) {
+    /** What they found so far; null until they have run. */
+    var found: LogFindings? = null
+        private set
+
+    /** When they had run, on the browser's clock, in ms. */
+    var ranAt: Double = 0.0
+        private set
+
+    /** Goes on from what was found in the log before it had grown. */
+    fun continueFrom(left: LeftPage) {
+        left.found?.let(::take)
+        ranAt = left.ranAt
+    }
+
+    /**
+     * Runs them on [logged], a little later if they ran just before: a log that is followed is drawn more often than rules run over it.
+     *
+     * @param onFound called with what they found, and the incidents in it, when it is listed.
+     */
+    fun start(logged: LogView, onFound: (LogFindings, List<Incident>) -> Unit) {
+        if (additions.rules.rules.isEmpty()) return setRulesState("done")
+        if (found == null) list.wait()
+        val pause = if (found == null) 0.0 else ranAt + PAUSE - window.performance.now()
+        if (pause <= 0) return run(logged, onFound)
+        setRulesState("done")
+        window.setTimeout({ if (isShown()) run(logged, onFound) }, pause.toInt())
+    }
+
+    private fun run(logged: LogView, onFound: (LogFindings, List<Incident>) -> Unit) {
+        RuleSearch(logged, additions.rules, file).start(
+            onFindings = onFindings@{ found ->
+                if (!isShown()) return@onFindings
+                val incidents = take(found)
+                ranAt = window.performance.now()
+                onFound(found, incidents)
+                setRulesState("done")
+            },
+            onFailure = onFailure@{ reason ->
+                if (!isShown()) return@onFailure
+                list.fail(reason)
+                setRulesState("failed")
+            },
+        )
+    }
+
+    private fun take(found: LogFindings): List<Incident> {
+        this.found = found
+        scene.findings = timelineOf(found.findings + embedded)
+        return additions.rules.incidentsIn(found.findings, additions.differences).also { list.show(found.ran, found.skipped, it) }
+    }
+
+    private companion object {
+        /** Milliseconds between two runs over a log that is followed. */
+        const val PAUSE = 400
+    }
+}

@@ -1,0 +1,85 @@
+package badlog.page.graph
+
+import badlog.core.analysis.Graph
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.PixelColumns
+import badlog.page.view.Scene
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.range.holdsUntil
+import badlog.viewer.choices.range.stateRuns
+import badlog.viewer.draw.curve.Curve
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.curve.Strokes
+import badlog.viewer.draw.lane.LaneBlocks
+import badlog.viewer.draw.lane.LaneLook
+import badlog.viewer.draw.plot.GraphLine
+import badlog.viewer.draw.plot.Plot
+import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.plot.PlotLane
+import badlog.viewer.draw.plot.PlotMargins
+import badlog.viewer.draw.plot.dotAt
+import badlog.viewer.draw.plot.plotOf
+
+/**
+ * What a graph shows inside its frame: the lines of [card], or its lanes of states, which keep their places when they are hidden.
+ *
+ * @param look the current settings of the graph.
+ */
+internal class GraphContent(private val card: CardLines, private val scene: Scene, private val look: () -> BoardGraph) {
+    private class Line(override val series: GraphSeries, override val color: Int) : GraphLine {
+        val curve = Curve(series.data, series.holdsUntil)
+        val strokes = Strokes()
+    }
+
+    private class Lane(val series: GraphSeries) {
+        val runs = series.stateRuns()
+        val blocks = LaneBlocks()
+    }
+
+    private val series = card.graph.series
+    private val lines = if (card.graph.showsStates) emptyList() else series.mapIndexed { i, line -> Line(line, card.colors[i]) }
+    private val lanes = if (card.graph.showsStates) series.map(::Lane) else emptyList()
+    private var drawn = emptyList<Line>()
+
+    /** What was shown last. */
+    var plot: Plot = Plot(emptyList(), emptyList(), emptyList(), laneShare = 0.0)
+        private set
+
+    /** The lines of [plot]. */
+    val drawnLines: List<GraphLine> get() = drawn
+
+    /** The height of the plot with its axis, in CSS pixels. */
+    val height: Int = if (card.graph.showsStates) lanesHeight(card.graph) else look().height ?: GraphHeight.MEDIUM.pixels
+
+    /**
+     * Returns what is visible in [frame], whose pixels are [ratio] for each CSS pixel, with as many points as [columns] need. It is valid
+     * until the next call.
+     */
+    fun plotIn(frame: PlotFrame, columns: PixelColumns, ratio: Double): Plot {
+        val now = look()
+        val span = frame.shown
+        drawn = lines.filterIndexed { i, _ -> card.isShown[i] }
+        for (line in drawn) {
+            line.curve.draw(span.from, span.to, columns)
+            line.strokes.trace(line.curve, frame.x, Scale.NONE)
+        }
+        val shownLanes = lanes.mapIndexed { i, lane ->
+            val blocks = lane.blocks.takeIf { card.isShown[i] }?.apply { place(lane.runs, span, frame.width, ratio) }
+            PlotLane(lane.series.name, lane.series.states.orEmpty(), blocks)
+        }
+        val shared = if (now.sharesY) scene.sharedY.seen else emptyMap()
+        plot = plotOf(now, drawn, drawn.map { it.strokes }, shownLanes, frame, ratio, shared)
+        return plot
+    }
+
+    /** Returns where in [frame] the dot of a cursor at [x] is on line [index] of the graph; null for none. */
+    fun dotAt(index: Int, x: Double, frame: PlotFrame): Pair<Double, Double>? {
+        val line = lines.getOrNull(index) ?: return null
+        val place = drawn.indexOf(line)
+        return if (place < 0) null else plot.dotAt(place, line, x, frame)
+    }
+}
+
+/** Returns the height of the plot of [graph], which shows states, with its axis, in CSS pixels. */
+internal fun lanesHeight(graph: Graph): Int = LaneLook.HEIGHT * graph.series.size + PlotMargins.HEIGHT

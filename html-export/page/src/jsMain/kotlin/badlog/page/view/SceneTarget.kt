@@ -1,0 +1,13 @@
+package badlog.page.view
+
+import badlog.viewer.session.Place
+import badlog.viewer.session.gesture.PlotDrag
+import badlog.viewer.session.gesture.PlotTarget
+
+/** What gestures change on the page: the reader’s place. */
+internal open class SceneTarget(private val scene: Scene) : PlotTarget {
+    override val place: Place get() = scene.place.now
+    override var drag: PlotDrag? = null
+
+    override fun go(step: Place.() -> Place) = scene.place.change(step)
+}

@@ -1,0 +1,69 @@
+package badlog.page
+
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.By
+
+/** What is seen without scrolling: what was found, and a graph that shows it. */
+internal class FirstScreenSpec : PageSpec({
+    val laptop = Screen(1366, 768)
+
+    fun ruled(sample: String) = TestPages.ofSample(sample, PageAdditions(rules = RuleSet.BUILT_IN))
+
+    fun OpenPage.incidents() = elements(".incident").filter { it.isDisplayed }
+
+    browserTest("the first screen of a laptop shows all incidents and a whole graph") {
+        onPage(ruled("qualification-42.bag"), laptop) {
+            await("incidents") { incidents().size == 2 }
+            number("return document.querySelector('.graph.card').getBoundingClientRect().bottom") shouldBeLessThan 768.0
+        }
+    }
+
+    for (sample in listOf("qualification-42.bag", "practice.bag", "wrong-turn.bag")) {
+        browserTest("the first screen of a phone begins a graph of $sample") {
+            onPage(ruled(sample), Screen.PHONE) {
+                await("the rules") { element(".findings-skipped").isDisplayed }
+                number("return document.querySelector('.graph.card').getBoundingClientRect().top") shouldBeLessThan 700.0
+            }
+        }
+    }
+
+    browserTest("a phone shows the worst incident, and the others when asked, or when a key goes to one") {
+        onPage(ruled("qualification-42.bag"), Screen.PHONE) {
+            await("incidents") { incidents().size == 1 }
+            val more = elements(".findings-more button")
+            more[0].text shouldBe "Show 10 more"
+            more[0].click()
+            incidents().size shouldBe 2
+            elements(".finding").count { it.isDisplayed } shouldBeGreaterThan 5
+            more[1].click()
+            incidents().size shouldBe 1
+            elements(".finding").count { it.isDisplayed } shouldBeLessThanOrEqual 0
+            press("nn")
+            incidents().last().text shouldContain "vision"
+            incidents().last().getDomAttribute("aria-current") shouldBe "true"
+            // Nobody tabs to a list without rows.
+            element(".findings-list").getDomAttribute("tabindex") shouldBe null
+            script("arguments[0].click()", more[1])
+            settle()
+            incidents().last().getDomAttribute("aria-current") shouldBe "true"
+            elements(".finding").count { it.isDisplayed } shouldBe 0
+        }
+    }
+
+    browserTest("a phone shows what a file lost when asked") {
+        onPage(ruled("practice.bag"), Screen.PHONE) {
+            val toggle = element(".problems-toggle")
+            toggle.text shouldContain "Data is missing in 4 places"
+            elements(".problem").isEmpty() shouldBe true
+            toggle.click()
+            element(".problem").findElement(By.cssSelector(".problem-text")).text shouldContain "cut off"
+        }
+    }
+})

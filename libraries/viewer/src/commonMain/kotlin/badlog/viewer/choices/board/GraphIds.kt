@@ -1,0 +1,19 @@
+package badlog.viewer.choices.board
+
+/**
+ * Returns the same board with ids that follow from the lines of its graphs: tabs and windows that begin with the same graph, also for
+ * different logs, then know it as the same.
+ */
+fun Board.identifiedByLines(): Board {
+    val taken = HashSet<Int>()
+    return Board(
+        graphs.map { graph ->
+            var id = graph.idOfLines
+            while (!taken.add(id)) id++
+            graph.copy(id = id)
+        },
+    )
+}
+
+/** The id of a graph that draws these lines, unless another graph of its board draws them, too. */
+internal val BoardGraph.idOfLines: Int get() = (lines.hashCode() * 2 + (if (isXy) 1 else 0)) and Int.MAX_VALUE

@@ -1,0 +1,58 @@
+package badlog.viewer.choices.board
+
+import badlog.core.analysis.Span
+
+/**
+ * The part of a plane that is shown.
+ *
+ * @property x from left to right.
+ * @property y from bottom to top.
+ */
+data class Plane(val x: Span, val y: Span) {
+    /** Returns the same, extended so that x and y have the same scale on [width] by [height] pixels. */
+    fun fitted(width: Double, height: Double): Plane {
+        val pixel = maxOf(x.width / width, y.width / height)
+        return Plane(around(x, pixel * width), around(y, pixel * height))
+    }
+
+    /** Returns the plane scaled by [factor], with ([atX], [atY]) staying in place. */
+    fun scaled(factor: Double, atX: Double, atY: Double): Plane = Plane(scaled(x, factor, atX), scaled(y, factor, atY))
+
+    /** Returns the plane moved by [right] to the right and [up] upwards. */
+    fun shifted(right: Double, up: Double): Plane = Plane(Span(x.from + right, x.to + right), Span(y.from + up, y.to + up))
+
+    /** Returns the part between two points, each given as fractions of the width from the left and of the height from the top. */
+    fun part(oneX: Double, oneY: Double, otherX: Double, otherY: Double): Plane =
+        Plane(Span(xAt(minOf(oneX, otherX)), xAt(maxOf(oneX, otherX))), Span(yAt(maxOf(oneY, otherY)), yAt(minOf(oneY, otherY))))
+
+    /** Returns the x at this [share] of the width, from the left. */
+    fun xAt(share: Double): Double = x.from + share * x.width
+
+    /** Returns the y at this [share] of the height, from the top. */
+    fun yAt(share: Double): Double = y.to - share * y.width
+
+    /** Returns where [other] is on [width] by [height] pixels that show this plane: left, top, width and height. */
+    fun boxOf(other: Plane, width: Double, height: Double): DoubleArray = doubleArrayOf(
+        (other.x.from - x.from) / x.width * width,
+        (y.to - other.y.to) / y.width * height,
+        other.x.width / x.width * width,
+        other.y.width / y.width * height,
+    )
+
+    /** Whether doubles are precise enough to draw it. */
+    val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
+
+    private fun around(span: Span, width: Double): Span {
+        val middle = (span.from + span.to) / 2
+        return Span(middle - width / 2, middle + width / 2)
+    }
+
+    private fun scaled(span: Span, factor: Double, at: Double) = Span(at + (span.from - at) * factor, at + (span.to - at) * factor)
+
+    private fun isDrawable(span: Span) = span.width > FINEST * maxOf(1.0, span.from, -span.from) && span.width < COARSEST
+
+    private companion object {
+        const val FINEST = 1e-9
+        const val COARSEST = 1e12
+    }
+}

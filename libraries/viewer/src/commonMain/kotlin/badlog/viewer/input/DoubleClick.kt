@@ -1,0 +1,22 @@
+package badlog.viewer.input
+
+/** Recognizes the second of two quick clicks. */
+class DoubleClick {
+    private var millis = Double.NEGATIVE_INFINITY
+    private var place = 0.0
+
+    /** Returns whether a click at [x], in CSS pixels or dp, at the time [now] of any clock, is the second of a double click. */
+    fun isSecond(x: Double, now: Double): Boolean {
+        val isSecond = now - millis < PAUSE && x - place < REACH && place - x < REACH
+        millis = if (isSecond) Double.NEGATIVE_INFINITY else now
+        place = x
+        return isSecond
+    }
+
+    private companion object {
+        const val PAUSE = 350.0
+
+        // Large enough for a finger.
+        const val REACH = 24.0
+    }
+}

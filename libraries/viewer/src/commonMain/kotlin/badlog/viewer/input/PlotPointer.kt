@@ -1,0 +1,35 @@
+package badlog.viewer.input
+
+/** Which button of a mouse is pressed. */
+enum class PointerButton { LEFT, MIDDLE, RIGHT }
+
+/**
+ * A pointer on the frame of a plot, or beside it, as a front end reports it. Lengths are CSS pixels or dp.
+ *
+ * @property x its distance from the frame's left edge.
+ * @property y its distance from the frame's top.
+ * @property width the width of the frame.
+ * @property height its height.
+ * @property millis the time of any clock, in ms.
+ * @property ctrl whether Ctrl is held, or the command key on a Mac.
+ * @property button the pressed button of a mouse.
+ * @property finger distinguishes fingers; null for a mouse.
+ */
+class PlotPointer(
+    val x: Double,
+    val y: Double,
+    val width: Double,
+    val height: Double,
+    val millis: Double,
+    val shift: Boolean = false,
+    val alt: Boolean = false,
+    val ctrl: Boolean = false,
+    val button: PointerButton = PointerButton.LEFT,
+    val finger: Int? = null,
+) {
+    /** The fraction of the width at which it is, from the left. */
+    val shareX: Double get() = x / width
+
+    /** The fraction of the height at which it is, from the top. */
+    val shareY: Double get() = y / height
+}

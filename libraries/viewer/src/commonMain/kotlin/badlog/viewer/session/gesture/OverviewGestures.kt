@@ -1,0 +1,51 @@
+package badlog.viewer.session.gesture
+
+import badlog.viewer.input.DragKind
+import badlog.viewer.input.OverviewGrip
+import badlog.viewer.input.PlotPointer
+
+/**
+ * What a mouse or fingers do over the overview, which always shows the whole log: they move the visible range or one of its edges, or
+ * select a new one; a click moves it there, and pins the cursor.
+ */
+class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
+    private var grip = OverviewGrip.NEW
+
+    /** Returns what a drag that begins at [at] grabs. */
+    fun gripAt(at: PlotPointer): OverviewGrip = target.place.range.let { OverviewGrip.at(placeAt(at), it, it.full.width / at.width) }
+
+    override fun placeAt(at: PlotPointer): Double =
+        target.place.range.full.let { (it.from + at.shareX * it.width).coerceIn(it.from, it.to) }
+
+    override fun kindOf(at: PlotPointer): DragKind = DragKind.PAN
+
+    override fun begin(kind: DragKind, start: PlotPointer) {
+        grip = gripAt(start)
+        super.begin(kind, start)
+    }
+
+    override fun drag(at: PlotPointer) {
+        val (_, start, _, before) = target.drag ?: return
+        val x = placeAt(at)
+        val seen = before.visible
+        change {
+            when (grip) {
+                OverviewGrip.LEFT -> moved(minOf(x, seen.to), seen.to)
+                OverviewGrip.RIGHT -> moved(seen.from, maxOf(x, seen.from))
+                OverviewGrip.WINDOW -> moved(seen.from + x - start, seen.to + x - start)
+                OverviewGrip.NEW -> moved(start, x)
+            }
+        }
+    }
+
+    override fun hover(at: PlotPointer) = Unit
+
+    override fun clickAt(at: PlotPointer, isShifted: Boolean) {
+        val x = placeAt(at)
+        target.go {
+            val seen = range.visible
+            val shown = if (x in seen) range else range.showing(x - seen.width / 2, x + seen.width / 2)
+            copy(range = shown, cursors = cursors.pinnedAt(x))
+        }
+    }
+}

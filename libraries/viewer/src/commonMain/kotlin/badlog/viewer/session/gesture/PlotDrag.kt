@@ -1,0 +1,33 @@
+package badlog.viewer.session.gesture
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.input.DragKind
+import badlog.viewer.session.Place
+
+/**
+ * A drag over a plot.
+ *
+ * @property startX the x at which it began.
+ * @property startY how far below the top of the lines it began, as a fraction of their height.
+ * @property before the visible range when it began.
+ * @property x the current x.
+ * @property y the current fraction.
+ */
+data class PlotDrag(
+    val kind: DragKind,
+    val startX: Double,
+    val startY: Double,
+    val before: Viewport,
+    val x: Double = startX,
+    val y: Double = startY,
+) {
+    /** The range of x that it covers. */
+    val xSpan: Span get() = Span(minOf(startX, x), maxOf(startX, x))
+
+    /** The part of the height of the lines that it covers, from the top. */
+    val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
+
+    /** Returns where somebody is who has cancelled it at [place]. */
+    fun cancelledAt(place: Place): Place = if (kind == DragKind.PAN) place.copy(range = before) else place
+}

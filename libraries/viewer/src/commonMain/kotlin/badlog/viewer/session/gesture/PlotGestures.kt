@@ -1,0 +1,103 @@
+package badlog.viewer.session.gesture
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.input.DragKind
+import badlog.viewer.input.PlotPointer
+import badlog.viewer.input.PointerButton
+import badlog.viewer.input.Wheel
+import badlog.viewer.shown.cursor.Cursors
+import kotlin.math.abs
+
+/** What gestures over a plot change. */
+interface PlotTarget : GestureTarget {
+    /** The current drag, to show it; null for none, also when it is cancelled here. */
+    var drag: PlotDrag?
+
+    /** The part of the plot’s height, from the top, that has lines; 0 if y means nothing. */
+    val lineShare: Double get() = 0.0
+
+    /** Shows only [part] of y, given as fractions of what is visible from the top; null for all of it. */
+    fun showY(part: Span?) = Unit
+}
+
+/**
+ * What a mouse or fingers do over a plot, and over the axis below it if it [isAxis], where a plain drag pans.
+ */
+open class PlotGestures(private val target: PlotTarget, private val isAxis: Boolean = false) : Gestures(target) {
+    private val wheel = Wheel()
+    private val visible get() = target.place.range.visible
+
+    override fun kindOf(at: PlotPointer): DragKind = when {
+        // A finger moves what it touches, as on a map; a mouse draws a selection frame.
+        at.finger != null -> if (isAxis || target.place.range.isZoomed) DragKind.PAN else DragKind.ZOOM
+
+        at.button == PointerButton.MIDDLE -> DragKind.PAN
+
+        at.button == PointerButton.RIGHT || at.ctrl -> DragKind.SELECT
+
+        isAxis -> DragKind.PAN
+
+        else -> DragKind.of(at.shift, at.alt && target.lineShare > 0)
+    }
+
+    override fun placeAt(at: PlotPointer): Double = visible.from + at.shareX * visible.width
+
+    override fun reachOf(at: PlotPointer): Double =
+        (if (at.finger == null) Cursors.REACH else Cursors.FINGER_REACH) / at.width * visible.width
+
+    override fun distance(one: PlotPointer, other: PlotPointer): Double = abs(one.x - other.x)
+
+    override fun lengthOf(kind: DragKind, start: PlotPointer, at: PlotPointer): Double =
+        if (kind == DragKind.ZOOM_Y) abs(start.y - at.y) else distance(start, at)
+
+    override fun begin(kind: DragKind, start: PlotPointer) {
+        target.drag = PlotDrag(kind, placeAt(start), lineShareAt(start), target.place.range)
+        if (kind == DragKind.PAN) change { remembered() }
+    }
+
+    override fun drag(at: PlotPointer) {
+        val drag = target.drag ?: return
+        val x = placeAt(at)
+        // What was touched stays under the pointer.
+        if (drag.kind == DragKind.PAN) return change { shifted(drag.startX - x) }
+        val shown = x.coerceIn(visible.from, visible.to)
+        target.drag = drag.copy(x = shown, y = lineShareAt(at))
+        hoverAt(shown)
+    }
+
+    override fun end() {
+        val drag = target.drag ?: return
+        when (drag.kind) {
+            DragKind.ZOOM -> if (drag.xSpan.width > 0) change { showing(drag.startX, drag.x) }
+            DragKind.ZOOM_Y -> if (drag.ySpan.width > 0) target.showY(drag.ySpan)
+            DragKind.SELECT -> target.go { copy(selection = drag.xSpan.takeIf { it.width > 0 }) }
+            DragKind.PAN -> Unit
+        }
+    }
+
+    override fun forget(isGivenUp: Boolean) {
+        val drag = target.drag ?: return
+        target.drag = null
+        if (isGivenUp) target.go { drag.cancelledAt(this) }
+    }
+
+    override fun reset() {
+        change { reset() }
+        target.showY(null)
+    }
+
+    override fun beginPinch() = change { remembered() }
+
+    override fun pinch(other: PlotPointer, factor: Double) = change { scaled(factor, placeAt(other)) }
+
+    override fun wheel(at: PlotPointer, right: Double, down: Double): Boolean {
+        val turned = wheel.turned(target.place.range, right, down, at.ctrl, at.shift, placeAt(at), at.width, at.millis) ?: return false
+        change { turned }
+        return true
+    }
+
+    private fun lineShareAt(at: PlotPointer) = (at.shareY / target.lineShare).coerceIn(0.0, 1.0)
+
+    internal fun change(step: Viewport.() -> Viewport) = target.go { copy(range = range.step()) }
+}

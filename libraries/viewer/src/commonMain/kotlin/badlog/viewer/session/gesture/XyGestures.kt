@@ -1,0 +1,113 @@
+package badlog.viewer.session.gesture
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Plane
+import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.input.DragKind
+import badlog.viewer.input.PlotPointer
+import badlog.viewer.input.PointerButton
+import badlog.viewer.input.Wheel
+
+/**
+ * A drag over a graph of y over x.
+ *
+ * @property seen what was visible when it began.
+ * @property before the selected part then; null for all.
+ */
+data class XyDrag(val kind: DragKind, val start: PlotPointer, val seen: Plane, val before: Plane?, val at: PlotPointer = start)
+
+/** What gestures over a graph of y over x change. */
+interface XyTarget : GestureTarget {
+    /** The graph of the log whose times a click selects; null if there is nothing to draw. */
+    val plot: XyPlot?
+
+    /** What is added to the x of that log. */
+    val offset: Double get() = 0.0
+
+    /** The part of the plane that a person has selected; null for all of it. */
+    var plane: Plane?
+
+    /** The current drag, to show it; null for none. */
+    var drag: XyDrag?
+
+    /** Returns what is visible of the plane in a frame of [width] by [height]; null for nothing. */
+    fun seen(width: Double, height: Double): Plane?
+}
+
+/**
+ * What a mouse or fingers do over a graph of y over x: they put the cursor where the path passes them, zoom and pan, as over other graphs.
+ */
+class XyGestures(private val target: XyTarget) : Gestures(target) {
+    override fun kindOf(at: PlotPointer): DragKind {
+        // A finger moves what it touches, as on a map; a mouse draws a selection frame.
+        val isPan = at.finger != null || at.shift || at.button == PointerButton.MIDDLE
+        return if (isPan) DragKind.PAN else DragKind.ZOOM
+    }
+
+    override fun begin(kind: DragKind, start: PlotPointer) {
+        target.drag = XyDrag(kind, start, seen(start) ?: return, target.plane)
+    }
+
+    override fun drag(at: PlotPointer) {
+        val drag = target.drag?.copy(at = at) ?: return
+        target.drag = drag
+        val start = drag.start
+        if (drag.kind != DragKind.PAN) return
+        show(drag.seen.shifted((start.shareX - at.shareX) * drag.seen.x.width, (at.shareY - start.shareY) * drag.seen.y.width))
+    }
+
+    override fun end() {
+        val drag = target.drag ?: return
+        if (drag.kind != DragKind.ZOOM) return
+        show(drag.seen.part(drag.start.shareX, drag.start.shareY, drag.at.shareX, drag.at.shareY))
+    }
+
+    override fun forget(isGivenUp: Boolean) {
+        val drag = target.drag ?: return
+        target.drag = null
+        if (isGivenUp && drag.kind == DragKind.PAN) target.plane = drag.before
+    }
+
+    override fun reset() {
+        target.plane = null
+    }
+
+    override fun pinch(other: PlotPointer, factor: Double) = scale(other, factor)
+
+    override fun wheel(at: PlotPointer, right: Double, down: Double): Boolean {
+        if (at.ctrl) scale(at, Wheel.factorOf(down))
+        return at.ctrl
+    }
+
+    private fun scale(at: PlotPointer, factor: Double) {
+        val plane = seen(at) ?: return
+        show(plane.scaled(factor, plane.xAt(at.shareX), plane.yAt(at.shareY)))
+    }
+
+    private fun show(plane: Plane) {
+        if (plane.isDrawable) target.plane = plane
+    }
+
+    private fun seen(at: PlotPointer) = target.seen(at.width, at.height)
+
+    /** Returns when the path passed the place of [at]; null if it is not near. */
+    override fun placeAt(at: PlotPointer): Double? {
+        val plane = seen(at) ?: return null
+        val range = target.place.range.visible
+        val time = target.plot?.timeAt(
+            x = plane.xAt(at.shareX),
+            y = plane.yAt(at.shareY),
+            pixelX = plane.x.width / at.width,
+            pixelY = plane.y.width / at.height,
+            reach = REACH,
+            visible = Span(range.from - target.offset, range.to - target.offset),
+            before = target.place.cursors.x?.let { it - target.offset },
+        )
+        return time?.takeUnless { it.isNaN() }?.let { it + target.offset }
+    }
+
+    private companion object {
+        /** The maximum distance from the path at which the pointer still selects it, in CSS pixels or dp. */
+        const val REACH = 60.0
+    }
+}

@@ -1,0 +1,25 @@
+package badlog.viewer.shown.finding
+
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.rules.incident.firstToSee
+import badlog.viewer.draw.mark.FindingPlace
+
+/**
+ * Returns the step to what to see first of [findings] and of the [incidents] among them, the worst first, see [firstToSee]; null if nothing
+ * was found. The place of what is about the whole log is NaN.
+ */
+fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
+    val first = firstToSee(findings, incidents) ?: return null
+    first.incident?.let(::stepTo)?.let { return it }
+    return FindingStep(first.begin.firstPlace ?: placeOf(first.begin, Span(Double.NaN, Double.NaN)), first.incident)
+}
+
+/** Returns the step to where [incident] begins; null if all of it is about the whole log. */
+internal fun stepTo(incident: Incident): FindingStep? = (listOf(incident.first) + incident.sentences.map { it.finding })
+    .firstNotNullOfOrNull { it.firstPlace }?.let { FindingStep(it, incident) }
+
+private val Finding.firstPlace: FindingPlace<Finding>? get() = places.firstOrNull()?.let { placeOf(this, it) }
+
+private fun placeOf(finding: Finding, span: Span) = FindingPlace(finding, finding.severity, span)

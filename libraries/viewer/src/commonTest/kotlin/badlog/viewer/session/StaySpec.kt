@@ -1,0 +1,65 @@
+package badlog.viewer.session
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class StaySpec : FunSpec({
+    val end = Place(Viewport(Span(0.0, 10.0)).showing(5.0, 10.0)).atEnd()
+    val stay = Stay().begun(end)
+
+    /** [place] when the log has grown to [to], before anybody moves it. */
+    fun grown(place: Place, to: Double) = place.copy(range = place.range.grown(Span(0.0, to)))
+
+    test("hovering, and zooming with the end in sight, stay at the end; the next growth goes to the new one, as far in as before") {
+        val hovered = end.copy(cursors = end.cursors.hovering(7.0), range = end.range.scaled(0.5, 10.0))
+        stay.isAt(hovered) shouldBe true
+        stay.isUntouched(hovered) shouldBe false
+        val next = stay.grown(hovered, grown(hovered, 12.0))
+        next.place.range.visible shouldBe Span(9.5, 12.0)
+        next.place.cursors.pinned shouldBe 12.0
+        next.stay.isAt(next.place) shouldBe true
+    }
+
+    test("panning and zooming away, moving the cursor and a second cursor go elsewhere, and the log grows without them") {
+        val places = listOf(
+            end.copy(range = end.range.panned(-0.25)),
+            end.copy(range = end.range.showing(1.0, 3.0)),
+            end.copy(cursors = end.cursors.clicked(6.0, 0.0)),
+            end.copy(cursors = end.cursors.shiftClicked(6.0, 0.0)),
+            end.at(4.0),
+            end.cancelled(),
+        )
+        for (place in places) {
+            stay.isAt(place) shouldBe false
+            val next = stay.grown(place, grown(place, 12.0))
+            next.stay shouldBe Stay()
+            next.place.cursors shouldBe place.cursors
+        }
+    }
+
+    test("whoever pauses keeps the range, though it ended where the log did, until they look at another one") {
+        val paused = stay.paused(end)
+        paused.isAt(end) shouldBe false
+        val next = paused.grown(end, grown(end, 12.0))
+        next.place.range.visible shouldBe Span(5.0, 10.0)
+        next.stay.grown(next.place, grown(next.place, 14.0)).place.range.visible shouldBe Span(5.0, 10.0)
+        val elsewhere = next.place.copy(range = next.place.range.showing(7.0, 12.0))
+        next.stay.grown(elsewhere, grown(elsewhere, 14.0)).place.range.visible shouldBe Span(9.0, 14.0)
+    }
+
+    test("a log that begins elsewhere after it has grown is another one, whose range is not kept") {
+        val paused = stay.paused(end)
+        val other = Place(Viewport(Span(100.0, 120.0)))
+        paused.grown(end, other).run {
+            place shouldBe other
+            this.stay shouldBe Stay()
+        }
+    }
+
+    test("nobody stays who has not asked for it, or whose log has grown without being shown") {
+        Stay().isAt(end) shouldBe false
+        stay.isAt(grown(end, 12.0)) shouldBe false
+    }
+})
