@@ -97,7 +97,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("two graphs of one title are told apart by a number, in their titles, for screen readers, and in menus") {
+    browserTest("of two graphs with the same title, the second has a number: in its heading, for screen readers, and in menus") {
         onPage(page) {
             script("location.hash = '#board=Volt,Amp;Volt;Speed'")
             settle()

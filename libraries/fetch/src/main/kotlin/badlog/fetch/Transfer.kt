@@ -113,7 +113,14 @@ internal class Transfer(
 
     /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
-        val recording = recordingIn(whole.part, log.name)
+        val read = readLog(whole.part, LOG_FORMATS, name = log.name)
+        if (read is ReadResult.NotRead) {
+            // Nothing else can be fetched either.
+            if (read.cause == Cause.NO_ROOM) read.orThrow()
+            // It may be a good log: its copy stays as it is, and the next fetch tries it again.
+            if (read.cause == Cause.BUG) return skip(log.path, read.sentence)
+        }
+        val recording = (read as? ReadResult.Read)?.recording
         val isLog = recording != null && !isFormerWpilog(log, recording)
         val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
         val place = LogPlace.of(log.name, match)
@@ -129,18 +136,6 @@ internal class Transfer(
         val result = FetchedLog(printablePath(log.path), file, log.size, whole.from, place.title, isLog, isSalvaged)
         fetched += result
         listener.fetched(result)
-    }
-
-    /** Returns the recording in [part] of the log called [name]; null if nobody can read it, which is no reason not to fetch it. */
-    private fun recordingIn(part: Path, name: String): Recording? = when (val read = readLog(part, LOG_FORMATS, name = name)) {
-        is ReadResult.Read -> read.recording
-
-        is ReadResult.NotRead -> when (read.cause) {
-            Cause.NO_LOG, Cause.UNREADABLE, Cause.TOO_LARGE -> null
-
-            // The log may be a good one, of which the next fetch finds the match.
-            Cause.NO_ROOM, Cause.BUG -> read.orThrow()
-        }
     }
 
     /**

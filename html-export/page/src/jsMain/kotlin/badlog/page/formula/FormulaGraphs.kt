@@ -115,7 +115,7 @@ internal class FormulaGraphs(
     }
 
     private companion object {
-        /** Milliseconds before a person is told how far a calculation is. */
+        /** Milliseconds before progress is shown. */
         const val PATIENCE = 500
         const val PERCENT = 100
     }

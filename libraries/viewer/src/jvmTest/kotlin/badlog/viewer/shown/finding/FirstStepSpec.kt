@@ -19,7 +19,7 @@ class FirstStepSpec : FunSpec({
     val stalled = found("Motor stalled", 20.0)
     val low = found("Low battery", 20.5)
 
-    test("the worst incident is gone to at its beginning, but not before a worse finding that belongs to none") {
+    test("the first step leads to where the worst incident begins, or to a worse finding outside all incidents") {
         stepOf(low, stalled).text() shouldBe "Motor stalled at 20.0, an incident"
         stepOf(low, stalled, found("Own rule", 90.0)).text() shouldBe "Motor stalled at 20.0, an incident"
         stepOf(low, stalled, found("Own rule", 90.0, Severity.ERROR)).text() shouldBe "Own rule at 90.0"
