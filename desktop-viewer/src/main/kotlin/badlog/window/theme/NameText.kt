@@ -34,6 +34,12 @@ internal enum class NameCut {
 
     /** Its middle: for files and sentences with a name at their end. */
     MIDDLE,
+    ;
+
+    companion object {
+        /** Returns what the name of a topic or graph loses: `[ Left Position Derivative ]` ends as that of every other derivative does. */
+        fun of(name: CharSequence): NameCut = if (name.endsWith("]")) MIDDLE else BEGINNING
+    }
 }
 
 /**
@@ -48,7 +54,7 @@ internal fun NameText(
     fontWeight: FontWeight? = null,
     textAlign: TextAlign = TextAlign.Start,
     textDecoration: TextDecoration? = null,
-    cut: NameCut = NameCut.BEGINNING,
+    cut: NameCut = NameCut.of(name),
 ) {
     val letters = rememberTextMeasurer(MEASURED)
     val given = LocalTextStyle.current
@@ -84,7 +90,7 @@ internal fun NameText(
     fontWeight: FontWeight? = null,
     textAlign: TextAlign = TextAlign.Start,
     textDecoration: TextDecoration? = null,
-    cut: NameCut = NameCut.BEGINNING,
+    cut: NameCut = NameCut.of(name),
 ) = NameText(AnnotatedString(name), modifier, color, fontSize, fontWeight, textAlign, textDecoration, cut)
 
 /** Returns [name] as it is drawn in [width] pixels: whole, or with an ellipsis where it was [cut]. */

@@ -65,6 +65,15 @@ class NameTextSpec : FunSpec({
         }
     }
 
+    test("derivatives, which all end the same, keep what they are of") {
+        measuring {
+            val (left, right) = listOf("Left", "Right").map { "[ $it Position Derivative ]" }
+            shown(left, 120, NameCut.of(left)) shouldStartWith "[ Le"
+            shown(right, 120, NameCut.of(right)) shouldStartWith "[ Ri"
+            NameCut.of(name) shouldBe NameCut.BEGINNING
+        }
+    }
+
     test("a letter of two characters is never halved") {
         measuring {
             for (width in 30..200) {
