@@ -183,8 +183,14 @@ internal class LiveSpec : PageSpec({
         withRobot(robot.file.parent) { address ->
             onServedPage(address) {
                 openRunning()
-                for (begin in listOf("#add-formula", "#help-button")) {
+                // What was written meanwhile makes the page anew, with other buttons.
+                fun follow() {
                     element("#live").click()
+                    await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
+                    awaitReady()
+                }
+                for (begin in listOf("#add-formula", "#help-button")) {
+                    follow()
                     isLive() shouldBe true
                     element(begin).click()
                     isLive() shouldBe false
@@ -194,7 +200,7 @@ internal class LiveSpec : PageSpec({
                     press(Keys.ESCAPE)
                     settle()
                 }
-                element("#live").click()
+                follow()
                 press("f")
                 robot.write(50)
                 await("a pause") { !isLive() }
