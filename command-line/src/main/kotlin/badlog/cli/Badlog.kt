@@ -7,7 +7,7 @@ import badlog.cli.console.StandardStreams
 import badlog.cli.console.unreachable
 import badlog.cli.console.withWildcards
 import badlog.cli.fetch.Robots
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import badlog.files.bugSentence
 import badlog.files.tooLargeSentence
 import com.github.ajalt.clikt.core.CliktError
@@ -27,7 +27,7 @@ internal class Badlog(
     private val console: Console,
     private val input: InputStream = System.`in`,
     private val robots: Robots = Robots.ofSystem(),
-    private val parts: PartLoader = PartLoader.ofProgram(),
+    private val parts: PluginLoader = PluginLoader.ofProgram(),
     private val computer: Computer = Computer(),
 ) {
     /** Runs the command in [arguments]. */

@@ -20,7 +20,7 @@ import badlog.cli.mcp.McpCommand
 import badlog.cli.merge.MergeCommand
 import badlog.cli.open.OpenCommand
 import badlog.cli.pack.RulesCommand
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import badlog.cli.record.RecordCommand
 import badlog.cli.recover.RecoverCommand
 import badlog.cli.replay.ReplayCommand
@@ -62,7 +62,7 @@ import java.io.InputStream
 internal class BadlogCommand(
     val arguments: List<String>,
     robots: Robots = Robots.ofSystem(),
-    parts: PartLoader = PartLoader.ofProgram(),
+    parts: PluginLoader = PluginLoader.ofProgram(),
     input: InputStream = System.`in`,
     computer: Computer = Computer(),
 ) : CoreCliktCommand(NAME) {

@@ -33,10 +33,10 @@ fun main(arguments: Array<String>) {
 }
 
 // The start script knows the width of the terminal, and passes 0 if there is none.
-private fun width(): Int = when (val told = System.getProperty("badlog.columns")?.toIntOrNull()) {
+private fun width(): Int = when (val columns = System.getProperty("badlog.columns")?.toIntOrNull()) {
     null -> if (System.console() != null) LINE_WIDTH else Console.UNLIMITED
     0 -> Console.UNLIMITED
-    else -> maxOf(told, MIN_WIDTH)
+    else -> maxOf(columns, MIN_WIDTH)
 }
 
 /** In less, tables would show nothing. */

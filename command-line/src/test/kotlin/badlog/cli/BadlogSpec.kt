@@ -3,7 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import badlog.exporter.BADLOG_VERSION
 import badlog.rules.commandWords
 import com.github.ajalt.clikt.core.parse
@@ -51,7 +51,7 @@ class BadlogSpec : FunSpec({
             for (example in examples) {
                 example shouldNotContain "'"
                 val arguments = commandWords(example).drop(1)
-                val parsed = BadlogCommand(arguments, Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream(), Computer()).also { it.parse(arguments) }
+                val parsed = BadlogCommand(arguments, Robots.ofSystem(), PluginLoader.ofProgram(), InputStream.nullInputStream(), Computer()).also { it.parse(arguments) }
                 parsed.task.shouldNotBeNull()
             }
         }

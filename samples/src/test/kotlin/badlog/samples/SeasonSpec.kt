@@ -5,8 +5,8 @@ import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.comparison.compared
-import badlog.rules.comparison.figuresOf
-import badlog.rules.number.LogFigures
+import badlog.rules.comparison.numbersOf
+import badlog.rules.number.LogNumbers
 import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
 import io.kotest.core.spec.style.FunSpec
@@ -21,19 +21,19 @@ import io.kotest.matchers.string.shouldStartWith
 class SeasonSpec : FunSpec({
     fun viewOf(seed: Int, fault: Fault? = null) = LogView.of(BagParser().apply { accept(FaultyMatch(seed, fault, isFaint = false).bag()) }.finish())
 
-    fun figuresOf(view: LogView): LogFigures = figuresOf(view, RuleSet.BUILT_IN.signals, "match.bag")
+    fun numbersOf(view: LogView): LogNumbers = numbersOf(view, RuleSet.BUILT_IN.signals, "match.bag")
 
-    val season = (401..430).toList().parallelStream().map { figuresOf(viewOf(it)) }.toList()
+    val season = (401..430).toList().parallelStream().map { numbersOf(viewOf(it)) }.toList()
 
-    fun findingsOf(logs: List<LogFigures>) = RuleSet.BUILT_IN.compared(logs).map { log -> log.findings.map { "${it.rule}: ${it.text}" } }
+    fun findingsOf(logs: List<LogNumbers>) = RuleSet.BUILT_IN.compared(logs).map { log -> log.findings.map { "${it.rule}: ${it.text}" } }
 
     /** Match [seed], in which the topic [name] has [factor] times its values. */
-    fun scaled(seed: Int, name: String, factor: Double): LogFigures {
+    fun scaled(seed: Int, name: String, factor: Double): LogNumbers {
         val recording = viewOf(seed).recording
         val topics = recording.topics.map { topic ->
             if (topic.name == name) topic.copy(samples = DoubleArray(topic.samples.size) { topic.samples[it] * factor }) else topic
         }
-        return figuresOf(LogView.of(recording.copy(topics = topics)))
+        return numbersOf(LogView.of(recording.copy(topics = topics)))
     }
 
     test("a healthy season of thirty matches has no finding") {
@@ -49,7 +49,7 @@ class SeasonSpec : FunSpec({
     }
 
     test("a tired battery has a resistance above those of the other matches") {
-        val tired = figuresOf(viewOf(500, Fault.TIRED_BATTERY))
+        val tired = numbersOf(viewOf(500, Fault.TIRED_BATTERY))
         tired.resistance shouldBeGreaterThan 1.4 * season.map { it.resistance }.average()
         findingsOf(season + tired).last().map { it.substringBefore(':') } shouldContain "Resistance above other matches"
     }
@@ -62,7 +62,7 @@ class SeasonSpec : FunSpec({
                 },
             )
         }
-        val found = findingsOf(season.take(10) + figuresOf(LogView.of(crazy)) + season.drop(10))
+        val found = findingsOf(season.take(10) + numbersOf(LogView.of(crazy)) + season.drop(10))
         found.filterIndexed { place, _ -> place != 10 }.flatten().shouldBeEmpty()
     }
 

@@ -9,7 +9,7 @@ import badlog.matches.fault.Visibility
 import badlog.matches.log.BagRecorder
 import badlog.matches.log.LoggedTopic
 import badlog.matches.log.Recorder
-import badlog.matches.log.Telling
+import badlog.matches.log.Wording
 import badlog.matches.log.WpilogRecorder
 import badlog.matches.log.advantageKitTopics
 import badlog.matches.log.badlogTopics
@@ -81,11 +81,11 @@ class MatchGenerator(private val seed: Long) {
         }
 
         /** Returns [match], one of WPILib's logger, as a robot of 2027 logs it: the same moments, told in the other season's way. */
-        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Telling.ROBOT_OF_2027)
+        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Wording.ROBOT_OF_2027)
 
         /** Returns the log that the Driver Station of 2027 writes of [match], one of WPILib's logger. */
         fun stationIn2027(match: GeneratedMatch): GeneratedMatch =
-            generated("FIRST_DS_${match.name}", planOf(match), Telling.STATION_OF_2027)
+            generated("FIRST_DS_${match.name}", planOf(match), Wording.STATION_OF_2027)
 
         private fun planOf(match: GeneratedMatch): RobotPlan {
             require(match.naming == Naming.WPILIB) {
@@ -97,15 +97,15 @@ class MatchGenerator(private val seed: Long) {
     }
 }
 
-private fun generated(name: String, plan: RobotPlan, telling: Telling = Telling.AS_NAMED): GeneratedMatch {
+private fun generated(name: String, plan: RobotPlan, wording: Wording = Wording.AS_NAMED): GeneratedMatch {
     val run = MatchRun(plan)
-    val topics = when (telling) {
-        Telling.AS_NAMED -> topicsOf(run)
-        Telling.ROBOT_OF_2027 -> robotTopicsOf2027(run)
-        Telling.STATION_OF_2027 -> stationTopicsOf2027(run)
+    val topics = when (wording) {
+        Wording.AS_NAMED -> topicsOf(run)
+        Wording.ROBOT_OF_2027 -> robotTopicsOf2027(run)
+        Wording.STATION_OF_2027 -> stationTopicsOf2027(run)
     }
     // A WPILOG's clock began when the robot was switched on.
-    val boot = telling.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
+    val boot = wording.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
     val recorder = recorderOf(run, topics, boot)
     run.run(object : MatchObserver {
         override fun looped(time: Double) = recorder.loop(time)

@@ -5,7 +5,7 @@ import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputOptions
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import badlog.cli.topic.OnlyOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -17,7 +17,7 @@ import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
 
 /** `badlog convert`. */
-internal class ConvertCommand(private val parts: PartLoader) :
+internal class ConvertCommand(private val parts: PluginLoader) :
     LogCommand(
         "convert",
         "Writes logs in another format.",

@@ -27,8 +27,8 @@ import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.resampled
 import badlog.core.recording.Recording
 import badlog.formats.wpilog.Omission
+import badlog.formats.wpilog.record.MergedEntry
 import badlog.formats.wpilog.record.RecordEntry
-import badlog.formats.wpilog.record.RecordLane
 import badlog.formats.wpilog.record.RecordMerge
 import badlog.formats.wpilog.record.RecordPiece
 import badlog.report.UndefinedJson
@@ -123,7 +123,7 @@ internal class ConvertTask(
     /** Writes [records] and [calculated], the topics that were not logged. */
     private fun writeWith(calculated: Recording, records: List<RecordEntry>, target: Path, progress: Progress): Omissions {
         val (more, leftOut) = recordsOf(calculated, isChangesOnly)
-        val lanes = (records + more.entries).map { RecordLane(it.name, listOf(RecordPiece(it))) }
+        val lanes = (records + more.entries).map { MergedEntry(it.name, listOf(RecordPiece(it))) }
         newLog(target) { stream -> RecordMerge(lanes).write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
         return leftOut
     }

@@ -9,10 +9,10 @@ import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.output.OutputPlan
-import badlog.cli.part.ParquetSession
-import badlog.cli.part.PartLoader
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SeasonService
+import badlog.cli.plugin.ParquetSession
+import badlog.cli.plugin.PluginLoader
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SeasonService
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
@@ -37,7 +37,7 @@ internal class ParquetTask(
     private val plan: OutputPlan,
     private val virtualTopics: List<String>,
     private val only: TopicChoice,
-    private val parts: PartLoader,
+    private val parts: PluginLoader,
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode = parts.call("convert --to $OPTION", SeasonService::class.java, console) { service ->

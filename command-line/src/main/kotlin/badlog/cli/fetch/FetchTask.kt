@@ -77,7 +77,7 @@ internal class FetchTask(
 
         override fun connected(address: RobotAddress, user: String) {
             this.address = address
-            tell("Connected to $address as $user.")
+            report("Connected to $address as $user.")
         }
 
         override fun waiting(address: RobotAddress) = warn("The robot is enabled; waiting until it is disabled.")
@@ -128,7 +128,7 @@ internal class FetchTask(
         /** Records that a round was successful. */
         fun endRound() {
             close()
-            if (isNothing) tell("Nothing new on $address; ${counted(known.toLong(), "log")} fetched before.")
+            if (isNothing) report("Nothing new on $address; ${counted(known.toLong(), "log")} fetched before.")
         }
 
         /** Records that a round failed because of [message]. */
@@ -146,7 +146,7 @@ internal class FetchTask(
             bar = null
         }
 
-        private fun tell(message: String) {
+        private fun report(message: String) {
             if (isWatching && !said.add(message)) return
             warn(message)
         }

@@ -2,14 +2,14 @@ package badlog.cli.lake
 
 import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.path
 
 /** `badlog lake`. */
-internal class LakeCommand(private val parts: PartLoader) :
+internal class LakeCommand(private val parts: PluginLoader) :
     LogCommand(
         "lake",
         "Makes Parquet files of logs, for DuckDB, Spark, pandas and others.",

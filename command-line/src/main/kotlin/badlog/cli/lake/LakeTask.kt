@@ -6,11 +6,11 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.part.LakeReport
-import badlog.cli.part.LakeState
-import badlog.cli.part.PartLoader
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SeasonService
+import badlog.cli.plugin.LakeReport
+import badlog.cli.plugin.LakeState
+import badlog.cli.plugin.PluginLoader
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SeasonService
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
@@ -18,8 +18,12 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /** Makes the lake [out] from every log below [paths]. */
-internal class LakeTask(private val paths: List<Path>, private val out: Path, private val parts: PartLoader, private val isJson: Boolean) :
-    Task {
+internal class LakeTask(
+    private val paths: List<Path>,
+    private val out: Path,
+    private val parts: PluginLoader,
+    private val isJson: Boolean,
+) : Task {
     override fun run(console: Console): ExitCode = parts.call("lake", SeasonService::class.java, console) { service ->
         val logs = LogFiles(paths, console)
         try {
@@ -78,10 +82,10 @@ internal fun refreshed(
 ): LakeReport {
     val rules = rulesBeside(paths, console::warn)
     val named = logs.files.map { it to logs.nameOf(it) }
-    var isTold = false
+    var hasWarned = false
     val isBusy = {
-        if (waits && !isTold) console.warn("Another badlog is making tables of the same logs; waiting until it has finished.")
-        isTold = true
+        if (waits && !hasWarned) console.warn("Another badlog is making tables of the same logs; waiting until it has finished.")
+        hasWarned = true
         waits
     }
     return console.progress("lake").use { bar ->

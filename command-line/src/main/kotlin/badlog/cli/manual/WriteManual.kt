@@ -2,7 +2,7 @@ package badlog.cli.manual
 
 import badlog.cli.BadlogCommand
 import badlog.cli.fetch.Robots
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import com.github.ajalt.clikt.completion.CompletionGenerator
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.PrintHelpMessage
@@ -51,4 +51,4 @@ private fun helpOf(names: List<String>, command: BadlogCommand = badlogCommand()
 
 /** Returns the program's command line, without looking for anything that it could run. */
 internal fun badlogCommand(): BadlogCommand =
-    BadlogCommand(emptyList(), Robots.ofSystem(), PartLoader.ofProgram(), InputStream.nullInputStream())
+    BadlogCommand(emptyList(), Robots.ofSystem(), PluginLoader.ofProgram(), InputStream.nullInputStream())

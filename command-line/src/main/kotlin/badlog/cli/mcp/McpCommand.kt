@@ -4,8 +4,8 @@ import badlog.cli.command.ExitCode
 import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.part.McpService
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.McpService
+import badlog.cli.plugin.PluginLoader
 import badlog.files.UnreadableFileException
 import badlog.files.UserFolders
 import badlog.files.requireFolder
@@ -16,7 +16,7 @@ import java.io.InputStream
 import java.nio.file.Path
 
 /** `badlog mcp`. */
-internal class McpCommand(private val parts: PartLoader, private val input: InputStream) :
+internal class McpCommand(private val parts: PluginLoader, private val input: InputStream) :
     SubCommand(
         "mcp",
         "Lets an AI assistant ask about logs.",
@@ -34,7 +34,7 @@ internal class McpCommand(private val parts: PartLoader, private val input: Inpu
 }
 
 /** Answers requests from [input] about the logs below [folder]. */
-internal class McpTask(private val folder: Path, private val parts: PartLoader, private val input: InputStream) : Task {
+internal class McpTask(private val folder: Path, private val parts: PluginLoader, private val input: InputStream) : Task {
     override fun run(console: Console): ExitCode {
         try {
             requireFolder(folder)

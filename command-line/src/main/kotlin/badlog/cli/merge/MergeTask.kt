@@ -70,9 +70,9 @@ internal class MergeTask(
             return mergeOutcome(merged, moved, target, writeLog(merged.recording, format, target, progress = progress))
         }
         parts.find { !it.hasRows }?.let { wanted?.require(it.recording, target) }
-        val lanes = RecordLanes(parts.map { it.withOwnTimes() }, mode)
-        val merged = lanes.write(target, progress)
-        return mergeOutcome(merged, moved, target, lanes.leftOut)
+        val records = MergedRecords(parts.map { it.withOwnTimes() }, mode)
+        val merged = records.write(target, progress)
+        return mergeOutcome(merged, moved, target, records.leftOut)
     }
 
     private fun read(input: LogInput, console: Console, outcomes: Outcomes): LogPart? {

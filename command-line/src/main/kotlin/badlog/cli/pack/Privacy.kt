@@ -37,7 +37,7 @@ internal class Privacy(recording: Recording) {
             addAll(topic.texts.dictionary.map { Kind.TEAM to it.trim() })
             addAll(topic.samples.filter { it.isFinite() }.distinct().map { Kind.TEAM to "${it.toLong()}" })
         }
-    }.distinct().filter { (kind, text) -> isTelling(kind, text) }
+    }.distinct().filter { (kind, text) -> isDistinctive(kind, text) }
 
     private val words = known.map { (kind, text) -> kind to wordOf(text) }
 
@@ -116,7 +116,7 @@ internal class Privacy(recording: Recording) {
         private fun endOf(name: String) = name.substringAfterLast('/').lowercase().filter { it.isLetterOrDigit() }
 
         /** A short number or name would also be a part of texts that have nothing to do with it. */
-        fun isTelling(kind: Kind, text: String) = text.length >= SHORTEST && when (kind) {
+        fun isDistinctive(kind: Kind, text: String) = text.length >= SHORTEST && when (kind) {
             Kind.TEAM -> text.length <= LONGEST_TEAM && text.all(Char::isDigit)
             else -> text.lowercase() !in NOBODY
         }

@@ -37,7 +37,7 @@ internal class RecordTask(
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("record", console, isJson)
         RecordTalk(console, outcomes, isJson).use { talk ->
-            talk.tell("Looking for the robot at $places; Ctrl+C ends it.")
+            talk.report("Looking for the robot at $places; Ctrl+C ends it.")
             val recorder = Recorder(servers, options, talk)
             val isDone = CountDownLatch(1)
             val end = endingOf(Thread.currentThread(), isDone)
@@ -116,14 +116,14 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     @Synchronized
     override fun connected(name: String, address: ServerAddress) {
         isConnected = true
-        tell(connectedText(name, address))
+        report(connectedText(name, address))
     }
 
     @Synchronized
-    override fun disconnected(name: String, reason: String) = tell(lostText(name, reason))
+    override fun disconnected(name: String, reason: String) = report(lostText(name, reason))
 
     @Synchronized
-    override fun noted(message: String) = tell(message)
+    override fun noted(message: String) = report(message)
 
     @Synchronized
     override fun finished(file: RecordedFile) {
@@ -140,7 +140,7 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     }
 
     @Synchronized
-    fun tell(message: String) {
+    fun report(message: String) {
         line?.close()
         if (!isJson) console.warn(message)
     }

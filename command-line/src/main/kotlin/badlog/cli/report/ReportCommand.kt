@@ -4,7 +4,7 @@ import badlog.cli.command.LogCommand
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
 import badlog.files.UserFolders
@@ -18,7 +18,7 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 
 /** `badlog report`. */
-internal class ReportCommand(private val parts: PartLoader) :
+internal class ReportCommand(private val parts: PluginLoader) :
     LogCommand(
         "report",
         "Runs rules over every log.",

@@ -7,8 +7,8 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.part.ChartService
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.ChartService
+import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
 import badlog.cli.search.rulesBeside
@@ -48,7 +48,7 @@ internal class ReportTask(
     private val cache: Path?,
     private val xTopic: String?,
     private val station: Path?,
-    private val parts: PartLoader,
+    private val parts: PluginLoader,
 ) : Task {
     override fun run(console: Console): ExitCode {
         if (pagesPlan?.hasCharts != true) return run(console, charts = null)

@@ -1,8 +1,8 @@
 package badlog.cli.sql
 
 import badlog.cli.console.Console
-import badlog.cli.part.SqlColumn
-import badlog.cli.part.SqlSession
+import badlog.cli.plugin.SqlColumn
+import badlog.cli.plugin.SqlSession
 import badlog.cli.text.counted
 import badlog.terminal.TextTable
 import kotlinx.serialization.json.JsonElement

@@ -2,7 +2,7 @@ package badlog.cli.sql
 
 import badlog.cli.command.SubCommand
 import badlog.cli.command.Task
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.PluginLoader
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
@@ -14,7 +14,7 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.io.InputStream
 
 /** `badlog sql`. */
-internal class SqlCommand(private val parts: PartLoader, private val input: InputStream) :
+internal class SqlCommand(private val parts: PluginLoader, private val input: InputStream) :
     SubCommand(
         "sql",
         "Answers SQL about logs.",

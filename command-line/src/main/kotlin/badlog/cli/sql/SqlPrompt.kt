@@ -1,8 +1,8 @@
 package badlog.cli.sql
 
 import badlog.cli.console.Console
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SqlSession
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SqlSession
 import java.io.InputStream
 
 /** Reads queries, each ended by a semicolon or the end of the input, and prints their answers. A mistake ends only its own query. */

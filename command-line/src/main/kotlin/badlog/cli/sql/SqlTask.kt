@@ -6,12 +6,12 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.lake.refreshed
-import badlog.cli.part.LakeCache
-import badlog.cli.part.PartLoader
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SeasonService
-import badlog.cli.part.SqlSession
-import badlog.cli.part.WrongQueryException
+import badlog.cli.plugin.LakeCache
+import badlog.cli.plugin.PluginLoader
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SeasonService
+import badlog.cli.plugin.SqlSession
+import badlog.cli.plugin.WrongQueryException
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.counted
 import badlog.cli.text.wrapped
@@ -31,7 +31,7 @@ internal class SqlTask(
     private val form: AnswerForm,
     private val parquet: Path?,
     private val explainsTables: Boolean,
-    private val parts: PartLoader,
+    private val parts: PluginLoader,
     private val input: InputStream,
 ) : Task {
     override fun run(console: Console): ExitCode = parts.call("sql", SeasonService::class.java, console) { service ->

@@ -8,7 +8,7 @@ import badlog.files.LogFile
 import badlog.files.isOfDriverStation
 import badlog.signals.clock.ClockFit
 import badlog.signals.clock.ClockedLog
-import badlog.signals.clock.RobotBesideStation
+import badlog.signals.clock.StationOverlay
 import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
@@ -33,7 +33,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         val robot = ClockedLog(file.name, view.recording, signals)
         val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
         found[file.path] = Found(station.log.name, station.fit)
-        return RobotBesideStation(view, station.station, station.fit, signals).forRules
+        return StationOverlay(view, station.station, station.fit, signals).forRules
     }
 
     /** Returns a sentence that says which log was added to [file]; null for none. */

@@ -6,8 +6,8 @@ import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.endGently
 import badlog.cli.inFolder
-import badlog.cli.part.SeasonService
-import badlog.cli.part.javaCommand
+import badlog.cli.plugin.SeasonService
+import badlog.cli.plugin.javaCommand
 import badlog.cli.with
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec

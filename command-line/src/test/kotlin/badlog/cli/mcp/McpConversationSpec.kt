@@ -2,7 +2,7 @@ package badlog.cli.mcp
 
 import badlog.cli.ROOT
 import badlog.cli.SAMPLES
-import badlog.cli.part.javaCommand
+import badlog.cli.plugin.javaCommand
 import badlog.core.python.TestPython
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

@@ -29,12 +29,12 @@ private fun dslog(start: Long = STATION_START) = TestDslog(start = start).record
     .records(300, Status.BOTH_TELEOP).records(100)
 
 /** The robot's log of that, with a clock that began [later] than the Driver Station's log. */
-private fun Path.robot(name: String, later: Double, tellsTime: Boolean = true) = wpilog(
+private fun Path.robot(name: String, later: Double, hasTime: Boolean = true) = wpilog(
     name,
     listOf(
         Logged("DS:enabled", "boolean", "", listOf(0.5 to false, 5 - later to true, 8 - later to false, 9 - later to true, 15 - later to false, 16 - later to false)),
         Logged("/Arm/Angle", "double", "", List(20) { it / 2.0 + 0.5 to it.toDouble() }),
-    ) + if (tellsTime) listOf(Logged("systemTime", "int64", "", listOf(1.0 to (START + 1.5 + later) * 1e6))) else emptyList(),
+    ) + if (hasTime) listOf(Logged("systemTime", "int64", "", listOf(1.0 to (START + 1.5 + later) * 1e6))) else emptyList(),
 )
 
 class StationSearchSpec : FunSpec({
@@ -74,7 +74,7 @@ class StationSearchSpec : FunSpec({
 
     test("a robot without a clock gets the only one there is, by enabled; of several none is taken for it") {
         inFolder { folder ->
-            val robot = folder.robot("robot.wpilog", -2.0, tellsTime = false)
+            val robot = folder.robot("robot.wpilog", -2.0, hasTime = false)
             said("merge", robot, "--with-ds", "-o", folder / "none.wpilog") shouldContain "No Driver Station log found in"
             folder.with("one.dslog", dslog().bytes)
             said("merge", robot, "--with-ds", "-o", folder / "both.wpilog") shouldContain "4 edges of enabled fit"

@@ -10,7 +10,7 @@ import badlog.cli.besideRobot
 import badlog.cli.command.ExitCode
 import badlog.cli.inFolder
 import badlog.cli.interrupt
-import badlog.cli.part.javaCommand
+import badlog.cli.plugin.javaCommand
 import badlog.cli.with
 import badlog.core.analysis.LogView
 import badlog.files.readRecording

@@ -11,8 +11,8 @@ import badlog.cli.command.ResultForm
 import badlog.cli.console.Console
 import badlog.cli.inFolder
 import badlog.cli.names
-import badlog.cli.part.ChartService
-import badlog.cli.part.PartLoader
+import badlog.cli.plugin.ChartService
+import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
 import badlog.cli.with
 import badlog.report.Report
@@ -65,7 +65,7 @@ class ReportChartsSpec : FunSpec({
                 val console = Console(PrintStream(ByteArrayOutputStream()), PrintStream(ByteArrayOutputStream()), false)
                 val plan = PagesPlan(folder / out, isForced = false, field = null, hasCharts = true)
                 val search = Search(rules, isWithoutRules = false, emptyList(), emptyList())
-                ReportTask(listOf(SAMPLES), search, ResultForm.TEXT, plan, cache, null, null, PartLoader.ofProgram()).run(console)
+                ReportTask(listOf(SAMPLES), search, ResultForm.TEXT, plan, cache, null, null, PluginLoader.ofProgram()).run(console)
                 return (folder / out / "charts/battery.png").readBytes().toList()
             }
             val cache = folder / "cache"

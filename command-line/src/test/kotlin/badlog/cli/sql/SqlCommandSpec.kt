@@ -7,8 +7,8 @@ import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.inFolder
-import badlog.cli.part.LakeCache
-import badlog.cli.part.SeasonService
+import badlog.cli.plugin.LakeCache
+import badlog.cli.plugin.SeasonService
 import badlog.cli.with
 import badlog.files.UserFolders
 import io.kotest.assertions.nondeterministic.eventually

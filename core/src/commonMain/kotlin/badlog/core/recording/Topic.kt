@@ -40,7 +40,7 @@ public class Topic(
      * kept, it is a state.
      */
     public val kind: TopicKind = kindOf(counts).let {
-        if (it == TopicKind.STATE && times != null && tellsEvents(texts)) TopicKind.EVENT else it
+        if (it == TopicKind.STATE && times != null && holdsEvents(texts)) TopicKind.EVENT else it
     }
 
     /**
@@ -90,7 +90,7 @@ public class Topic(
             }
         }
 
-        private fun tellsEvents(texts: TextColumn): Boolean {
+        private fun holdsEvents(texts: TextColumn): Boolean {
             val different = texts.dictionary.size
             return different > FEW_STATES && different * 2L > texts.size
         }

@@ -131,15 +131,15 @@ class RecordingWriterSpec : FunSpec({
 
     test("progress is reported in rows, up to the last") {
         val recording = parse("a,b\n" + "1,2\n".repeat(50_000))
-        val told = ArrayList<Int>()
+        val reported = ArrayList<Int>()
         var size = 0
         val progress = { done: Int, total: Int ->
             total shouldBe 40_000
-            told += done
+            reported += done
         }
         RecordingWriter(recording).write(0, 40_000, progress) { _, count -> size += count }
-        told.last() shouldBe 40_000
-        told shouldBe told.sorted()
+        reported.last() shouldBe 40_000
+        reported shouldBe reported.sorted()
         size shouldBe "a,b\n".length + 4 * 40_000
     }
 

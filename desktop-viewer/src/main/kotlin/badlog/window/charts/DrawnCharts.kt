@@ -4,7 +4,7 @@ import badlog.catalog.examine.ExaminedLog
 import badlog.catalog.folder.LogEntry
 import badlog.charts.chartsOf
 import badlog.charts.match.ChartedLog
-import badlog.rules.number.FigureReader
+import badlog.rules.number.LogNumbersReader
 import badlog.viewer.catalog.DateSource
 
 /**
@@ -23,12 +23,12 @@ internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>,
  * @param progress receives the fraction done, 0 to 1.
  */
 internal fun drawCharts(logs: List<LogEntry>, examined: (LogEntry) -> ExaminedLog?, progress: (Float) -> Unit): DrawnCharts {
-    val reader = FigureReader()
+    val reader = LogNumbersReader()
     val known = logs.mapNotNull { entry ->
         stopIfInterrupted()
         val date = entry.summary.date
         val began = date.second.takeIf { date.source != DateSource.FILE_TIME }
-        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, began, it.figures(reader)) }
+        examined(entry)?.let { ChartedLog(entry.summary.match, entry.fileName, began, it.numbers(reader)) }
     }
     val charts = chartsOf(known) { stopIfInterrupted() }
     val drawn = charts.all.mapIndexed { place, chart ->

@@ -30,13 +30,13 @@ internal fun cutFile(recording: OpenRecording, span: Span, target: Path, progres
     val part = partOf(recording, span)
     requireOther(recording, part.rows.last + 1 - part.rows.first, target)
     writeAtomically(target) { out ->
-        val heard = { done: Int, total: Int ->
+        val reported = { done: Int, total: Int ->
             if (Thread.interrupted()) throw InterruptedException()
             progress(done.toFloat() / total)
         }
         val unit = recording.view.xAxis.unit
         val said = part.recording.values.ofPart("${timeText(span.from, unit)} to ${timeText(span.to, unit)}")
-        RecordingWriter(part.recording.copy(values = said), RecordingFormat.BAG).write(part.rows.first, part.rows.last + 1, heard) {
+        RecordingWriter(part.recording.copy(values = said), RecordingFormat.BAG).write(part.rows.first, part.rows.last + 1, reported) {
                 bytes,
                 size,
             ->

@@ -117,13 +117,13 @@ internal class Indexing(
         val isFirst = !hasLooked
         hasLooked = true
         val now = queue.state().let { QueueState(it.changes, it.waiting, trouble) }
-        if (isFirst || now != lastLooked) tellUpdate()
+        if (isFirst || now != lastLooked) countUpdate()
         lastLooked = now
     }
 
     private data class QueueState(val changes: Int, val waiting: Int, val trouble: String?)
 
-    private fun tellUpdate() = updateCount.update { it + 1 }
+    private fun countUpdate() = updateCount.update { it + 1 }
 
     /** Returns what the rules say of the file of [entry], as it is stored; null if they have not been run. Do not use it on the window's thread. */
     fun examined(entry: LogEntry): ExaminedLog? = store.examined(entry.source)
@@ -131,13 +131,13 @@ internal class Indexing(
     /** Skips the logs that are waiting to be read. */
     fun stopReading() {
         queue.passOverWaiting()
-        tellUpdate()
+        countUpdate()
     }
 
     /** Reads what [stopReading] skipped. */
     fun readAll() {
         queue.wantAll()
-        tellUpdate()
+        countUpdate()
     }
 
     private fun CoroutineScope.startReader() {
@@ -161,7 +161,7 @@ internal class Indexing(
                 val found = reading.read(file, runsRules = isSettled(file), { ensureActive() }) { entry ->
                     isDone = true
                     queue.finished(entry, started.elapsedNow(), started.elapsedNow() - began)
-                    tellUpdate()
+                    countUpdate()
                 }
                 found.found?.let { queue.searched(found, it) }
             } finally {
@@ -169,7 +169,7 @@ internal class Indexing(
             }
         } finally {
             if (!isDone) queue.abandoned(file)
-            tellUpdate()
+            countUpdate()
         }
     }
 
@@ -191,7 +191,7 @@ internal class Indexing(
                 if (entry.source.size > LARGE) largeFile.unlock()
             }
             queue.searched(entry, found)
-            tellUpdate()
+            countUpdate()
         }
     }
 

@@ -3,8 +3,8 @@ package badlog.window.folder
 import androidx.compose.runtime.snapshotFlow
 import badlog.catalog.folder.LogEntry
 import badlog.rules.folder.FolderRules
-import badlog.rules.number.FigureReader
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
+import badlog.rules.number.LogNumbersReader
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.changesOf
 import badlog.viewer.shown.folder.earlierThan
@@ -31,9 +31,9 @@ internal class SinceLastMatch(private val current: CurrentRecording, private val
             val examined = library.examined
             val changes = withContext(Dispatchers.Default) {
                 assertOffWindow()
-                val reader = FigureReader()
+                val reader = LogNumbersReader()
                 changesOf(log, wanted.earlier, FolderRules.of(log.file, wanted.folder).rules) {
-                    examined(it)?.figures(reader) ?: LogFigures.NONE
+                    examined(it)?.numbers(reader) ?: LogNumbers.NONE
                 }
             }
             change { changes }

@@ -70,7 +70,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     Column(
         modifier
             .sheet("Formula sheet", widest = 640.dp)
-            .onPreviewKeyEvent { hears(it, writer, keep, close) }
+            .onPreviewKeyEvent { handles(it, writer, keep, close) }
             .verticalScroll(rememberScrollState())
             .padding(start = 20.dp, end = 12.dp, top = 8.dp, bottom = 12.dp),
         Arrangement.spacedBy(6.dp),
@@ -108,7 +108,7 @@ private fun keepFormula(formulas: FormulaStore, sheet: FormulaSheet, writer: For
     formulas.closeSheet()
 }
 
-private fun hears(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, close: () -> Unit): Boolean {
+private fun handles(event: KeyEvent, writer: FormulaWriter, keep: () -> Unit, close: () -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     val hasNames = writer.suggestions.names.isNotEmpty()
     when (event.key) {

@@ -3,7 +3,7 @@ package badlog.window.log
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
 import badlog.signals.clock.FoundStation
-import badlog.signals.clock.RobotBesideStation
+import badlog.signals.clock.StationOverlay
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
@@ -32,11 +32,11 @@ internal class LogStages(
     private val own: LogView =
         before?.takeIf { it.read === read && it.vocabulary === vocabulary }?.own ?: read.withSignals(vocabulary, name)
 
-    private val beside: RobotBesideStation? =
+    private val beside: StationOverlay? =
         if (before?.own === own && before.station == station) {
             before.beside
         } else {
-            station?.let { RobotBesideStation(own, it.station, it.fit, vocabulary) }
+            station?.let { StationOverlay(own, it.station, it.fit, vocabulary) }
         }
 
     /** The content of the file, and of the [station]'s. */

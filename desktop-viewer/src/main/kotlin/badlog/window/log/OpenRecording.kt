@@ -96,11 +96,11 @@ internal class OpenRecording(
     val formulas: List<Formula> get() = stages.formulas
 
     /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
-    val signals: List<Signal> = signalsOf(view, formulas)
+    val signals: List<DrawableTopic> = signalsOf(view, formulas)
 
     /** The topics without any logged value: only a search lists them. */
-    val empty: List<Signal> = view.recording.topics.filter { it !== view.xAxis.topic && it.samples.isEmpty() && it.texts.size == 0 }
-        .map { Signal(it.name, isDerived = false, view.seriesOf(it)) }
+    val empty: List<DrawableTopic> = view.recording.topics.filter { it !== view.xAxis.topic && it.samples.isEmpty() && it.texts.size == 0 }
+        .map { DrawableTopic(it.name, isDerived = false, view.seriesOf(it)) }
 
     private val byName = signals.associateBy { it.name }
 
@@ -108,7 +108,7 @@ internal class OpenRecording(
     val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
 
     /** Returns what can be drawn of the topics that are the signal [name]. */
-    fun of(name: String): List<Signal> = signalTopics.of(name).mapNotNull { signal(it.topic) }
+    fun of(name: String): List<DrawableTopic> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
     /**
      * The initial graphs: those of the [layout] beside it, also those that it cannot draw, or else of its topics; if it can draw none of
@@ -171,7 +171,7 @@ internal class OpenRecording(
         xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field, view.secondsPerX) { signal(it)?.line }
 
     /** Returns the signal called [name], or null when this recording has none. */
-    fun signal(name: String): Signal? = byName[name]
+    fun signal(name: String): DrawableTopic? = byName[name]
 
     /** Whether it is drawn over its [timeColumn], because a person wants that. */
     val isOverTime: Boolean get() = rows != null
@@ -258,13 +258,13 @@ internal class OpenRecording(
 /** Work on whole logs belongs off the window's thread, which would stand still meanwhile; checked in tests and in development. */
 internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A log is worked on by the window’s thread." }
 
-private fun signalsOf(view: LogView, formulas: List<Formula>): List<Signal> {
+private fun signalsOf(view: LogView, formulas: List<Formula>): List<DrawableTopic> {
     val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()
     val logged = view.recording.topics
         .filter { it !== view.xAxis.topic && (it.samples.isNotEmpty() || it.texts.size > 0) }
-        .map { topic -> definitions[topic.name].let { Signal(topic.name, isDerived = it != null, view.seriesOf(topic), it) } }
+        .map { topic -> definitions[topic.name].let { DrawableTopic(topic.name, isDerived = it != null, view.seriesOf(topic), it) } }
     val derived = view.folders.flatMap { it.graphs }
         .filter { graph -> graph.series.all { it.isDerived } }
-        .map { Signal(it.name, isDerived = true, it.series.single()) }
+        .map { DrawableTopic(it.name, isDerived = true, it.series.single()) }
     return logged + derived
 }

@@ -44,7 +44,7 @@ internal object ContextMenus : ContextMenuRepresentation {
                 line.onClick()
             }
 
-            fun hear(key: Key): Boolean {
+            fun handle(key: Key): Boolean {
                 if (lines.isEmpty()) return false
                 when (key) {
                     Key.DirectionDown -> marked = (marked + 1) % lines.size
@@ -59,7 +59,7 @@ internal object ContextMenus : ContextMenuRepresentation {
 
             // One that keys opened is below its area, which would be covered otherwise.
             val corner = if (isOfKeys) status.rect.bottomLeft else status.rect.center
-            ShowMenu(Rect(area.localToRoot(corner), Size.Zero), takesKeys = false, ::close, onClosed = {}, onKey = ::hear) {
+            ShowMenu(Rect(area.localToRoot(corner), Size.Zero), takesKeys = false, ::close, onClosed = {}, onKey = ::handle) {
                 lines.forEachIndexed { i, line -> MenuLine(line.label, isMarked = i == marked) { run(line) } }
             }
         }

@@ -62,12 +62,12 @@ internal class Keyboard {
         val ring = remember { FocusRing(this) }
         CompositionLocalProvider(LocalIndication provides ring) {
             InterceptPlatformTextInput(interceptor) {
-                Box(Modifier.hearsPresses(), propagateMinConstraints = true) { MenuLayer(menus, content) }
+                Box(Modifier.watchesPresses(), propagateMinConstraints = true) { MenuLayer(menus, content) }
             }
         }
     }
 
-    private fun Modifier.hearsPresses() = pointerInput(Unit) {
+    private fun Modifier.watchesPresses() = pointerInput(Unit) {
         awaitPointerEventScope {
             while (true) if (awaitPointerEvent(PointerEventPass.Initial).type == PointerEventType.Press) showsFocus = false
         }
@@ -98,7 +98,7 @@ internal class Keyboard {
         if (event.isDigitWithCtrl) return true
         if (event.key == Key.Tab && event.type == KeyEventType.KeyDown) showsFocus = true
         if (event.key == Key.Escape && event.type == KeyEventType.KeyDown && menus.closeLast()) return true
-        if (event.type == KeyEventType.KeyDown && menus.heard(event.key)) return true
+        if (event.type == KeyEventType.KeyDown && menus.handle(event.key)) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
         // The button must not receive its release either.

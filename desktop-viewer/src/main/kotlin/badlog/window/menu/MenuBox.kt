@@ -62,8 +62,8 @@ internal fun ShowMenu(
     val latest by rememberUpdatedState(content)
     val close by rememberUpdatedState(onClose)
     val closed by rememberUpdatedState(onClosed)
-    val hear by rememberUpdatedState(onKey)
-    val shown = remember { OpenMenu(takesKeys, { close() }, { hear(it) }) { latest() } }
+    val handle by rememberUpdatedState(onKey)
+    val shown = remember { OpenMenu(takesKeys, { close() }, { handle(it) }) { latest() } }
     SideEffect { shown.anchor = anchor }
     DisposableEffect(menus) {
         menus.shown += shown

@@ -38,7 +38,7 @@ internal class OpenMenus {
     }
 
     /** Passes a press of [key] to the menu that was opened last. Returns whether it was meant for that. */
-    fun heard(key: Key): Boolean = shown.lastOrNull()?.onKey?.invoke(key) ?: false
+    fun handle(key: Key): Boolean = shown.lastOrNull()?.onKey?.invoke(key) ?: false
 
     fun add(close: () -> Unit) {
         closers += close

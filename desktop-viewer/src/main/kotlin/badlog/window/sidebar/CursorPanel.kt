@@ -40,9 +40,9 @@ import badlog.viewer.text.exactText
 import badlog.viewer.text.unitText
 import badlog.window.findings.LogFindings
 import badlog.window.log.AxisView
+import badlog.window.log.DrawableTopic
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
 import badlog.window.log.valueText
 import badlog.window.theme.Icons
@@ -60,7 +60,7 @@ import kotlinx.coroutines.withContext
 internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisView, open: OpenRecording, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
     val rows by produceState(emptyList<CursorRow>(), open) {
-        var asked = emptyList<Signal>()
+        var asked = emptyList<DrawableTopic>()
         var values = CursorValues(emptyList(), open.view.xAxis)
         snapshotFlow {
             CursorQuestion(query, board.state, findings.state.topics, view.cursor)
@@ -111,14 +111,14 @@ internal data class CursorRow(val name: String, val text: String, val exact: Str
  *
  * @param found the names of the topics that a finding is about.
  */
-internal fun cursorSignals(open: OpenRecording, board: Board, query: String, found: Set<String> = emptySet()): List<Signal> {
+internal fun cursorSignals(open: OpenRecording, board: Board, query: String, found: Set<String> = emptySet()): List<DrawableTopic> {
     val wanted = Query(query)
     if (wanted.isEmpty) return board.graphs.flatMap { it.lines }.distinct().mapNotNull(open::signal)
     return open.signals.filter { (it.hasFigures || it.states != null) && it.isFoundBy(wanted, found, "${it.name} ${unitText(it.unit)}") }
 }
 
 /** Returns the values of [signals] at [x], in the order of [values]. */
-internal fun cursorRows(signals: List<Signal>, values: CursorValues, x: Double?): List<CursorRow> =
+internal fun cursorRows(signals: List<DrawableTopic>, values: CursorValues, x: Double?): List<CursorRow> =
     values.at(x ?: Double.NaN).map { value ->
         val signal = signals[value.line]
         if (x == null) return@map CursorRow(signal.name, "", "", value.hasChanged)

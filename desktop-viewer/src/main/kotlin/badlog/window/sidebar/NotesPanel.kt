@@ -85,7 +85,7 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
                 .fillMaxWidth()
                 .fieldFrame(interactions, horizontal = 8.dp, vertical = 6.dp)
                 .focusRequester(focus)
-                .onPreviewKeyEvent { hears(it, notes) }
+                .onPreviewKeyEvent { handles(it, notes) }
                 .semantics { contentDescription = "Text of the note" },
             textStyle = LocalTextStyle.current.copy(color = palette.text),
             maxLines = 6,
@@ -100,7 +100,7 @@ private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
 }
 
 /** Handles keys: Enter saves, Escape cancels; Shift+Enter is a new line. */
-private fun hears(event: KeyEvent, notes: LogNotes): Boolean {
+private fun handles(event: KeyEvent, notes: LogNotes): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when {
         event.key == Key.Escape -> notes.cancel()

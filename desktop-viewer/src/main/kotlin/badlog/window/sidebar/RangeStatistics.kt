@@ -17,8 +17,8 @@ import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.shortNames
 import badlog.window.compare.DrawnRecording
+import badlog.window.log.DrawableTopic
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 
 /**
  * Statistics of every drawn signal over a part of x.
@@ -118,7 +118,7 @@ private fun differencesIn(drawn: List<DrawnRecording>, lines: List<String>, part
         }
     }
 
-private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
+private fun cellsOf(signal: DrawableTopic, statistics: SeriesStatistics, xUnit: String): List<StatCell> {
     val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
     return shown.map {
         val value = it.of(statistics)
@@ -127,7 +127,7 @@ private fun cellsOf(signal: Signal, statistics: SeriesStatistics, xUnit: String)
 }
 
 // Sums of the numbers of states are meaningless.
-private fun cellsOf(recording: OpenRecording, signal: Signal, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
+private fun cellsOf(recording: OpenRecording, signal: DrawableTopic, statistics: SeriesStatistics, parts: List<Span>): List<StatCell> {
     val states = signal.states.orEmpty()
     val axis = recording.view.xAxis
     val times = signal.line.stateRuns().timesOf(states, parts)

@@ -7,8 +7,8 @@ import badlog.signals.match.localSecondOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import badlog.viewer.text.isoText
+import badlog.window.log.DrawableTopic
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 import badlog.window.log.isFoundBy
 import java.io.IOException
 import java.nio.file.Files
@@ -24,7 +24,7 @@ import java.util.concurrent.TimeUnit
  */
 internal class StatisticsSource(
     val topics: List<String>,
-    private val drawn: Map<String, Signal>,
+    private val drawn: Map<String, DrawableTopic>,
     val rowsOf: (topics: List<String>) -> List<StatisticsRow>,
 ) {
     /** Those of [topics] that [query] finds; [found] are the names of those that a finding is about. May look through samples. */

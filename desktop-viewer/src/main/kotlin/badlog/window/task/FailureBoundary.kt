@@ -18,7 +18,7 @@ import kotlin.time.Duration.Companion.seconds
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit) {
-    val factory = remember(failures) { WindowExceptionHandlerFactory { WindowExceptionHandler(failures::hear) } }
+    val factory = remember(failures) { WindowExceptionHandlerFactory { WindowExceptionHandler(failures::handle) } }
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
 }
 

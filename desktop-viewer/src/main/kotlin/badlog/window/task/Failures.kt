@@ -32,7 +32,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
     val file: Path get() = log.file
 
     /** Receives [failure], on any thread. */
-    fun hear(failure: Throwable) {
+    fun handle(failure: Throwable) {
         val where = if (log.add(failure)) "; send us $file" else ""
         SwingUtilities.invokeLater {
             count++
@@ -42,7 +42,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
 
     /** Returns [scope] with failures reported here, so that one does not cancel anything else. */
     fun guarded(scope: CoroutineScope): CoroutineScope =
-        scope + SupervisorJob(scope.coroutineContext.job) + CoroutineExceptionHandler { _, failure -> hear(failure) }
+        scope + SupervisorJob(scope.coroutineContext.job) + CoroutineExceptionHandler { _, failure -> handle(failure) }
 }
 
 /** The failures of the program itself, for its developers: written to [file], each once per run. Thread-safe. */

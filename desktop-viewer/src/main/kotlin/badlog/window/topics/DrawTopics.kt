@@ -3,16 +3,16 @@ package badlog.window.topics
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.shown.outline.withCounterparts
 import badlog.window.log.CurrentRecording
+import badlog.window.log.DrawableTopic
 import badlog.window.log.EventFilter
 import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.WindowPanels
 
 /** Whether [signal] is a list of events, which is not drawn as a line. */
-internal fun OpenRecording.isEvents(signal: Signal): Boolean =
+internal fun OpenRecording.isEvents(signal: DrawableTopic): Boolean =
     !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
 
 /** Returns the graph to which a click on a topic adds it; null if it gets its own graph. */
@@ -26,7 +26,7 @@ internal fun toggleIn(
     events: FilteredEvents,
     topics: TopicListing,
     panels: WindowPanels,
-    signal: Signal,
+    signal: DrawableTopic,
 ) {
     val target = targetOf(board, topics)
     if (target == null || signal.isEmpty || current.recording?.isEvents(signal) == true) {
@@ -39,7 +39,13 @@ internal fun toggleIn(
  * Adds a graph for [signal], together with its target or actual value. If the graph exists already, scrolls to it if it is out of sight,
  * otherwise removes it. For events, opens the list.
  */
-internal fun toggleDrawn(current: CurrentRecording, board: GraphBoard, events: FilteredEvents, panels: WindowPanels, signal: Signal) {
+internal fun toggleDrawn(
+    current: CurrentRecording,
+    board: GraphBoard,
+    events: FilteredEvents,
+    panels: WindowPanels,
+    signal: DrawableTopic,
+) {
     if (signal.isEmpty) return
     if (current.recording?.isEvents(signal) == true) {
         events.change { EventFilter(topics = setOf(signal.name)) }

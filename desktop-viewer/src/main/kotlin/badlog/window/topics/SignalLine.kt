@@ -55,10 +55,10 @@ import badlog.window.graph.quoted
 import badlog.window.graph.signalTransfer
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
+import badlog.window.log.DrawableTopic
 import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 import badlog.window.log.valueText
 import badlog.window.menu.ContextArea
 import badlog.window.sidebar.WindowPanels
@@ -181,7 +181,7 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
 
 /** The kind of the signal, or the color of its line if one is drawn at [place] of a graph. */
 @Composable
-internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
+internal fun KindMark(signal: DrawableTopic, isEvents: Boolean, place: Int?) {
     val palette = LocalPalette.current
     Box(Modifier.size(14.dp), Alignment.Center) {
         if (place != null) {
@@ -200,7 +200,7 @@ internal fun KindMark(signal: Signal, isEvents: Boolean, place: Int?) {
 
 /** The value of [signal] at the cursor, or its number of events. A composable of its own because it changes while the pointer moves. */
 @Composable
-internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
+internal fun SignalValue(view: AxisView, open: OpenRecording, signal: DrawableTopic) {
     if (signal.isEmpty) {
         ValueText("no samples")
         return
@@ -210,7 +210,7 @@ internal fun SignalValue(view: AxisView, open: OpenRecording, signal: Signal) {
         ValueText(if (count == 1) "1 event" else "$count events")
         return
     }
-    val ready by produceState<Signal?>(null, signal) {
+    val ready by produceState<DrawableTopic?>(null, signal) {
         // Samples are calculated when they are first asked for.
         withContext(Dispatchers.Default) { signal.series.isOrdered }
         value = signal

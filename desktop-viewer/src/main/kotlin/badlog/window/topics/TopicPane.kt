@@ -107,7 +107,7 @@ internal fun TopicPane(
             open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
         }
         val focus = rememberAskedFocus(list.isSearchAsked) { topics.change { copy(isSearchAsked = false) } }
-        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { hearsKeys(it, topics, rowsOfKeys, ::draw) }
+        val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { handlesKeys(it, topics, rowsOfKeys, ::draw) }
         Row(Modifier.fillMaxWidth().padding(start = 8.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
             SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
                 topics.change { searching(it) }
@@ -140,7 +140,7 @@ private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRow
 )
 
 /** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
-private fun hearsKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
+private fun handlesKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when (event.key) {
         Key.DirectionDown -> topics.change { marking(1, rows()) }

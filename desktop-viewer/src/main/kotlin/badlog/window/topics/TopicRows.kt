@@ -5,7 +5,7 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.pathGraphs
 import badlog.viewer.choices.board.xyGraphs
 import badlog.viewer.shown.search.Query
-import badlog.window.log.Signal
+import badlog.window.log.DrawableTopic
 import badlog.window.log.isFoundBy
 
 /**
@@ -17,10 +17,10 @@ import badlog.window.log.isFoundBy
  * @param offersXy whether it also finds XY plots.
  */
 internal fun topicRows(
-    signals: List<Signal>,
+    signals: List<DrawableTopic>,
     query: String,
     folded: Set<String>,
-    empty: List<Signal> = emptyList(),
+    empty: List<DrawableTopic> = emptyList(),
     found: Set<String> = emptySet(),
     poses: List<Pose> = emptyList(),
     offersXy: Boolean = false,
@@ -38,7 +38,7 @@ internal fun topicRows(
 }
 
 /** Returns the paths of all folders that contain [signals]. */
-internal fun foldersOf(signals: List<Signal>): Set<String> {
+internal fun foldersOf(signals: List<DrawableTopic>): Set<String> {
     val folders = HashSet<String>()
     for (signal in signals) {
         val parts = signal.folder.split('/').filter { it.isNotEmpty() }
@@ -48,13 +48,13 @@ internal fun foldersOf(signals: List<Signal>): Set<String> {
 }
 
 /** Returns those of [signals] that are in the folder [path] or in its folders. */
-internal fun topicsIn(path: String, signals: List<Signal>): List<Signal> = signals.filter { signal ->
+internal fun topicsIn(path: String, signals: List<DrawableTopic>): List<DrawableTopic> = signals.filter { signal ->
     val folder = signal.folder.split('/').filter { it.isNotEmpty() }.joinToString("/")
     folder == path || folder.startsWith("$path/")
 }
 
 private class TopicFolder(val path: String, val title: String) {
-    val signals = ArrayList<Signal>()
+    val signals = ArrayList<DrawableTopic>()
     private val folders = HashMap<String, TopicFolder>()
 
     private val count: Int get() = signals.size + folders.values.sumOf { it.count }
@@ -117,7 +117,7 @@ internal class GraphRow(val graph: BoardGraph) : TopicRow {
 }
 
 /** A signal. */
-internal class SignalRow(override val depth: Int, val signal: Signal) : TopicRow {
+internal class SignalRow(override val depth: Int, val signal: DrawableTopic) : TopicRow {
     override val key: String get() = (if (signal.isDerived) "derived " else "signal ") + signal.name
     override val name: String get() = signal.name
 }

@@ -29,7 +29,7 @@ class FailuresSpec : FunSpec({
         val notices = Notices()
         val file = tempdir().toPath().resolve("file")
         Files.writeString(file, "where a folder should be")
-        Failures(FailureLog(file.resolve("cache")), notices).hear(IllegalStateException())
+        Failures(FailureLog(file.resolve("cache")), notices).handle(IllegalStateException())
         eventually(60.seconds) { notices.all.single().isError shouldBe true }
     }
 

@@ -77,7 +77,7 @@ class HtmlExporter(
         if (head.refusal != null) throw ExportException.NotARecording(input, head.refusal)
         val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
         withOthers(source, logParts).use { whole ->
-            passingOn(progress) { heard -> writing(page) { write(log, logParts, input, whole, head, page, additions, heard) } }
+            passingOn(progress) { reported -> writing(page) { write(log, logParts, input, whole, head, page, additions, reported) } }
         }
     }
 
@@ -119,11 +119,11 @@ class HtmlExporter(
                 // Only a large file is worth several workers, and reading while the page is still being loaded.
                 val lineBytes = total.takeIf { head.hasLines && !head.isGzip && it > MANY_BYTES }
                 val embedded = writer.recording(name, lineBytes) { out ->
-                    val heard: (Long) -> Unit = { progress.advanced(it, total) }
+                    val reported: (Long) -> Unit = { progress.advanced(it, total) }
                     if (head.isGzip) {
-                        GzipEmbedding(threads, out, parser::accept).embed(source, heard)
+                        GzipEmbedding(threads, out, parser::accept).embed(source, reported)
                     } else {
-                        RawEmbedding(threads, out, parser::accept).embed(source, heard)
+                        RawEmbedding(threads, out, parser::accept).embed(source, reported)
                     }
                 }
                 attachments.forEach { file -> embed(file, threads) { writer.attachment(file.fileName.toString(), it) } }

@@ -175,11 +175,11 @@ internal class EvidenceSpec : PageSpec({
         onPage(match) {
             awaitRules()
             press("n")
-            val told = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
-            told.first() shouldContain "Likely cause"
-            texts(".incident p").first() shouldContain told.first()
+            val sentences = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
+            sentences.first() shouldContain "Likely cause"
+            texts(".incident p").first() shouldContain sentences.first()
             texts("#evidence .severity") shouldBe texts(".incident .severity").take(1)
-            texts("#spoken").single() shouldContain " s: error: ${told.first()}"
+            texts("#spoken").single() shouldContain " s: error: ${sentences.first()}"
             press(Keys.ARROW_RIGHT)
             texts("#spoken").single() shouldContain " V"
         }

@@ -14,8 +14,8 @@ import badlog.assistant.tool.SqlOverLogs
 import badlog.assistant.tool.StatisticsOfTopics
 import badlog.assistant.tool.TableOfLogs
 import badlog.cli.command.ExitCode
-import badlog.cli.part.McpService
-import badlog.cli.part.SeasonService
+import badlog.cli.plugin.McpService
+import badlog.cli.plugin.SeasonService
 import badlog.files.UnreadableFileException
 import kotlinx.coroutines.runBlocking
 import java.io.InputStream

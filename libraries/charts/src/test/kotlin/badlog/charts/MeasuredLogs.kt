@@ -1,19 +1,19 @@
 package badlog.charts
 
 import badlog.charts.match.ChartedLog
-import badlog.rules.number.FigureReader
-import badlog.rules.number.FigureText
+import badlog.rules.number.LogNumbersReader
+import badlog.rules.number.LogNumbersText
 import badlog.rules.number.Measure
 import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 
-/** Figures that are made up: each is a signal, a topic, a measure, a unit and a value. */
+/** Numbers that are made up: each is a signal, a topic, a measure, a unit and a value. */
 internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
     private val names = ArrayList<String>()
     private val values = ArrayList<Double>()
     private val distributions = ArrayList<String>()
 
-    fun figure(signal: String, measure: Measure, value: Double, topic: String = signal, unit: String = ""): MadeUp = apply {
+    fun number(signal: String, measure: Measure, value: Double, topic: String = signal, unit: String = ""): MadeUp = apply {
         names += listOf(signal, topic, measure.ordinal, unit).joinToString("\t")
         values += value
     }
@@ -23,8 +23,8 @@ internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
         distributions += listOf(signal, "", quantiles.joinToString(";"), if (seconds.isEmpty()) 0.0 else 1.0, seconds.joinToString(";")).joinToString("\t")
     }
 
-    fun figures() = FigureReader().read(
-        FigureText(names.joinToString("\n"), "${kind.ordinal};1.5;false;false;" + values.joinToString(";"), distributions.joinToString("\n")),
+    fun numbers() = LogNumbersReader().read(
+        LogNumbersText(names.joinToString("\n"), "${kind.ordinal};1.5;false;false;" + values.joinToString(";"), distributions.joinToString("\n")),
     )
 }
 
@@ -38,11 +38,11 @@ internal fun measuredLog(
     change: MadeUp.() -> Unit = {},
 ): ChartedLog {
     val made = MadeUp(kind)
-        .figure("battery", Measure.LOWEST, volts)
-        .figure("battery resistance", Measure.RESISTANCE, 14.0 + number % 5)
-        .figure("packet loss", Measure.ENABLED, 0.5 + 0.1 * (number % 3))
-        .figure("motor temperature", Measure.HIGHEST, 50.0 + number, "Drive/Left/Temperature")
-        .figure("motor temperature", Measure.HIGHEST, 40.0 + number, "Drive/Right/Temperature")
+        .number("battery", Measure.LOWEST, volts)
+        .number("battery resistance", Measure.RESISTANCE, 14.0 + number % 5)
+        .number("packet loss", Measure.ENABLED, 0.5 + 0.1 * (number % 3))
+        .number("motor temperature", Measure.HIGHEST, 50.0 + number, "Drive/Left/Temperature")
+        .number("motor temperature", Measure.HIGHEST, 40.0 + number, "Drive/Right/Temperature")
         .distribution(
             "loop time",
             listOf(5.0, 6.0, 7.0, 8.0, 9.0, 12.0, 20.0 + number),
@@ -57,5 +57,5 @@ internal fun measuredLog(
             },
         )
         .distribution("total current", listOf(0.0, 5.0, 20.0, 40.0, 60.0, 100.0 + number, 220.0))
-    return ChartedLog(match, "q$number.bag", began, made.apply(change).figures())
+    return ChartedLog(match, "q$number.bag", began, made.apply(change).numbers())
 }

@@ -5,7 +5,7 @@ import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.comparison.figuresOf
+import badlog.rules.comparison.numbersOf
 import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
 import badlog.signals.match.MatchOfLog
@@ -20,5 +20,5 @@ internal fun sampleSeason(count: Int): List<ChartedLog> = (1..count).toList().pa
     val bag = FaultyMatch(400 + number, fault, isFaint = false).bag()
     val view = LogView.of(BagParser().apply { accept(bag) }.finish())
     val match = MatchOfLog("Mill Creek Regional", "Qualification", "${3 * number - 1}")
-    ChartedLog(match, "q$number.bag", began = 600L * number, figuresOf(view, RuleSet.BUILT_IN.signals, "q$number.bag"))
+    ChartedLog(match, "q$number.bag", began = 600L * number, numbersOf(view, RuleSet.BUILT_IN.signals, "q$number.bag"))
 }.toList()

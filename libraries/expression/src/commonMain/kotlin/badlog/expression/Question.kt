@@ -182,13 +182,13 @@ sealed class Question : ParsedQuestion {
             val answers = parts.map { (group, expression) -> group to expression.answer(signals) }
             val outcomes = answers.map { it.second.outcome }
             val outcome = listOf(Outcome.NO_QUESTION, Outcome.HOLDS, Outcome.FAILS).firstOrNull { it in outcomes } ?: Outcome.UNKNOWN
-            val telling = answers.filter { (_, answer) -> answer.outcome == outcome && outcome != Outcome.FAILS }
-            val quantities = telling.mapNotNull { (group, answer) ->
+            val decisive = answers.filter { (_, answer) -> answer.outcome == outcome && outcome != Outcome.FAILS }
+            val quantities = decisive.mapNotNull { (group, answer) ->
                 val quantity =
                     answer.quantities.firstOrNull() ?: Quantity("", answer.spans.sumOf { it.width }, signals.timeUnit, answer.time)
                 quantity.copy(name = group).takeIf { !it.value.isNaN() }
             }
-            val first = telling.firstOrNull { it.second.spans.isNotEmpty() }?.second
+            val first = decisive.firstOrNull { it.second.spans.isNotEmpty() }?.second
             return Answer(
                 outcome,
                 if (outcome == Outcome.HOLDS) first?.spans.orEmpty() else emptyList(),

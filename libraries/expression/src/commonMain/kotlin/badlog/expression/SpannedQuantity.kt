@@ -21,13 +21,13 @@ internal class SpannedQuantity(private val quantity: Quantity, private val sampl
                 val value = samples.y[sample]
                 if (value.isNaN()) continue
                 val place = placeOf(samples.time(sample), spans)
-                if (place != NONE && (best[place] == NONE || tellsMore(value, samples.y[best[place]]))) best[place] = sample
+                if (place != NONE && (best[place] == NONE || isFarther(value, samples.y[best[place]]))) best[place] = sample
             }
         }
         return best.map { if (it == NONE) null else quantity.copy(value = samples.y[it], time = samples.time(it)) }
     }
 
-    private fun tellsMore(value: Double, other: Double) = when (smallest) {
+    private fun isFarther(value: Double, other: Double) = when (smallest) {
         true -> value < other
         false -> value > other
         null -> false

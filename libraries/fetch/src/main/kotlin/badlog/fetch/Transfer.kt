@@ -38,7 +38,7 @@ internal class Transfer(
     private val checkpoint: () -> Unit,
 ) {
     private val done = HashSet<String>()
-    private var isTold = false
+    private var hasReported = false
     private val copy = LogCopy(options.folder, BandwidthLimit(options.bytesPerSecond)) {
         if (Thread.interrupted()) throw InterruptedException()
         checkpoint()
@@ -58,12 +58,12 @@ internal class Transfer(
     /** Does the remaining work over [connection]. */
     fun run(connection: RobotConnection) {
         val listing = connection.list(foldersOf(connection))
-        if (!isTold) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
+        if (!hasReported) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
         val wanted = listing.logs.filter { it.path !in done && isNew(connection, it) }.sortedByDescending { it.modified }
-        if (!isTold) {
+        if (!hasReported) {
             known = listing.logs.size - wanted.size
             listener.found(FoundLogs(wanted.size, wanted.sumOf { it.size }, known))
-            isTold = true
+            hasReported = true
         }
         for (log in settled(connection, wanted)) fetch(connection, log)
         copy.leftParts(connection.robot, listing.logs).forEach(::keepUnfinished)

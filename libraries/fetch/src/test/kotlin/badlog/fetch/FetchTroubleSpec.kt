@@ -48,14 +48,14 @@ class FetchTroubleSpec : FunSpec({
             val content = LARGE.repeat(4)
             robot.log("log.csv", content)
             var isLost = false
-            val heard = Heard {
+            val reports = FetchReports {
                 if (!isLost && it > 0) {
                     isLost = true
                     robot.endsAfter = 0
                 }
             }
-            val log = pit.fetch(robot, heard).fetched.single()
-            heard.said.count { it == "retrying" } shouldBe 1
+            val log = pit.fetch(robot, reports).fetched.single()
+            reports.said.count { it == "retrying" } shouldBe 1
             log.resumedAt shouldBeGreaterThan 0
             log.file.readText() shouldBe content
             pit.parts().shouldBeEmpty()
@@ -77,7 +77,7 @@ class FetchTroubleSpec : FunSpec({
             // A busy machine falls silent, too, perhaps before the first byte.
             for (attempt in 1..20) {
                 robot.stallsAfter = robot.servedBytes + 500_000
-                shouldThrow<LostConnectionException> { fetch.run(Heard { copied = it }) }.message shouldContain "fetch again to resume"
+                shouldThrow<LostConnectionException> { fetch.run(FetchReports { copied = it }) }.message shouldContain "fetch again to resume"
                 pit.logs().shouldBeEmpty()
                 if (copied > 0) break
             }
@@ -94,7 +94,7 @@ class FetchTroubleSpec : FunSpec({
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
-            shouldThrow<End> { pit.fetch(robot, Heard { done -> if (done > 300_000) throw End() }) }
+            shouldThrow<End> { pit.fetch(robot, FetchReports { done -> if (done > 300_000) throw End() }) }
             pit.logs().shouldBeEmpty()
             val log = pit.fetch(robot).fetched.single()
             log.resumedAt shouldBeGreaterThan 300_000
@@ -108,7 +108,7 @@ class FetchTroubleSpec : FunSpec({
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
-            shouldThrow<End> { pit.fetch(robot, Heard { done -> if (done > 300_000) throw End() }) }
+            shouldThrow<End> { pit.fetch(robot, FetchReports { done -> if (done > 300_000) throw End() }) }
             val other = LARGE.replace('1', '7')
             robot.log("log.csv", other)
             pit.fetch(robot).fetched.single().file.readText() shouldBe other
@@ -119,7 +119,7 @@ class FetchTroubleSpec : FunSpec({
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             val me = Thread.currentThread()
-            shouldThrow<InterruptedException> { pit.fetch(robot, Heard { done -> if (done > 100_000) me.interrupt() }) }
+            shouldThrow<InterruptedException> { pit.fetch(robot, FetchReports { done -> if (done > 100_000) me.interrupt() }) }
             pit.logs().shouldBeEmpty()
         }
     }
@@ -175,7 +175,7 @@ class FetchTroubleSpec : FunSpec({
             class End : Exception()
             fun cut(name: String, text: String) {
                 val log = robot.log(name, text)
-                shouldThrow<End> { pit.fetch(robot, Heard { done -> if (done > 300_000) throw End() }) }
+                shouldThrow<End> { pit.fetch(robot, FetchReports { done -> if (done > 300_000) throw End() }) }
                 Files.delete(log)
             }
             cut("log.csv", LARGE)
@@ -184,12 +184,12 @@ class FetchTroubleSpec : FunSpec({
             pit.parts() shouldHaveSize 1
             cut("noise.csv", "\u0000".repeat(2_000_000))
             for (part in pit.parts()) Files.setLastModifiedTime(pit.folder / part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))
-            val heard = Heard()
-            pit.fetch(robot, heard)
+            val reports = FetchReports()
+            pit.fetch(robot, reports)
             pit.parts().shouldBeEmpty()
             pit.logs() shouldContainExactly listOf("unfinished.csv")
             LARGE.startsWith((pit.folder / "unfinished.csv").readText()) shouldBe true
-            heard.said.count { "no longer on the robot" in it } shouldBe 2
+            reports.said.count { "no longer on the robot" in it } shouldBe 2
         }
     }
 
@@ -203,10 +203,10 @@ class FetchTroubleSpec : FunSpec({
                 val part = pit.folder / pit.parts().single()
                 Files.delete(log)
                 Files.setLastModifiedTime(part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))
-                val heard = Heard()
-                pit.fetch(robot, heard)
+                val reports = FetchReports()
+                pit.fetch(robot, reports)
                 pit.parts() shouldContainExactly listOf(part.name)
-                heard.said shouldContain "$part: $missing cannot be written: its folder does not exist; create it. " +
+                reports.said shouldContain "$part: $missing cannot be written: its folder does not exist; create it. " +
                     "The file has the start of a log that is no longer on the robot, and is kept."
             }
             pit.fetch(robot)
@@ -224,12 +224,12 @@ class FetchTroubleSpec : FunSpec({
             robot.log("bag.bag", matchBag(1).replace("MILLC", "../../up"))
             robot.log("up.csv", "a,b\n1,2\n")
             robot.nameInListing = { if (it == "up.csv") "../up.csv" else it }
-            val heard = Heard()
-            pit.fetch(robot, heard)
+            val reports = FetchReports()
+            pit.fetch(robot, reports)
             pit.logs() shouldContainExactly
                 listOf("_._.._up/bag Qualification 1.bag", "_CON.csv", "a".repeat(176) + ".csv", "two_lines.csv")
-            heard.said shouldContain "“_._up.csv” is not the name of a file in a folder."
-            heard.said.none { '\n' in it } shouldBe true
+            reports.said shouldContain "“_._up.csv” is not the name of a file in a folder."
+            reports.said.none { '\n' in it } shouldBe true
         }
     }
 

@@ -30,7 +30,7 @@ internal class Pit(private val work: Path) {
     val hosts = KnownHosts(work / "known_hosts")
     val person = Person()
 
-    fun fetch(robot: FakeRobot, heard: Heard = Heard(), options: FetchOptions = options(), networkTables: Int = 1, person: FetchQuestions = this.person) = LogFetch(listOf(robot.address(networkTables)), options, hosts, person, IMPATIENCE).run(heard)
+    fun fetch(robot: FakeRobot, reports: FetchReports = FetchReports(), options: FetchOptions = options(), networkTables: Int = 1, person: FetchQuestions = this.person) = LogFetch(listOf(robot.address(networkTables)), options, hosts, person, IMPATIENCE).run(reports)
 
     fun options(deleteOlderThan: Duration? = null, anyway: Boolean = true, password: String? = null, accepts: Boolean = false, folders: List<String>? = null) = FetchOptions(folder, folders, anyway, deleteOlderThan = deleteOlderThan, password = password, acceptsNewHostKeys = accepts)
 
@@ -65,12 +65,12 @@ class LogFetchSpec : FunSpec({
             robot.log("FRC_20260316_104107_MILLC_Q41.bag", matchBag(41), secondsAgo = 900)
             robot.log("bench.csv", "a,b\n1,2\n3,4\n", secondsAgo = 1000)
             robot.log("notes.txt", "no log")
-            val heard = Heard()
-            val summary = pit.fetch(robot, heard)
+            val reports = FetchReports()
+            val summary = pit.fetch(robot, reports)
             pit.logs() shouldContainExactly listOf("MILLC/FRC_20260316_104107_MILLC_Q41.bag", "MILLC/match Qualification 42.bag", "bench.csv")
             (pit.folder / "MILLC" / "match Qualification 42.bag").readText() shouldBe matchBag(42)
             summary.fetched.map { it.title } shouldContainExactly listOf("MILLC Qualification 42", "MILLC Qualification 41", null)
-            heard.said.take(2) shouldContainExactly listOf("connected to 10.10.14.2 as lvuser", "found 3 new, 0 known")
+            reports.said.take(2) shouldContainExactly listOf("connected to 10.10.14.2 as lvuser", "found 3 new, 0 known")
             val times = listOf("MILLC/FRC_20260316_104107_MILLC_Q41.bag", "MILLC/match Qualification 42.bag", "bench.csv").map { name ->
                 (System.currentTimeMillis() - Files.getLastModifiedTime(pit.folder / name).toMillis()) / 1000 / 100
             }
@@ -85,9 +85,9 @@ class LogFetchSpec : FunSpec({
             pit.fetch(robot)
             Files.delete(pit.folder / "MILLC" / "a Qualification 1.bag")
             robot.log("b.bag", matchBag(2))
-            val heard = Heard()
-            pit.fetch(robot, heard).fetched.map { it.file.name } shouldContainExactly listOf("b Qualification 2.bag")
-            heard.said shouldContain "found 1 new, 1 known"
+            val reports = FetchReports()
+            pit.fetch(robot, reports).fetched.map { it.file.name } shouldContainExactly listOf("b Qualification 2.bag")
+            reports.said shouldContain "found 1 new, 1 known"
         }
     }
 
@@ -96,10 +96,10 @@ class LogFetchSpec : FunSpec({
             robot.log("match.bag", matchBag(1, rows = 2000))
             pit.fetch(robot)
             robot.log("match.bag", matchBag(1, rows = 3000), secondsAgo = 50)
-            val heard = Heard()
-            pit.fetch(robot, heard)
+            val reports = FetchReports()
+            pit.fetch(robot, reports)
             pit.logs() shouldContainExactly listOf("MILLC/match Qualification 1.bag")
-            heard.said.last() shouldBe "fetched /home/lvuser/logs/match.bag from ${matchBag(1, rows = 2000).length}"
+            reports.said.last() shouldBe "fetched /home/lvuser/logs/match.bag from ${matchBag(1, rows = 2000).length}"
             (pit.folder / "MILLC/match Qualification 1.bag").readText() shouldBe matchBag(1, rows = 3000)
             robot.log("match.bag", matchBag(2, rows = 4000), secondsAgo = 20)
             pit.fetch(robot)
@@ -126,7 +126,7 @@ class LogFetchSpec : FunSpec({
         inPit { pit, robot ->
             val log = robot.log("now.bag", matchBag(1))
             robot.log("before.bag", matchBag(2))
-            val heard = object : FetchListener {
+            val reports = object : FetchListener {
                 val said = ArrayList<String>()
 
                 override fun found(logs: FoundLogs) = log.appendText("1,2\n")
@@ -135,9 +135,9 @@ class LogFetchSpec : FunSpec({
                     said += "$isGrowing $message"
                 }
             }
-            val summary = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(heard)
+            val summary = LogFetch(listOf(robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(reports)
             summary.fetched.map { it.path } shouldContainExactly listOf("/home/lvuser/logs/before.bag")
-            heard.said.single() shouldContain "true /home/lvuser/logs/now.bag is still being written"
+            reports.said.single() shouldContain "true /home/lvuser/logs/now.bag is still being written"
         }
     }
 
@@ -172,9 +172,9 @@ class LogFetchSpec : FunSpec({
             pit.fetch(robot)
             Files.delete(pit.folder / "lost.csv")
             (pit.folder / "changed.csv").writeText("a,b\n7,9\n")
-            val heard = Heard()
-            pit.fetch(robot, heard, pit.options(deleteOlderThan = Duration.ofDays(14)))
-            heard.said.filter { it.startsWith("deleted") } shouldContainExactly listOf("deleted /home/lvuser/logs/old.csv")
+            val reports = FetchReports()
+            pit.fetch(robot, reports, pit.options(deleteOlderThan = Duration.ofDays(14)))
+            reports.said.filter { it.startsWith("deleted") } shouldContainExactly listOf("deleted /home/lvuser/logs/old.csv")
             pit.logs() shouldContain "old.csv"
         }
     }
@@ -230,8 +230,8 @@ class LogFetchSpec : FunSpec({
     test("the first address that answers is taken, and where none does, all are named") {
         inPit { pit, robot ->
             val none = RobotAddress("127.0.0.1", listOf(Login("lvuser", "")), port = 1, name = "robot.local")
-            LogFetch(listOf(none, robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(Heard()).address.name shouldBe "10.10.14.2"
-            val error = shouldThrow<NoRobotException> { LogFetch(listOf(none, none), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(Heard()) }
+            LogFetch(listOf(none, robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(FetchReports()).address.name shouldBe "10.10.14.2"
+            val error = shouldThrow<NoRobotException> { LogFetch(listOf(none, none), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(FetchReports()) }
             error.message shouldContain "No robot answers at robot.local, robot.local"
         }
     }
@@ -243,7 +243,7 @@ class LogFetchSpec : FunSpec({
                 val content = "a,b\n" + "1,2\n".repeat(3_000_000)
                 robot.log("log.csv", content)
                 val logins = AtomicInteger()
-                val heard = Heard(
+                val reports = FetchReports(
                     onWaiting = {
                         pit.logs().shouldBeEmpty()
                         thread {
@@ -259,8 +259,8 @@ class LogFetchSpec : FunSpec({
                         Thread.sleep(300)
                     }
                 }
-                val log = pit.fetch(robot, heard, pit.options(anyway = false), station.port).fetched.single()
-                heard.said.count { it == "waiting" } shouldBe 1
+                val log = pit.fetch(robot, reports, pit.options(anyway = false), station.port).fetched.single()
+                reports.said.count { it == "waiting" } shouldBe 1
                 logins.get() shouldBe 1
                 (log.resumedAt > 100_000) shouldBe true
                 log.file.readText() shouldBe content

@@ -138,14 +138,14 @@ class ReadRecordingSpec : FunSpec({
         inFolder { folder ->
             val bytes = LARGE.encodeToByteArray()
             for (content in listOf(bytes, gzip(bytes))) {
-                val told = ArrayList<Long>()
+                val reported = ArrayList<Long>()
                 readRecording(fileOf(folder, content), LOG_FORMATS) { done, total ->
                     total shouldBe content.size
-                    told += done
+                    reported += done
                 }
-                told.shouldBeSorted()
-                told.last() shouldBe content.size
-                told.size shouldBe (content.size + (1 shl 20) - 1) / (1 shl 20)
+                reported.shouldBeSorted()
+                reported.last() shouldBe content.size
+                reported.size shouldBe (content.size + (1 shl 20) - 1) / (1 shl 20)
             }
         }
     }

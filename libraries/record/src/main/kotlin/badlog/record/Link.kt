@@ -31,7 +31,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
 
     /** When anything last arrived. */
     @Volatile
-    var heardMicros: Long = clock()
+    var receivedMicros: Long = clock()
         private set
 
     /** Whether it has ended. */
@@ -62,7 +62,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
 
     /** Ends it at once because of [reason], part of a sentence. */
     fun close(reason: String) {
-        if (isOver.compareAndSet(false, true)) inbox.add(Incoming.Closed(this, reason, heardMicros))
+        if (isOver.compareAndSet(false, true)) inbox.add(Incoming.Closed(this, reason, receivedMicros))
         socket?.abort()
     }
 
@@ -81,7 +81,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
 
     override fun onOpen(socket: WebSocket) {
         this.socket = socket
-        heardMicros = clock()
+        receivedMicros = clock()
         inbox.add(Incoming.Opened(this))
         socket.request(1)
     }
@@ -117,7 +117,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     override fun onError(socket: WebSocket, error: Throwable) = close("the network broke it")
 
     private fun next(socket: WebSocket): CompletionStage<*>? {
-        heardMicros = clock()
+        receivedMicros = clock()
         socket.request(1)
         return null
     }

@@ -35,7 +35,7 @@ internal class LinkThread(
             while (!isEnded && !link.isClosed) {
                 link.askTime()
                 sleep(ASK_MILLIS)
-                if (clock() - link.heardMicros > SILENCE_MICROS) link.close("it has been silent for 3 s")
+                if (clock() - link.receivedMicros > SILENCE_MICROS) link.close("it has been silent for 3 s")
             }
         } finally {
             link.end()

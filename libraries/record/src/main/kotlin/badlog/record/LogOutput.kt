@@ -19,7 +19,7 @@ internal class LogOutput(private val options: RecordOptions) {
         var late = 0L
         var gaps = 0
         var isMatchKnown = false
-        var toldDropped = 0L
+        var reportedDropped = 0L
         var wallMicros = Long.MIN_VALUE
     }
 
@@ -150,8 +150,8 @@ internal class LogOutput(private val options: RecordOptions) {
     fun tick(micros: Long, dropped: Long) {
         val open = open ?: return
         val lost = dropped - open.droppedBefore
-        if (lost != open.toldDropped) {
-            open.toldDropped = lost
+        if (lost != open.reportedDropped) {
+            open.reportedDropped = lost
             open.file.record(open.dropped, micros, bytesOf(lost))
         }
         if (micros - WALL_MICROS >= open.wallMicros) {

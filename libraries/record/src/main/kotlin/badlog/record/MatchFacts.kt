@@ -25,7 +25,7 @@ internal class MatchFacts {
         }
 
     /** Takes a value of the topic [name], as in a record. */
-    fun heard(name: String, payload: ByteArray) {
+    fun handle(name: String, payload: ByteArray) {
         when (name.substringAfterLast('/')) {
             "EventName" -> event = payload.decodeToString()
             "MatchType" -> type = int(payload) ?: type

@@ -214,7 +214,7 @@ internal class Session(
             topic.latest = payload
             topic.latestMicros = micros
             val wasOpen = output.isOpen
-            if (source.isRobot && MatchFacts.isOne(topic.name)) heard(topic, payload)
+            if (source.isRobot && MatchFacts.isOne(topic.name)) handle(topic, payload)
             // A file that was opened by this value has it.
             val isInOrder = if (wasOpen) output.value(topic, time) else true
             if (!isInOrder) {
@@ -229,9 +229,9 @@ internal class Session(
         override fun ignored(what: String) = ignore(source, what)
     }
 
-    private fun heard(topic: RecordedTopic, payload: ByteArray) {
+    private fun handle(topic: RecordedTopic, payload: ByteArray) {
         val was = match.isEnabled
-        match.heard(topic.name, payload)
+        match.handle(topic.name, payload)
         val isEnabled = match.isEnabled
         if (was != isEnabled && isEnabled == false) disabledMicros = clock()
         if (options.isPerEnable && isEnabled == true && !output.isOpen) open(topic.latestMicros)

@@ -6,7 +6,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
 /** Returns the properties of a recording's topic. It exists as long as the server, so it is retained. */
-internal fun propertiesOf(signal: Signal): JsonObject = buildJsonObject {
+internal fun propertiesOf(signal: ReplayedTopic): JsonObject = buildJsonObject {
     signal.unit?.let { put("unit", it) }
     put("retained", true)
 }

@@ -16,7 +16,7 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
 
     /** When the client was last heard of. */
     @Volatile
-    var heardNanos: Long = System.nanoTime()
+    var receivedNanos: Long = System.nanoTime()
 
     override val isBusy: Boolean get() = socket.hasBufferedData()
 

@@ -3,7 +3,7 @@ package badlog.replay
 /**
  * Follows [playhead] through [signals], and knows the current value of each.
  */
-internal class Player(val signals: List<Signal>, val playhead: Playhead) {
+internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) {
     // For each signal, the number of samples played, and when the last of these began to hold.
     private val played = IntArray(signals.size)
     private val sinceMicros = LongArray(signals.size)

@@ -17,7 +17,7 @@ import badlog.networktables.TopicType
  * @param logged the topics that are sent as logged; of the recording's topics, only those without a type, which are calculated, are
  * then added.
  */
-internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> = emptyList()): List<Signal> {
+internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> = emptyList()): List<ReplayedTopic> {
     val names = TopicNames(prefix)
     val described = view.recording.topics.filter { logged.isEmpty() || it.type.isEmpty() }
     val signals = logged.map { signalOf(it, names.nameOf(it.name)) } +
@@ -26,20 +26,20 @@ internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> 
             // Before every position, so that it holds from the start.
             val sample = Series(doubleArrayOf(Double.NEGATIVE_INFINITY), doubleArrayOf(0.0))
             val name = names.nameOf("Values/" + value.name.trimStart('/'))
-            Signal(name, TopicType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
+            ReplayedTopic(name, TopicType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
         }
     val isKnown = signals.any { it.name.endsWith(CONTROL_WORD, ignoreCase = true) }
     return if (isKnown) signals else signals + listOfNotNull(controlWordOf(view))
 }
 
-private fun signalOf(topic: LoggedTopic, name: String): Signal {
+private fun signalOf(topic: LoggedTopic, name: String): ReplayedTopic {
     val type = TopicType.of(topic.type)
     val typeName = if (type == TopicType.RAW || topic.type == "json") topic.type else type.typeName
-    return Signal(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
+    return ReplayedTopic(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
 }
 
 /** Returns when the robot was enabled, and in which mode, in the bits of a robot's own topic for it; null if the log does not show it. */
-private fun controlWordOf(view: LogView): Signal? {
+private fun controlWordOf(view: LogView): ReplayedTopic? {
     val spans = view.enabledSpans()
     val start = view.xAxis.range?.start ?: return null
     if (spans.isEmpty()) return null
@@ -54,7 +54,7 @@ private fun controlWordOf(view: LogView): Signal? {
         if (spans.none { it.span.from == enabled.span.to }) words[enabled.span.to] = ATTACHED
     }
     val samples = Series(words.keys.toDoubleArray(), DoubleArray(words.size) { words.values.elementAt(it).toDouble() })
-    return Signal("/FMSInfo$CONTROL_WORD", TopicType.INT, Topic.UNITLESS, samples)
+    return ReplayedTopic("/FMSInfo$CONTROL_WORD", TopicType.INT, Topic.UNITLESS, samples)
 }
 
 private const val CONTROL_WORD = "/FMSControlData"
@@ -65,7 +65,7 @@ private const val TEST = 4
 /** The Driver Station is connected. */
 private const val ATTACHED = 32
 
-private fun signalOf(topic: Topic, view: LogView, name: String): Signal {
+private fun signalOf(topic: Topic, view: LogView, name: String): ReplayedTopic {
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) return eventsOf(topic, view, name)
     val line = view.seriesOf(topic)
     val type = when {
@@ -75,10 +75,10 @@ private fun signalOf(topic: Topic, view: LogView, name: String): Signal {
     }
     val samples = line.data.ordered().withoutGaps(keepsFirst = type == TopicType.DOUBLE)
     val texts = if (type == TopicType.STRING) line.states.orEmpty().map { it.encodeToByteArray() } else emptyList()
-    return Signal(name, type, topic.unit, samples, texts)
+    return ReplayedTopic(name, type, topic.unit, samples, texts)
 }
 
-private fun eventsOf(topic: Topic, view: LogView, name: String): Signal {
+private fun eventsOf(topic: Topic, view: LogView, name: String): ReplayedTopic {
     val events = view.eventsOf(topic).events
     val placed = events.indices.filter { events[it].x.isFinite() }
     val samples = Series(
@@ -86,11 +86,11 @@ private fun eventsOf(topic: Topic, view: LogView, name: String): Signal {
         DoubleArray(placed.size) { topic.texts.ids[placed[it]].toDouble() },
     )
     val texts = topic.texts.dictionary.map { it.encodeToByteArray() }
-    return Signal(name, TopicType.STRING, topic.unit, samples.ordered(), texts)
+    return ReplayedTopic(name, TopicType.STRING, topic.unit, samples.ordered(), texts)
 }
 
 /** Returns the range from the first of all samples to the last; 0 to 0 if there are none. */
-internal fun rangeOf(signals: List<Signal>): ClosedFloatingPointRange<Double> {
+internal fun rangeOf(signals: List<ReplayedTopic>): ClosedFloatingPointRange<Double> {
     val ranges = signals.mapNotNull { it.samples.range }.filter { it.start.isFinite() }
     return if (ranges.isEmpty()) 0.0..0.0 else ranges.minOf { it.start }..ranges.maxOf { it.endInclusive }
 }

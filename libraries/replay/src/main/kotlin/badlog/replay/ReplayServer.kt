@@ -142,7 +142,7 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
         val modern = synchronized(lock) { clients.keys.filter { it.protocol == SubProtocol.V4_1 } }
         val oldest = System.nanoTime() - SILENCE_NANOS
         for (connection in modern) {
-            if (connection.heardNanos - oldest < 0) connection.end("It has been silent for too long.") else connection.ping()
+            if (connection.receivedNanos - oldest < 0) connection.end("It has been silent for too long.") else connection.ping()
         }
     }
 

@@ -72,14 +72,14 @@ internal class SocketServer(
     }
 
     override fun onMessage(socket: WebSocket, text: String) {
-        val connection = heard(socket) ?: return
+        val connection = connectionOf(socket) ?: return
         if (connection.protocol == SubProtocol.TIME_ONLY) return ignored.add(connection.name, "text where only the time is sent")
         listener.received(connection, text)
         endIfFlooded(socket, connection)
     }
 
     override fun onMessage(socket: WebSocket, binary: ByteBuffer) {
-        val connection = heard(socket) ?: return
+        val connection = connectionOf(socket) ?: return
         try {
             answerTime(binary, micros())?.let(connection::send)
         } catch (_: MessagePackException) {
@@ -92,7 +92,7 @@ internal class SocketServer(
 
     override fun onWebsocketPing(socket: WebSocket, frame: Framedata) {
         super.onWebsocketPing(socket, frame)
-        heard(socket)?.let { endIfFlooded(socket, it) }
+        connectionOf(socket)?.let { endIfFlooded(socket, it) }
     }
 
     /** The library leaves a connection with a refused handshake open, waiting for it to read data that was never sent. */
@@ -108,7 +108,7 @@ internal class SocketServer(
     }
 
     override fun onWebsocketPong(socket: WebSocket, frame: Framedata) {
-        heard(socket)
+        connectionOf(socket)
     }
 
     override fun onClose(socket: WebSocket, code: Int, reason: String?, isRemote: Boolean) {
@@ -119,7 +119,10 @@ internal class SocketServer(
         if (socket == null) binding.completeExceptionally(error)
     }
 
-    private fun heard(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also { it.heardNanos = System.nanoTime() }
+    private fun connectionOf(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also {
+        it.receivedNanos =
+            System.nanoTime()
+    }
 
     /** Ends a client that sends requests without reading the answers, which would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {

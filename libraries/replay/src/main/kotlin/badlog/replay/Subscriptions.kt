@@ -1,7 +1,7 @@
 package badlog.replay
 
 /** What one client subscribed to, worked out for each of [signals]. */
-internal class Subscriptions(private val signals: List<Signal>) {
+internal class Subscriptions(private val signals: List<ReplayedTopic>) {
     private class Subscription(val request: Request.Subscribe, val signals: IntArray)
 
     private val idOfName = HashMap<String, Int>().apply { signals.forEachIndexed { id, signal -> put(signal.name, id) } }

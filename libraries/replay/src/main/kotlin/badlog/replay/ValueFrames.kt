@@ -10,7 +10,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** Writes values as NT4's binary frames: MessagePack arrays of a topic's id, microseconds, type and value. */
-internal class ValueFrames(private val signals: List<Signal>) {
+internal class ValueFrames(private val signals: List<ReplayedTopic>) {
     /** Returns [updates] in frames about as long as a network packet, so that a ping never waits for long. */
     fun of(updates: List<Update>): List<ByteBuffer> {
         val frames = ArrayList<ByteBuffer>()

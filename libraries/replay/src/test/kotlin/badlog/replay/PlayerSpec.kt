@@ -10,9 +10,9 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
-private fun signal(vararg x: Double) = Signal("/A", TopicType.DOUBLE, "V", Series(x, DoubleArray(x.size) { it.toDouble() }))
+private fun signal(vararg x: Double) = ReplayedTopic("/A", TopicType.DOUBLE, "V", Series(x, DoubleArray(x.size) { it.toDouble() }))
 
-private fun player(vararg signals: Signal, isLooping: Boolean = false, range: ClosedFloatingPointRange<Double> = 0.0..10.0) = Player(signals.toList(), Playhead(range, 1.0, 1.0, isLooping, nowNanos = 0))
+private fun player(vararg signals: ReplayedTopic, isLooping: Boolean = false, range: ClosedFloatingPointRange<Double> = 0.0..10.0) = Player(signals.toList(), Playhead(range, 1.0, 1.0, isLooping, nowNanos = 0))
 
 private fun List<Update>.seen() = map { Triple(it.signal, it.index, it.micros) }
 

@@ -8,7 +8,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
-private fun Signal.texts() = samples.y.map { texts[it.toInt()].decodeToString() }
+private fun ReplayedTopic.texts() = samples.y.map { texts[it.toInt()].decodeToString() }
 
 private val SIGNALS = signalsOf(VARIED_VIEW, "").associateBy { it.name }
 

@@ -22,7 +22,7 @@ private fun ByteBuffer.hex() = HEX.formatHex(array())
 private fun bytes(hex: String) = ByteBuffer.wrap(HEX.parseHex(hex.replace(" ", "")))
 
 private fun frame(type: TopicType, value: Double, vararg texts: String, micros: Long = 120_000_000): String {
-    val signal = Signal("/A", type, "", Series(doubleArrayOf(0.0), doubleArrayOf(value)), texts.map { it.encodeToByteArray() })
+    val signal = ReplayedTopic("/A", type, "", Series(doubleArrayOf(0.0), doubleArrayOf(value)), texts.map { it.encodeToByteArray() })
     return ValueFrames(listOf(signal)).of(listOf(Update(0, 0, micros))).single().hex()
 }
 
@@ -58,7 +58,7 @@ class ValueFramesSpec : FunSpec({
     }
 
     test("Many values go into frames about as long as a packet, in order") {
-        val signal = Signal("/A", TopicType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
+        val signal = ReplayedTopic("/A", TopicType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
         val frames = ValueFrames(listOf(signal)).of(List(1000) { Update(0, it, it.toLong()) })
         frames.all { it.remaining() in 10..1300 } shouldBe true
         frames.sumOf { it.remaining() } shouldBe 1000 * 12 + (0 until 1000).sumOf {

@@ -62,7 +62,7 @@ private fun linesOf(server: ReplayServer, topics: Int, values: Int): List<JsonOb
 }
 
 /** The value as text, for NaN would equal nothing. */
-private fun Signal.textAt(index: Int): String = when (type) {
+private fun ReplayedTopic.textAt(index: Int): String = when (type) {
     TopicType.BOOLEAN -> "${samples.y[index] != 0.0}"
     TopicType.DOUBLE -> "${samples.y[index]}"
     TopicType.INT -> "${samples.y[index].toLong()}"
@@ -92,7 +92,7 @@ private fun spreadOfArrivals(view: LogView, options: ReplayOptions): Double {
     val range = options.range ?: rangeOf(signals)
 
     // What holds at the start, then every sample.
-    fun Signal.sent() = maxOf(countUntil(range.start) - 1, 0) until countUntil(range.endInclusive)
+    fun ReplayedTopic.sent() = maxOf(countUntil(range.start) - 1, 0) until countUntil(range.endInclusive)
     val lines = linesOf(view, options, signals.sumOf { it.sent().count() })
     val announced = lines.filter { "topic" in it }.associateBy { it.getValue("topic").jsonPrimitive.content }
     announced.keys shouldBe signals.map { it.name }.toSet()

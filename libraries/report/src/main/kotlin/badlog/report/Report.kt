@@ -21,8 +21,8 @@ import badlog.rules.comparison.LogOfFolder
 import badlog.rules.comparison.compared
 import badlog.rules.comparison.restartsIn
 import badlog.rules.incident.incidentsIn
-import badlog.rules.number.FigureReader
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
+import badlog.rules.number.LogNumbersReader
 import badlog.rules.worstFirst
 import badlog.signals.overItsTime
 import java.nio.file.Path
@@ -38,7 +38,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
  * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
  *   threads; such findings are not cached.
- * @param measures whether the figures of each log are needed even if no rule compares logs.
+ * @param measures whether the numbers of each log are needed even if no rule compares logs.
  */
 class Report(
     private val rules: RuleSet = RuleSet.BUILT_IN,
@@ -75,17 +75,17 @@ class Report(
             examined += stored
             progress(examined.size, total)
         }
-        val reader = FigureReader()
-        val figures = examined.map { it.figures(reader) }
-        val differences = rules.compared(figures)
-        val restarts = rules.restartsIn(examined.mapIndexed { i, log -> LogOfFolder(files[i].name, log.title, figures[i], log.findings) })
+        val reader = LogNumbersReader()
+        val numbers = examined.map { it.numbers(reader) }
+        val differences = rules.compared(numbers)
+        val restarts = rules.restartsIn(examined.mapIndexed { i, log -> LogOfFolder(files[i].name, log.title, numbers[i], log.findings) })
         val skipped = SkippedRules(rules)
         val logs = ArrayList<LogReport>(files.size)
         val advance = { if (total > files.size) progress(files.size + logs.size, total) }
         withHooks(files, examined, advance) { file, outcomes ->
             val place = logs.size
             val own = examined[place].findings + listOfNotNull(restarts[place])
-            val log = reportOf(file, examined[place], own, skipped.of(examined[place].asked), figures[place], differences[place], outcomes)
+            val log = reportOf(file, examined[place], own, skipped.of(examined[place].asked), numbers[place], differences[place], outcomes)
             logs += log
             each?.invoke(log, outcomes.map { it.first })
             advance()
@@ -120,7 +120,7 @@ class Report(
         stored: ExaminedLog,
         own: List<Finding>,
         skipped: List<SkippedRule>,
-        figures: LogFigures,
+        numbers: LogNumbers,
         differences: LogDifferences,
         outcomes: List<Pair<HookOutcome, List<Finding>>>,
     ): LogReport {
@@ -139,7 +139,7 @@ class Report(
             isSalvaged = stored.isSalvaged,
             undefined = stored.undefined,
             hookFailures = outcomes.mapNotNull { (hook, _) -> hook.failure?.let { HookFailure(hook.hook, it.message) } },
-            figures = figures,
+            numbers = numbers,
             differences = differences,
             battery = stored.battery,
             ran = stored.asked.size - skipped.size,

@@ -26,7 +26,7 @@ class ReportJson private constructor(
         NotLookedAtJson(log.notLookedAt),
         log.undefined.map(::UndefinedJson),
         log.hookFailures.map { HookFailureJson(it.hook, it.message) },
-        log.figures.takeUnless { it.resistance.isNaN() }?.let { ResistanceJson(it.resistance, it.uncertainty) },
+        log.numbers.takeUnless { it.resistance.isNaN() }?.let { ResistanceJson(it.resistance, it.uncertainty) },
     )
 }
 

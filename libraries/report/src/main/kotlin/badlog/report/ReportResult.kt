@@ -8,7 +8,7 @@ import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.LogDifferences
 import badlog.rules.incident.Incident
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 
@@ -43,7 +43,7 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * @property isSalvaged whether data of the log is lost, so that the findings are about the rest.
  * @property undefined the virtual topics that could not be calculated.
  * @property hookFailures the hooks that failed for it.
- * @property figures numbers that summarize all of it, such as the resistance of its battery.
+ * @property numbers numbers that summarize all of it, such as the resistance of its battery.
  * @property differences how it differs from the others of the report.
  * @property battery what it says of the robot's battery; null for nothing.
  */
@@ -61,7 +61,7 @@ class LogReport internal constructor(
     val isSalvaged: Boolean,
     val undefined: List<UndefinedTopic>,
     val hookFailures: List<HookFailure>,
-    val figures: LogFigures = LogFigures.NONE,
+    val numbers: LogNumbers = LogNumbers.NONE,
     val differences: LogDifferences = LogDifferences.NONE,
     val battery: BatteryUse? = null,
     private val ran: Int = 0,

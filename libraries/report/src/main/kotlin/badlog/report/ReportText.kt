@@ -23,7 +23,7 @@ fun reportText(result: ReportResult, width: Int = TEXT_WIDTH): String {
     val lines = ArrayList<String>()
     for (log in result.logs.filter { it.findings.isNotEmpty() }) {
         val name = names.getValue(log.file)
-        val resistance = resistanceText(log.figures).let { if (it.isEmpty()) "" else ", battery $it" }
+        val resistance = resistanceText(log.numbers).let { if (it.isEmpty()) "" else ", battery $it" }
         lines += TextTable.shortened(printable(if (log.title == null) name else "${log.title} ($name)") + resistance, width)
         val incidents = log.incidents.flatMap(::rowsOf)
         val rows =
@@ -40,7 +40,7 @@ fun reportText(result: ReportResult, width: Int = TEXT_WIDTH): String {
 
 /** Returns what came first, what followed, and what to look at next. */
 private fun rowsOf(incident: Incident): List<List<String>> {
-    val told = incident.sentences.mapIndexed { index, sentence ->
+    val sentences = incident.sentences.mapIndexed { index, sentence ->
         val label = when {
             index == 0 -> incident.severity.name.lowercase()
             sentence.finding === incident.difference -> "differs"
@@ -48,7 +48,7 @@ private fun rowsOf(incident: Incident): List<List<String>> {
         }
         listOf(timeText(sentence.finding.time, incident.timeUnit), label.padEnd(SEVERITY_WIDTH), sentence.text)
     }
-    return if (incident.next.isEmpty()) told else told + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))
+    return if (incident.next.isEmpty()) sentences else sentences + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))
 }
 
 /** Returns what was skipped, and why: rules, virtual topics and hooks, each as a sentence or more. */

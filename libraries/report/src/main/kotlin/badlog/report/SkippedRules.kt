@@ -35,8 +35,8 @@ internal class SkippedRules(private val rules: RuleSet) {
 
     /** Combines the outcomes of [rule], each with its number of logs. */
     private fun skipped(rule: Rule, asked: List<Pair<RuleOutcome, Int>>): SkippedRule? {
-        val refused = asked.filter { (told, _) -> told.refusal != null }
-        val mistaken = refused.find { (told, _) -> told.mistake != null }
+        val refused = asked.filter { (outcome, _) -> outcome.refusal != null }
+        val mistaken = refused.find { (outcome, _) -> outcome.mistake != null }
         val first = (mistaken ?: refused.firstOrNull() ?: return null).first
         // A rule that can run for one log is valid; another log only lacks its topics.
         val isMistake = mistaken != null && refused.size == asked.size

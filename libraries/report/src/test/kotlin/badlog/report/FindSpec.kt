@@ -20,10 +20,10 @@ class FindSpec : FunSpec({
     test("results come in the order of the files, however many there are") {
         inFolder { folder ->
             for (i in 1..60) folder.put("Q$i.bag", batteryBag(12.0, 12.0 - i / 10.0, match = i))
-            val heard = ArrayList<Int>()
-            val results = Find("min(Battery Voltage) < 7").over(logsIn(folder), { done, _ -> heard += done })
+            val reported = ArrayList<Int>()
+            val results = Find("min(Battery Voltage) < 7").over(logsIn(folder), { done, _ -> reported += done })
             results.map { it.title } shouldContainExactly (1..60).map { "Mill Creek Qualification $it" }
-            heard.filter { it > 0 }.distinct() shouldContainExactly (1..60).toList()
+            reported.filter { it > 0 }.distinct() shouldContainExactly (1..60).toList()
             results.filter { (it.reply as Reply.Answered).outcome == Outcome.HOLDS }.map { it.file.name } shouldContainExactly
                 (51..60).map { "Q$it.bag" }
         }

@@ -45,9 +45,9 @@ class IncidentsSpec : FunSpec({
         val json = Json.parseToJsonElement(Json.encodeToString(ReportJson.serializer(), ReportJson(log))).jsonObject
         val incident = json.getValue("incidents").jsonArray.first().jsonObject
         incident.getValue("severity").jsonPrimitive.content shouldBe "error"
-        val told = incident.getValue("sentences").jsonArray.map { it.jsonObject }
-        told.map { it.getValue("rule").jsonPrimitive.content } shouldContain "Browned out"
-        told.all { it.getValue("evidence").jsonArray.isNotEmpty() } shouldBe true
+        val sentences = incident.getValue("sentences").jsonArray.map { it.jsonObject }
+        sentences.map { it.getValue("rule").jsonPrimitive.content } shouldContain "Browned out"
+        sentences.all { it.getValue("evidence").jsonArray.isNotEmpty() } shouldBe true
         incident.getValue("effects").jsonArray.map { it.jsonPrimitive.content } shouldContain "Low battery"
     }
 })

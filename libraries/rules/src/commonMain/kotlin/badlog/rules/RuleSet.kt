@@ -17,7 +17,7 @@ class RuleSet internal constructor(
     val rules: List<Rule>,
     val signals: SignalVocabulary,
     val causes: CauseGraph,
-    val comparisons: List<Comparison> = emptyList(),
+    val comparisons: List<ComparisonRule> = emptyList(),
     val devices: DeviceNames = DeviceNames.NONE,
 ) {
     /** What to check before each match, in the order of the rules, each once; empty in rules of a page. */

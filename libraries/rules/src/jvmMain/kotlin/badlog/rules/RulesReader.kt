@@ -33,7 +33,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
     }
 
     /** The rules and comparisons of a file. */
-    private class Parts(val rules: List<Rule>, val comparisons: List<Comparison>) {
+    private class Parts(val rules: List<Rule>, val comparisons: List<ComparisonRule>) {
         val names get() = rules.mapTo(HashSet()) { it.name } + comparisons.map { it.name }
         val groups get() = rules.mapTo(HashSet()) { it.group } + comparisons.map { it.group }
     }
@@ -172,7 +172,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
             ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”.")
     }
 
-    private fun comparison(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): Comparison {
+    private fun comparison(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): ComparisonRule {
         toml.requireKnown(table, COMPARISON_KEYS, "a comparison")
         toml.requireKeys(table, place, listOf("name", "severity", "of", "limits", "text"), "comparison")
         val signals = toml.strings(table, "of")
@@ -181,22 +181,22 @@ internal class RulesReader(private val source: String, private val signals: Sign
             toml.fail(toml.placeOf(table, "of"), "“$signal” cannot be compared; use one of: $known.")
         }
         val name = toml.string(table, "name").orEmpty()
-        val limits = Limits(table, others[name].orEmpty(), Comparison.PLACES - Comparison.LIMITS.toSet())
-        val (deviations, percent, findings, fewest) = Comparison.LIMITS.map { limit ->
+        val limits = Limits(table, others[name].orEmpty(), ComparisonRule.PLACES - ComparisonRule.LIMITS.toSet())
+        val (deviations, percent, findings, fewest) = ComparisonRule.LIMITS.map { limit ->
             limits.numbers[limit]?.takeIf { it >= 0 }
-                ?: toml.fail(toml.placeOf(table, "limits"), "A comparison has these limits: ${Comparison.LIMITS.joinToString()}.")
+                ?: toml.fail(toml.placeOf(table, "limits"), "A comparison has these limits: ${ComparisonRule.LIMITS.joinToString()}.")
         }
-        return Comparison(
+        return ComparisonRule(
             name = name,
             severity = severity(table),
             group = toml.string(table, "group").orEmpty(),
             next = toml.string(table, "next").orEmpty(),
-            text = text(table, null, Comparison.PLACES),
+            text = text(table, null, ComparisonRule.PLACES),
             signals = signals,
             deviations = deviations,
             percent = percent,
             findings = findings.toInt(),
-            others = maxOf(fewest.toInt(), Comparison.FEWEST_OTHERS),
+            others = maxOf(fewest.toInt(), ComparisonRule.FEWEST_OTHERS),
         )
     }
 

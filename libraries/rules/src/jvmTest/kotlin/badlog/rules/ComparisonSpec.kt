@@ -1,9 +1,9 @@
 package badlog.rules
 
 import badlog.rules.comparison.compared
-import badlog.rules.number.FigureKey
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
+import badlog.rules.number.NumberKey
 import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -16,20 +16,20 @@ import kotlin.random.Random
 private const val LEFT = "Drive/Front Left/Current"
 
 private val KEYS = listOf(
-    FigureKey("motor current", LEFT, Measure.DRIVING, "A"),
-    FigureKey("motor current", LEFT, Measure.TELEOP, "A"),
-    FigureKey("motor current", "Arm/Current", Measure.TELEOP, "A"),
-    FigureKey("battery", "Battery Voltage", Measure.LOWEST, "V"),
-    FigureKey(FigureKey.RESISTANCE, "Battery Voltage", Measure.RESISTANCE, "mΩ"),
+    NumberKey("motor current", LEFT, Measure.DRIVING, "A"),
+    NumberKey("motor current", LEFT, Measure.TELEOP, "A"),
+    NumberKey("motor current", "Arm/Current", Measure.TELEOP, "A"),
+    NumberKey("battery", "Battery Voltage", Measure.LOWEST, "V"),
+    NumberKey(NumberKey.RESISTANCE, "Battery Voltage", Measure.RESISTANCE, "mΩ"),
 )
 
 private val USUAL = doubleArrayOf(16.7, 12.0, 4.0, 9.2, 15.0)
 
-/** A log whose figures are usual, each within a twentieth, except those in [others]. */
-private fun log(random: Random, vararg others: Pair<Int, Double>, kind: MatchKind = MatchKind.MATCH): LogFigures {
+/** A log whose numbers are usual, each within a twentieth, except those in [others]. */
+private fun log(random: Random, vararg others: Pair<Int, Double>, kind: MatchKind = MatchKind.MATCH): LogNumbers {
     val values = DoubleArray(USUAL.size) { USUAL[it] * (0.95 + 0.1 * random.nextDouble()) }
-    for ((figure, value) in others) values[figure] = value
-    return LogFigures(kind, KEYS, values, 0.8)
+    for ((number, value) in others) values[number] = value
+    return LogNumbers(kind, KEYS, values, 0.8)
 }
 
 private fun logs(count: Int, kind: MatchKind = MatchKind.MATCH) = Random(7).let { random -> List(count) { log(random, kind = kind) } }
@@ -37,7 +37,7 @@ private fun logs(count: Int, kind: MatchKind = MatchKind.MATCH) = Random(7).let 
 private val odd = log(Random(1), 0 to 23.1)
 
 class ComparisonSpec : FunSpec({
-    fun texts(logs: List<LogFigures>, rules: RuleSet = RuleSet.BUILT_IN) = rules.compared(logs).map { log -> log.findings.map { it.text } }
+    fun texts(logs: List<LogNumbers>, rules: RuleSet = RuleSet.BUILT_IN) = rules.compared(logs).map { log -> log.findings.map { it.text } }
 
     test("what is far from the other matches is found, in its phase, with its unit and theirs") {
         val found = texts(logs(12) + odd)
@@ -59,13 +59,13 @@ class ComparisonSpec : FunSpec({
     }
 
     test("an outlier among the others hides nothing, and is not a reason to find anything in them") {
-        val crazy = LogFigures(MatchKind.MATCH, KEYS, DoubleArray(KEYS.size) { 1e6 }, 0.8)
+        val crazy = LogNumbers(MatchKind.MATCH, KEYS, DoubleArray(KEYS.size) { 1e6 }, 0.8)
         val found = texts(logs(6) + crazy + logs(6) + odd)
         found.last().size shouldBe 1
         found.filterIndexed { i, _ -> i != 6 && i != 13 }.flatten().shouldBeEmpty()
     }
 
-    test("a topic has one finding, however many of its figures differ, and a log at most three") {
+    test("a topic has one finding, however many of its numbers differ, and a log at most three") {
         texts(logs(12) + log(Random(1), 0 to 40.0, 1 to 30.0)).last().size shouldBe 1
         val all = log(Random(1), 0 to 60.0, 1 to 60.0, 2 to 40.0, 3 to 3.0, 4 to 40.0)
         val found = RuleSet.BUILT_IN.compared(logs(12) + all).last().findings
@@ -83,7 +83,7 @@ class ComparisonSpec : FunSpec({
     test("the resistance of the battery is given with its uncertainty, and has to differ by more than that") {
         val found = RuleSet.BUILT_IN.compared(logs(12) + log(Random(1), 4 to 26.0)).last().findings.single()
         found.text shouldContain "Battery and wiring had a resistance of 26 ± 0.8 mΩ, "
-        val unsure = LogFigures(MatchKind.MATCH, KEYS, USUAL.copyOf().also { it[4] = 26.0 }, 9.0)
+        val unsure = LogNumbers(MatchKind.MATCH, KEYS, USUAL.copyOf().also { it[4] = 26.0 }, 9.0)
         texts(logs(12) + unsure).last().shouldBeEmpty()
     }
 
@@ -95,7 +95,7 @@ class ComparisonSpec : FunSpec({
             "deviations, percent, findings, others"
     }
 
-    test("comparing something without figures is a mistake") {
+    test("comparing something without numbers is a mistake") {
         val limits = "limits = { deviations = 5, percent = 25, findings = 3, others = 5 }"
         val rule = "[[comparison]]\nname = \"A\"\nseverity = \"note\"\nof = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
         shouldThrow<RulesException> { RulesFile.parse(rule) }.message shouldContain

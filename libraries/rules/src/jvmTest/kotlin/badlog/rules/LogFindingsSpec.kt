@@ -7,7 +7,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.formats.wpilog.WpilogFormat
-import badlog.rules.comparison.figuresOf
+import badlog.rules.comparison.numbersOf
 import badlog.signals.match.MatchKind
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -33,7 +33,7 @@ class LogFindingsSpec : FunSpec({
         rules.over(exact, "a.bag").findings.single().text shouldBe "3 s"
     }
 
-    test("every place is kept, for going from one to the next, and each has its own figures") {
+    test("every place is kept, for going from one to the next, and each has its own numbers") {
         val rows = (0 until 800).joinToString("") { "$it,${if (it % 2 == 0) "12" else "${it % 7}.5"}\n" }
         val many = LogView.of(BagParser().apply { accept("$header\nTime,Battery Voltage\n$rows".encodeToByteArray()) }.finish())
         val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{value} at {time} for {duration} ({count}×)\"\n"
@@ -58,7 +58,7 @@ class LogFindingsSpec : FunSpec({
         val lacking = RulesFile.parse(rule.replace("Battery Voltage", "Arm")).rules
         lacking.skippedFor(view, "Q42.bag").map { it.rule } shouldBe listOf("A")
         lacking.skippedFor(view, "log.bag") shouldBe emptyList()
-        fun kindOf(file: String) = figuresOf(view, RuleSet.BUILT_IN.signals, file).kind
+        fun kindOf(file: String) = numbersOf(view, RuleSet.BUILT_IN.signals, file).kind
         listOf("Q42.bag", "practice-3.bag", "log.bag").map(::kindOf) shouldBe listOf(MatchKind.MATCH, MatchKind.PRACTICE, MatchKind.UNKNOWN)
     }
 

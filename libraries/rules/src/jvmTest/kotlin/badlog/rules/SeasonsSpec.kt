@@ -11,7 +11,7 @@ import badlog.matches.MatchGenerator
 import badlog.matches.fault.FAULTS
 import badlog.matches.fault.Naming
 import badlog.signals.clock.ClockedLog
-import badlog.signals.clock.RobotBesideStation
+import badlog.signals.clock.StationOverlay
 import badlog.signals.clock.StationSearch
 import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
@@ -94,7 +94,7 @@ class SeasonsSpec : FunSpec({
         }.over(listOf(other, own)).shouldNotBeNull()
         found.log.name shouldBe own.name
         found.fit.seconds shouldBe (STATION_OFFSET plusOrMinus 0.05)
-        val both = RobotBesideStation(viewOf(after), found.station, found.fit, SIGNALS)
+        val both = StationOverlay(viewOf(after), found.station, found.fit, SIGNALS)
         signalTopicsOf(both.forRules, SIGNALS).of("CAN load of a bus").shouldNotBeEmpty()
         both.both.enabledSpans() shouldBe viewOf(after).enabledSpans()
         checkNotNull(both.both.xAxis.range).start shouldBe (LATER + 60 plusOrMinus 200.0)

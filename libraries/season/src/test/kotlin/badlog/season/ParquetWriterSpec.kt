@@ -66,9 +66,9 @@ class ParquetWriterSpec : FunSpec({
         inFolder { folder ->
             val file = written(folder.put("q1.bag", matchBag(1, 12.5, 11.5)), folder / "q1.parquet").single()
             val python = PYTHON.running("src/test/python/read_log.py", "${file.path}")
-            val told = python.inputStream.readAllBytes().decodeToString()
+            val output = python.inputStream.readAllBytes().decodeToString()
             python.waitFor() shouldBe 0
-            Json.parseToJsonElement(told) shouldBe Json.parseToJsonElement(
+            Json.parseToJsonElement(output) shouldBe Json.parseToJsonElement(
                 """{"columns": ["log", "type", "number", "t", "timestamp", "System/Battery Voltage"], "lowest": 11.5, "start": "2025-03-14T10:00:00+00:00", "unit": "V"}""",
             )
         }

@@ -15,9 +15,9 @@ class PythonReadersSpec : FunSpec({
             (folder / "logs").put("q2.bag", matchBag(2, 12.5, 6.5, event = "Lake/Side"))
             refresh(folder / "logs", folder / "lake")
             val python = PYTHON.running("src/test/python/read_lake.py", "${folder / "lake"}")
-            val told = python.inputStream.readAllBytes().decodeToString()
+            val output = python.inputStream.readAllBytes().decodeToString()
             python.waitFor() shouldBe 0
-            Json.parseToJsonElement(told) shouldBe Json.parseToJsonElement(
+            Json.parseToJsonElement(output) shouldBe Json.parseToJsonElement(
                 """
                 {
                   "pandas": ["Lake/Side Qualification 2 2025 2025-03-14T10:00:00+00:00", "Mill Creek Qualification 1 2025 2025-03-14T10:00:00+00:00"],

@@ -29,9 +29,9 @@ class SeasonGuideSpec : FunSpec({
             val guide = Path.of("../../docs/season.md").absolute()
             val python = ProcessBuilder(PYTHON.command, "$script", "$guide").directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.INHERIT).start()
-            val told = python.inputStream.readAllBytes().decodeToString()
+            val output = python.inputStream.readAllBytes().decodeToString()
             python.waitFor() shouldBe 0
-            val found = Json.parseToJsonElement(told).jsonObject.mapValues { (_, lows) -> lows.jsonObject.mapValues { it.value.jsonPrimitive.double } }
+            val found = Json.parseToJsonElement(output).jsonObject.mapValues { (_, lows) -> lows.jsonObject.mapValues { it.value.jsonPrimitive.double } }
             found shouldHaveSize 4
             for ((_, lows) in found) lows shouldBe expected
         }

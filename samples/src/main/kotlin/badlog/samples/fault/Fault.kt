@@ -86,10 +86,10 @@ enum class Fault(val title: String) {
     SLOW_VISION("loop blocked by vision") {
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             var at = noise.timeIn(20.0, 100.0)
-            val isTold = noise.unit() < 0.3
+            val isLogged = noise.unit() < 0.3
             repeat(if (isFaint) 1 else 2 + noise.upTo(6)) {
                 val seconds = if (isFaint) 0.025 + 0.015 * noise.unit() else 0.1 + 0.4 * noise.unit()
-                val report = if (isTold) "WARN: loop overrun, \"Vision.update\" took ${(seconds * 1000).toInt()} ms" else ""
+                val report = if (isLogged) "WARN: loop overrun, \"Vision.update\" took ${(seconds * 1000).toInt()} ms" else ""
                 plan.mishaps += Mishap.Stall(at, seconds, report)
                 at += 1 + 5 * noise.unit()
             }

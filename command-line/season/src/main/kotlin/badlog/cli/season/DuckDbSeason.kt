@@ -1,14 +1,14 @@
 package badlog.cli.season
 
-import badlog.cli.part.LakeReport
-import badlog.cli.part.LakeState
-import badlog.cli.part.ParquetSession
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SeasonService
-import badlog.cli.part.SqlColumn
-import badlog.cli.part.SqlSession
-import badlog.cli.part.SqlTable
-import badlog.cli.part.WrongQueryException
+import badlog.cli.plugin.LakeReport
+import badlog.cli.plugin.LakeState
+import badlog.cli.plugin.ParquetSession
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SeasonService
+import badlog.cli.plugin.SqlColumn
+import badlog.cli.plugin.SqlSession
+import badlog.cli.plugin.SqlTable
+import badlog.cli.plugin.WrongQueryException
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
 import badlog.rules.RuleSet

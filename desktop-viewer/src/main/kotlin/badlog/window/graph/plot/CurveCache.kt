@@ -3,8 +3,8 @@ package badlog.window.graph.plot
 import badlog.core.analysis.StateRuns
 import badlog.viewer.choices.range.holdsUntil
 import badlog.viewer.choices.range.stateRuns
+import badlog.window.log.DrawableTopic
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 import java.util.WeakHashMap
 import java.util.concurrent.ConcurrentHashMap
 
@@ -21,12 +21,12 @@ internal class CurveCache {
     private val byRecording = WeakHashMap<OpenRecording, OfRecording>()
 
     /** Returns the curve of [signal], one of [recording]'s. */
-    fun curve(recording: OpenRecording, signal: Signal): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
+    fun curve(recording: OpenRecording, signal: DrawableTopic): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
         SharedCurve(signal.series, signal.line.holdsUntil)
     }
 
     /** Returns the states of [signal], one of [recording]'s. */
-    fun runs(recording: OpenRecording, signal: Signal): StateRuns =
+    fun runs(recording: OpenRecording, signal: DrawableTopic): StateRuns =
         of(recording).runs.computeIfAbsent(signal.name) { signal.line.stateRuns() }
 
     private fun of(recording: OpenRecording) = synchronized(byRecording) { byRecording.getOrPut(recording, ::OfRecording) }

@@ -6,8 +6,8 @@ import badlog.viewer.draw.plot.GraphLine
 import badlog.viewer.shown.comparison.colorOf
 import badlog.viewer.text.shortNames
 import badlog.window.compare.DrawnRecording
+import badlog.window.log.DrawableTopic
 import badlog.window.log.OpenRecording
-import badlog.window.log.Signal
 
 /**
  * One line on the screen: a signal of a recording.
@@ -19,7 +19,7 @@ import badlog.window.log.Signal
  * @property label an addition to the signal's name in the legend, if that is not enough; otherwise null.
  */
 internal data class DrawnLine(
-    val signal: Signal,
+    val signal: DrawableTopic,
     val recording: OpenRecording,
     override val offset: Double,
     override val color: Int,

@@ -78,14 +78,14 @@ internal class Keyboard(
 
         is Request.Layout -> layouts.step(request.steps)
 
-        Request.Cursor -> live.tellCursor()
+        Request.Cursor -> live.announceCursor()
 
         is Request.Finding -> with(request.step) {
             findings.show(place, incident, isWhole = incident != null)
-            live.tellFinding(spoken)
+            live.announceFinding(spoken)
         }
 
-        Request.NoFinding -> live.tell("No finding to go to.")
+        Request.NoFinding -> live.announce("No finding to go to.")
 
         Request.Formula -> formulas.open()
 

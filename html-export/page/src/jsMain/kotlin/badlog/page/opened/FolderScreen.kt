@@ -168,7 +168,7 @@ internal class FolderScreen(
     fun changesOf(log: OpenedLog): Changes<OpenedLog> {
         val own = latest(log)
         val others = logsOfRobots(known.values.toList(), OpenedLog::isOnlyOfLogs).filter { !it.isGray && it.found?.rules != null }
-        return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.figures }
+        return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.numbers }
     }
 
     /** Remembers that a person sees [log], which is then not new, even if rules have not run over it. */
@@ -235,7 +235,7 @@ internal class FolderScreen(
 
     private fun change(changed: Arrivals<OpenedLog>) {
         // The pit view shows new logs by itself.
-        if (isPit && isShown) changed.latest?.worst?.let(pit::tell)
+        if (isPit && isShown) changed.latest?.worst?.let(pit::announce)
         arrivals = if (isPit && isShown) changed.dealtWith() else seen.fold(changed, Arrivals<OpenedLog>::without)
         bar.show(arrivals)
     }

@@ -3,7 +3,7 @@ package badlog.page.opened
 import badlog.core.analysis.LogView
 import badlog.page.reading.LogFileReader
 import badlog.rules.RuleSet
-import badlog.rules.comparison.figuresOf
+import badlog.rules.comparison.numbersOf
 import badlog.rules.over
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
@@ -26,7 +26,7 @@ internal class LogExamination(private val rules: RuleSet) {
 
     private fun examined(log: OpenedLog, view: LogView) = try {
         val found = rules.foundIn(rules.over(view, log.fileName, isEverywhere = true).findings, key = 0)
-        log.with(log.summary, found, figuresOf(view, rules.signals, log.fileName, log.summary.battery))
+        log.with(log.summary, found, numbersOf(view, rules.signals, log.fileName, log.summary.battery))
     } catch (problem: Throwable) {
         console.error(problem)
         log.with(log.summary, LogFound(0, null))

@@ -38,10 +38,10 @@ internal class LogNeed private constructor(val bytes: Double, val fewBytes: Doub
         /** Arrays are larger than what is in them while they grow. */
         private const val GROWTH = 1.5
 
-        /** A browser gives a page a part of its device's memory, of which it tells at most 8 GB. */
+        /** A browser gives a page a part of its device's memory, of which it shows at most 8 GB. */
         private val most: Double get() {
-            val told = window.navigator.asDynamic().deviceMemory as Double?
-            return minOf(1.5e9, (told ?: if (window.matchMedia("(pointer: coarse)").matches) 2.0 else 8.0) * 0.2e9)
+            val memory = window.navigator.asDynamic().deviceMemory as Double?
+            return minOf(1.5e9, (memory ?: if (window.matchMedia("(pointer: coarse)").matches) 2.0 else 8.0) * 0.2e9)
         }
 
         /** Promises it for the log in [files] and [rules]; null for a small log. */

@@ -79,8 +79,8 @@ internal class LogStatistics {
         table.add("thead").add("tr") {
             add("th", "", "Topic")
             // Matches of different events may have the same title.
-            val areTold = logs.distinctBy { it.title }.size == logs.size
-            for (log in logs) add("th", "is-number", if (areTold) log.title else log.fileName).title = log.path
+            val areDistinct = logs.distinctBy { it.title }.size == logs.size
+            for (log in logs) add("th", "is-number", if (areDistinct) log.title else log.fileName).title = log.path
         }
         table.add("tbody") { for (name in names.take(limit)) addRow(name, topics.map { it[name] }) }
         more.isHidden = names.size <= limit

@@ -8,7 +8,7 @@ import badlog.page.embedded.LogBytes
 import badlog.page.embedded.markupOf
 import badlog.page.served.ServedFile
 import badlog.page.served.served
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
@@ -21,14 +21,14 @@ import kotlin.js.Promise
  *
  * @property files its file, or both of a Driver Station log, in the order in which they are read; empty ones for what the server has.
  * @property summary what is known of it: at first, what its name says.
- * @property figures what can be compared with other logs.
+ * @property numbers what can be compared with other logs.
  * @property origin where the page's server has it; null if it was opened from this device.
  */
 internal class OpenedLog(
     val files: List<File>,
     override val summary: LogSummary = LogSummary.named(files[0].name, modifiedOf(files[0])),
     override val found: LogFound? = null,
-    val figures: LogFigures = LogFigures.NONE,
+    val numbers: LogNumbers = LogNumbers.NONE,
     val origin: ServedFile? = files[0].served,
 ) : ListedLog {
     override val path: String get() = pathOf(files[0])
@@ -46,14 +46,14 @@ internal class OpenedLog(
     val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"
 
     /** Returns the same log, of which more is known. */
-    fun with(summary: LogSummary, found: LogFound?, figures: LogFigures = LogFigures.NONE): OpenedLog =
-        OpenedLog(files, summary, found, figures, origin)
+    fun with(summary: LogSummary, found: LogFound?, numbers: LogNumbers = LogNumbers.NONE): OpenedLog =
+        OpenedLog(files, summary, found, numbers, origin)
 
     /** Returns the same log, of which [file] has more. */
-    fun growing(file: File): OpenedLog = OpenedLog(listOf(file), summary, found, figures, origin)
+    fun growing(file: File): OpenedLog = OpenedLog(listOf(file), summary, found, numbers, origin)
 
     /** Returns the same log with those of its files that [fetched] has bytes for. */
-    fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found, figures, origin)
+    fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found, numbers, origin)
 
     /** Returns its bytes, on a page that [version] of badlog made. */
     fun bytes(version: String): LogBytes = object : LogBytes {

@@ -64,8 +64,8 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
         focused?.let { document.getElementById(it) }?.unsafeCast<HTMLElement>()?.focus()
     }
 
-    /** Tells those who hear the page that [log] has arrived. */
-    fun tell(log: OpenedLog) = news.showText(arrivalText(log))
+    /** Announces to screen readers that [log] has arrived. */
+    fun announce(log: OpenedLog) = news.showText(arrivalText(log))
 
     /** Gives the keyboard's focus to the button of [log], or else of the last one. */
     fun focus(log: OpenedLog) {

@@ -4,8 +4,8 @@ import badlog.core.analysis.SeriesStatistics
 import badlog.core.recording.Severity
 import badlog.core.recording.TopicKind
 import badlog.page.dom.json
-import badlog.rules.number.FigureReader
-import badlog.rules.number.FigureText
+import badlog.rules.number.LogNumbersReader
+import badlog.rules.number.LogNumbersText
 import badlog.rules.number.toText
 import badlog.signals.battery.BatteryUse
 import badlog.signals.battery.Resistance
@@ -23,12 +23,12 @@ import badlog.viewer.catalog.Verdict
 
 /** What a worker learned of a log, as a message: what lists show, in plain arrays. */
 internal object SummaryMessage {
-    private val reader = FigureReader()
+    private val reader = LogNumbersReader()
 
     /** Returns what is known of [log], whose findings are null while the rules run, as a message. */
-    fun of(log: OpenedLog): dynamic = with(log) { of(summary, found, figures.toText()) }
+    fun of(log: OpenedLog): dynamic = with(log) { of(summary, found, numbers.toText()) }
 
-    private fun of(summary: LogSummary, found: LogFound?, figures: FigureText): dynamic = json(
+    private fun of(summary: LogSummary, found: LogFound?, numbers: LogNumbersText): dynamic = json(
         "match" to with(summary.match) { arrayOf(event, type, number, alliance) },
         "second" to summary.date.second.toDouble(),
         "source" to summary.date.source.ordinal,
@@ -48,7 +48,7 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
-        "figures" to arrayOf(figures.names, figures.values),
+        "numbers" to arrayOf(numbers.names, numbers.values),
     )
 
     /** Returns [log] with what [message] says of it. */
@@ -70,8 +70,8 @@ internal object SummaryMessage {
             topics = topicsIn(message),
         )
         val found = if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null
-        val (names, values) = message.figures.unsafeCast<Array<String>>()
-        return log.with(summary, found, reader.read(FigureText(names, values)))
+        val (names, values) = message.numbers.unsafeCast<Array<String>>()
+        return log.with(summary, found, reader.read(LogNumbersText(names, values)))
     }
 
     private fun verdictIn(parts: Array<dynamic>?): Verdict? = parts?.let {

@@ -1,11 +1,11 @@
 package badlog.assistant.log
 
 import badlog.assistant.call.ToolException
-import badlog.cli.part.LakeCache
-import badlog.cli.part.LakeReport
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SeasonService
-import badlog.cli.part.SqlSession
+import badlog.cli.plugin.LakeCache
+import badlog.cli.plugin.LakeReport
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SeasonService
+import badlog.cli.plugin.SqlSession
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import java.nio.file.Path

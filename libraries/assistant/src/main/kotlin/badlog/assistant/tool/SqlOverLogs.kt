@@ -7,9 +7,9 @@ import badlog.assistant.call.Parameter
 import badlog.assistant.call.ParameterType
 import badlog.assistant.call.ToolException
 import badlog.assistant.log.LogLake
-import badlog.cli.part.SeasonException
-import badlog.cli.part.SqlColumn
-import badlog.cli.part.SqlSession
+import badlog.cli.plugin.SeasonException
+import badlog.cli.plugin.SqlColumn
+import badlog.cli.plugin.SqlSession
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.add

@@ -4,9 +4,9 @@ import badlog.catalog.store.BatterySerializer
 import badlog.catalog.store.FindingSerializer
 import badlog.catalog.store.Shared
 import badlog.rules.Finding
-import badlog.rules.number.FigureReader
-import badlog.rules.number.FigureText
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
+import badlog.rules.number.LogNumbersReader
+import badlog.rules.number.LogNumbersText
 import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import kotlinx.serialization.Serializable
@@ -23,9 +23,9 @@ import kotlinx.serialization.builtins.ListSerializer
  * @property isSalvaged whether data of the log is lost.
  * @property undefined the virtual topics that could not be calculated.
  * @property matchType the type of the match, such as `Qualification`; null if it is unknown.
- * @property figureNames the names of its figures, see [badlog.rules.number.FigureText].
- * @property figureValues their values, likewise.
- * @property figureDistributions the distributions of some signals, likewise.
+ * @property numberNames the names of its numbers, see [badlog.rules.number.LogNumbersText].
+ * @property numberValues their values, likewise.
+ * @property numberDistributions the distributions of some signals, likewise.
  * @property event the event; null if it is unknown.
  * @property matchNumber the number of the match, likewise.
  * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
@@ -45,9 +45,9 @@ class ExaminedLog(
     val isSalvaged: Boolean = false,
     val undefined: List<UndefinedTopic> = emptyList(),
     val matchType: String? = null,
-    val figureNames: String = "",
-    val figureValues: String = "",
-    val figureDistributions: String = "",
+    val numberNames: String = "",
+    val numberValues: String = "",
+    val numberDistributions: String = "",
     val event: String? = null,
     val matchNumber: String? = null,
     val began: Long? = null,
@@ -57,8 +57,8 @@ class ExaminedLog(
     /** Its match, without the alliance. */
     val match: MatchOfLog get() = MatchOfLog(event, matchType, matchNumber)
 
-    /** Returns its figures, read by [reader]. */
-    fun figures(reader: FigureReader): LogFigures = reader.read(FigureText(figureNames, figureValues, figureDistributions))
+    /** Returns its numbers, read by [reader]. */
+    fun numbers(reader: LogNumbersReader): LogNumbers = reader.read(LogNumbersText(numberNames, numberValues, numberDistributions))
 }
 
 /** The outcome of [rule] for a log: why it was skipped, what seems to be wrong with it, and which signal the log lacks; all null if it ran. */

@@ -5,8 +5,8 @@ import badlog.catalog.store.ResultCache
 import badlog.rules.Finding
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
-import badlog.rules.comparison.figuresOf
-import badlog.rules.number.LogFigures
+import badlog.rules.comparison.numbersOf
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.toText
 import badlog.rules.toJson
 import badlog.signals.ShapeCache
@@ -23,7 +23,7 @@ import java.util.concurrent.ConcurrentHashMap
  * stored. Thread-safe.
  *
  * @param with what else affects the results, as a text: virtual topics and the x axis; empty for nothing.
- * @param measures whether the figures of each log are calculated, which comparisons and charts need.
+ * @param measures whether the numbers of each log are calculated, which comparisons and charts need.
  */
 class RuleExamination(
     private val rules: RuleSet,
@@ -70,7 +70,7 @@ class RuleExamination(
             asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
         }
         val battery = batteryUseOf(log.view, rules.signals)
-        val figures = if (measures) figuresOf(log.view, rules.signals, name, battery).toText() else NO_FIGURES
+        val numbers = if (measures) numbersOf(log.view, rules.signals, name, battery).toText() else NO_NUMBERS
         val match = rules.signals.matchOf(log.recording, name)
         val date = LogDate.of(log.recording.values, name, modified = 0)
         return ExaminedLog(
@@ -81,9 +81,9 @@ class RuleExamination(
             isSalvaged = log.recording.isSalvaged,
             undefined = log.undefined,
             matchType = match.type,
-            figureNames = figures.names,
-            figureValues = figures.values,
-            figureDistributions = figures.distributions,
+            numberNames = numbers.names,
+            numberValues = numbers.values,
+            numberDistributions = numbers.distributions,
             event = match.event,
             matchNumber = match.number,
             began = date.second.takeIf { date.source != DateSource.FILE_TIME },
@@ -94,6 +94,6 @@ class RuleExamination(
     private companion object {
         // A limit, because each holds all names of its logs several times.
         const val MAX_PROGRAMS = 16
-        val NO_FIGURES = LogFigures.NONE.toText()
+        val NO_NUMBERS = LogNumbers.NONE.toText()
     }
 }

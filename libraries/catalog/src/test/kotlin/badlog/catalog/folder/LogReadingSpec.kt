@@ -142,10 +142,10 @@ class LogReadingSpec : FunSpec({
     }
 
     test("the summary is there before the rules run, and a log with nothing to see is not searched") {
-        val told = ArrayList<LogEntry>()
-        val file = folder.put("told.bag", bag(voltage = { 6.0 + it * 0.001 }))
-        val entry = reading().read(LogFile(file, Files.size(file), 0), runsRules = true) { told += it }
-        told.single() shouldBe entry.copy(found = null)
+        val reported = ArrayList<LogEntry>()
+        val file = folder.put("reported.bag", bag(voltage = { 6.0 + it * 0.001 }))
+        val entry = reading().read(LogFile(file, Files.size(file), 0), runsRules = true) { reported += it }
+        reported.single() shouldBe entry.copy(found = null)
         entry.found.shouldNotBeNull()
         val idle = folder.put("idle.bag", bag(voltage = { 12.0 }))
         reading().read(LogFile(idle, Files.size(idle), 0), runsRules = true).found.shouldBeNull()

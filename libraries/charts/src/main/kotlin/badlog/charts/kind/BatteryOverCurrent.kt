@@ -47,9 +47,9 @@ private fun Plot.withLine(usual: UsualLine?, area: PlotArea): Plot {
     }
 }
 
-private fun currentOf(match: ChartedMatch) = match.figures.distributionOf("total current")?.percentile95 ?: Double.NaN
+private fun currentOf(match: ChartedMatch) = match.numbers.distributionOf("total current")?.percentile95 ?: Double.NaN
 
-private fun voltageOf(match: ChartedMatch) = match.figures.of("battery", Measure.LOWEST)
+private fun voltageOf(match: ChartedMatch) = match.numbers.of("battery", Measure.LOWEST)
 
 private val TEXTS = ChartTexts(
     "battery-over-current",

@@ -21,7 +21,7 @@ import kotlin.math.log10
 
 /** Returns a box of the loop times of each match. */
 internal fun loopBoxes(matches: ChartedMatches): MadeChart {
-    val known = matches.all.mapNotNull { match -> match.figures.distributionOf(LOOP_TIME)?.let { match to it } }
+    val known = matches.all.mapNotNull { match -> match.numbers.distributionOf(LOOP_TIME)?.let { match to it } }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     // A logarithmic axis shows both usual loops and the one that took a second, but not 0.
     fun shown(value: Double) = maxOf(value, LEAST_MILLIS)

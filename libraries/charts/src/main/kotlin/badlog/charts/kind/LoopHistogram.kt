@@ -23,7 +23,7 @@ import kotlin.math.pow
 
 /** Returns how long loops took, over all matches together. */
 internal fun loopHistogram(matches: ChartedMatches): MadeChart {
-    val known = matches.all.mapNotNull { it.figures.distributionOf(LOOP_TIME) }.filter { it.binWidth > 0 && it.seconds.sum() > 0 }
+    val known = matches.all.mapNotNull { it.numbers.distributionOf(LOOP_TIME) }.filter { it.binWidth > 0 && it.seconds.sum() > 0 }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     val shares = sharesOf(known)
     val width = known.first().binWidth

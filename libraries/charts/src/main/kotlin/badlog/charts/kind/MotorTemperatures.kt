@@ -12,8 +12,8 @@ import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatches
 import badlog.charts.match.LEAST_MATCHES
 import badlog.charts.match.distinctNames
-import badlog.rules.number.FigureKey
 import badlog.rules.number.Measure
+import badlog.rules.number.NumberKey
 import org.jetbrains.letsPlot.geom.geomLine
 import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.scale.scaleColorManual
@@ -21,13 +21,13 @@ import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /** Returns how hot motors became in each match: the hottest ones, each as a line. */
 internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
-    val known = matches.all.filter { match -> match.figures.keys.any(::isTemperature) }
+    val known = matches.all.filter { match -> match.numbers.keys.any(::isTemperature) }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the temperature of a motor", known.size)
-    val keys = known.flatMapTo(LinkedHashSet()) { match -> match.figures.keys.filter(::isTemperature) }
-    val hottest = keys.sortedByDescending { key -> known.maxOf { it.figures[key].takeIf(Double::isFinite) ?: COLD } }.take(MAX_MOTORS)
+    val keys = known.flatMapTo(LinkedHashSet()) { match -> match.numbers.keys.filter(::isTemperature) }
+    val hottest = keys.sortedByDescending { key -> known.maxOf { it.numbers[key].takeIf(Double::isFinite) ?: COLD } }.take(MAX_MOTORS)
     val names = hottest.zip(distinctNames(hottest.map { it.topic })).toMap()
     val points = hottest.flatMap { key ->
-        known.map { Point(it.place, it.figures[key], names.getValue(key)) }
+        known.map { Point(it.place, it.numbers[key], names.getValue(key)) }
     }.filter { it.celsius.isFinite() }
     val data = mapOf("x" to points.map { it.place }, "y" to points.map { it.celsius }, "motor" to points.map { it.motor })
     val values = points.map { it.celsius }
@@ -54,7 +54,7 @@ internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
 
 private class Point(val place: Int, val celsius: Double, val motor: String)
 
-private fun isTemperature(key: FigureKey) = key.signal == "motor temperature" && key.measure == Measure.HIGHEST
+private fun isTemperature(key: NumberKey) = key.signal == "motor temperature" && key.measure == Measure.HIGHEST
 
 private val HOT = Limit(80.0, "hot, 80 °C")
 private val TEXTS = ChartTexts(

@@ -14,7 +14,7 @@ import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
 import badlog.charts.match.LEAST_MATCHES
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomErrorBar
 import org.jetbrains.letsPlot.geom.geomHLine
@@ -25,22 +25,22 @@ import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /**
- * A figure over the matches, with its median and the band in which the middle half of the matches is.
+ * A number over the matches, with its median and the band in which the middle half of the matches is.
  *
  * @property texts its texts.
  * @property what what a log must show for it.
  * @property isWorseBelow whether a small value, rather than a large one, is worth a look.
  * @property limit the value at which it becomes a problem, with its name; null for none.
- * @property uncertainty returns the uncertainty of the figure; NaN for none.
- * @property figure returns the figure; NaN for none.
+ * @property uncertainty returns the uncertainty of the number; NaN for none.
+ * @property number returns the number; NaN for none.
  */
 internal class Trend(
     val texts: ChartTexts,
     val what: String,
     val isWorseBelow: Boolean,
     val limit: Limit? = null,
-    val uncertainty: (LogFigures) -> Double = { Double.NaN },
-    val figure: (LogFigures) -> Double,
+    val uncertainty: (LogNumbers) -> Double = { Double.NaN },
+    val number: (LogNumbers) -> Double,
 )
 
 internal val BATTERY_TREND = Trend(
@@ -55,8 +55,8 @@ internal val RESISTANCE_TREND = Trend(
     "battery voltage and a total current that varies",
     isWorseBelow = false,
     limit = Limit(25.0, "worn, 25 mΩ"),
-    uncertainty = LogFigures::uncertainty,
-    figure = LogFigures::resistance,
+    uncertainty = LogNumbers::uncertainty,
+    number = LogNumbers::resistance,
 )
 
 internal val LINK_TREND = Trend(
@@ -75,12 +75,12 @@ private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: 
 
 /** Returns [trend] over [matches]. */
 internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
-    val known = matches.all.filter { trend.figure(it.figures).isFinite() }
+    val known = matches.all.filter { trend.number(it.numbers).isFinite() }
     if (known.size < LEAST_MATCHES) return lacking(trend.texts, trend.what, known.size)
-    val values = known.map { trend.figure(it.figures) }
+    val values = known.map { trend.number(it.numbers) }
     val middle = Quartiles.of(values)
     val limit = trend.limit?.takeIf { it.isShownWith(values, trend.isWorseBelow) }
-    val ends = known.flatMap { trend.ends(it.figures) }
+    val ends = known.flatMap { trend.ends(it.numbers) }
     val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + ends + listOfNotNull(limit?.value), least = 0.0))
     val bars = if (ends.isEmpty()) null else "bars: 95 % uncertainty"
     val reading = listOfNotNull("band: the middle half", "dashed: the median", bars, limit?.reading).joinToString(" · ")
@@ -100,10 +100,10 @@ internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
     return MadeChart(Chart(trend.texts, reading, labeled + matchAxis(matches.all) + area.yScale()))
 }
 
-/** Returns the ends of the figure's uncertainty in [figures]; nothing if it has none. */
-private fun Trend.ends(figures: LogFigures): List<Double> {
-    val uncertain = uncertainty(figures)
-    return if (uncertain > 0) listOf(figure(figures) - uncertain, figure(figures) + uncertain) else emptyList()
+/** Returns the ends of the number's uncertainty in [numbers]; nothing if it has none. */
+private fun Trend.ends(numbers: LogNumbers): List<Double> {
+    val uncertain = uncertainty(numbers)
+    return if (uncertain > 0) listOf(number(numbers) - uncertain, number(numbers) + uncertain) else emptyList()
 }
 
 private fun Plot.withMiddle(middle: Quartiles, area: PlotArea): Plot {
@@ -122,12 +122,12 @@ private fun Plot.withMiddle(middle: Quartiles, area: PlotArea): Plot {
 }
 
 private fun Plot.withUncertainties(known: List<ChartedMatch>, trend: Trend): Plot {
-    val uncertain = known.filter { trend.uncertainty(it.figures) > 0 }
+    val uncertain = known.filter { trend.uncertainty(it.numbers) > 0 }
     if (uncertain.isEmpty()) return this
     val data = mapOf(
         "x" to uncertain.map { it.place },
-        "low" to uncertain.map { trend.figure(it.figures) - trend.uncertainty(it.figures) },
-        "high" to uncertain.map { trend.figure(it.figures) + trend.uncertainty(it.figures) },
+        "low" to uncertain.map { trend.number(it.numbers) - trend.uncertainty(it.numbers) },
+        "high" to uncertain.map { trend.number(it.numbers) + trend.uncertainty(it.numbers) },
     )
     return this + geomErrorBar(data, color = ChartColors.LINE, width = 0.25, alpha = 0.6, tooltips = tooltipsNone) {
         x = "x"

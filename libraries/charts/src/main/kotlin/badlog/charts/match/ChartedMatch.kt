@@ -1,6 +1,6 @@
 package badlog.charts.match
 
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.signals.match.MatchKind
 import badlog.signals.match.NaturalOrder
 
@@ -10,7 +10,7 @@ import badlog.signals.match.NaturalOrder
  * @property label its name on an axis: short, and different from those of all others.
  * @property place its place in the order of play, from 1.
  */
-internal class ChartedMatch(val label: String, val place: Int, val figures: LogFigures)
+internal class ChartedMatch(val label: String, val place: Int, val numbers: LogNumbers)
 
 /**
  * The matches of charts, in the order of play.
@@ -25,13 +25,13 @@ internal class ChartedMatches(val all: List<ChartedMatch>, val event: String, va
  * there are enough matches, without practice, in which a robot is driven otherwise.
  */
 internal fun matchesOf(logs: List<ChartedLog>): ChartedMatches {
-    val measured = logs.filter { it.figures.keys.isNotEmpty() || it.figures.distributions.isNotEmpty() }
-    val played = measured.filter { it.figures.kind == MatchKind.MATCH }.takeIf { it.size >= LEAST_MATCHES } ?: measured
+    val measured = logs.filter { it.numbers.keys.isNotEmpty() || it.numbers.distributions.isNotEmpty() }
+    val played = measured.filter { it.numbers.kind == MatchKind.MATCH }.takeIf { it.size >= LEAST_MATCHES } ?: measured
     val ordered = played.sortedWith(PLAY)
     // Logs of an unknown event may be of another one.
     val events = ordered.map { it.match.event?.trim().orEmpty() }.distinctBy { it.lowercase() }
     val labels = labelsOf(ordered)
-    val matches = ordered.mapIndexed { place, log -> ChartedMatch(labels[place], place + 1, log.figures) }
+    val matches = ordered.mapIndexed { place, log -> ChartedMatch(labels[place], place + 1, log.numbers) }
     return ChartedMatches(matches, events.singleOrNull()?.let { plainText(it, MAX_EVENT) }.orEmpty(), measured.size - played.size)
 }
 

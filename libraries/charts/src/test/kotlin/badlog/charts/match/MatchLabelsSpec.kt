@@ -12,9 +12,9 @@ import io.kotest.matchers.string.shouldNotContain
 import javax.xml.parsers.DocumentBuilderFactory
 
 class MatchLabelsSpec : FunSpec({
-    val figures = measuredLog(1).figures
+    val numbers = measuredLog(1).numbers
 
-    fun log(type: String? = null, number: String? = null, file: String = "log.bag", event: String? = null, began: Long? = null) = ChartedLog(MatchOfLog(event, type, number), file, began, figures)
+    fun log(type: String? = null, number: String? = null, file: String = "log.bag", event: String? = null, began: Long? = null) = ChartedLog(MatchOfLog(event, type, number), file, began, numbers)
 
     fun label(type: String? = null, number: String? = null, file: String = "log.bag") = labelsOf(listOf(log(type, number, file))).single()
 

@@ -4,9 +4,9 @@ import badlog.core.analysis.Units
 import badlog.expression.syntax.Conversion
 import badlog.expression.syntax.Function
 import badlog.expression.syntax.Kind
-import badlog.expression.syntax.Measure
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
+import badlog.expression.syntax.PhysicalUnit
 import badlog.expression.syntax.mistake
 
 /** What is known about the unit of some numbers. */
@@ -18,7 +18,7 @@ private sealed interface UnitOf {
     object None : UnitOf
 
     /** A known unit, called [text]. */
-    class Known(val measure: Measure, val text: String) : UnitOf
+    class Known(val measure: PhysicalUnit, val text: String) : UnitOf
 
     /** An unknown unit, called [text] if even that is known. */
     class Other(val text: String?) : UnitOf
@@ -37,9 +37,9 @@ internal object UnitChecker {
     private fun unitOf(node: Node): UnitOf = when (node) {
         is Node.Number -> UnitOf.Any
 
-        is Node.Time -> UnitOf.Known(Measure.AXIS, "")
+        is Node.Time -> UnitOf.Known(PhysicalUnit.AXIS, "")
 
-        is Node.Axis -> UnitOf.Known(Measure.AXIS, "")
+        is Node.Axis -> UnitOf.Known(PhysicalUnit.AXIS, "")
 
         is Node.Measured -> known(node.unit)
 
@@ -58,7 +58,7 @@ internal object UnitChecker {
     }
 
     private fun known(unit: String): UnitOf =
-        if (Units.isNone(unit)) UnitOf.None else Measure.of(unit)?.let { UnitOf.Known(it, unit) } ?: UnitOf.Other(unit)
+        if (Units.isNone(unit)) UnitOf.None else PhysicalUnit.of(unit)?.let { UnitOf.Known(it, unit) } ?: UnitOf.Other(unit)
 
     private fun unitOfBinary(node: Node.Binary): UnitOf {
         val left = unitOf(node.left)
@@ -100,7 +100,7 @@ internal object UnitChecker {
 
             else -> when (node.function.unit) {
                 Function.UnitOfResult.AS_FIRST -> first
-                Function.UnitOfResult.AXIS -> UnitOf.Known(Measure.AXIS, "")
+                Function.UnitOfResult.AXIS -> UnitOf.Known(PhysicalUnit.AXIS, "")
                 Function.UnitOfResult.NONE -> UnitOf.Any
                 Function.UnitOfResult.UNKNOWN -> UnitOf.Other(null)
             }

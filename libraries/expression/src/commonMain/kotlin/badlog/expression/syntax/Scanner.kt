@@ -75,7 +75,7 @@ internal class Scanner(private val text: String) {
         skipSpace()
         val word = wordAt(at)
         val isTaken = peekOperator() != null || word.lowercase() in NOT_UNITS
-        val unit = if (isTaken) "" else Measure.longestAt(text, at)
+        val unit = if (isTaken) "" else PhysicalUnit.longestAt(text, at)
         val seconds = Units.secondsIn(unit)
         if (unit.isEmpty()) {
             if (!isTaken && word.isNotEmpty()) fail(at, at + word.length, noUnit(word))

@@ -49,15 +49,15 @@ internal class StationEvents(
     override fun take(bytes: ByteArray, at: Int, size: Int) {
         val time = secondsAt(bytes, at) - originSeconds + (fractionAt(bytes, at) - originFraction)
         val text = bytes.decodeToString(at + HEADER_SIZE, at + size)
-        match.hear(text)
+        match.handle(text)
         // The newest comes first.
-        for (message in text.split("<TagVersion>").asReversed()) hear(time, message)
+        for (message in text.split("<TagVersion>").asReversed()) handle(time, message)
     }
 
-    private fun hear(time: Double, message: String) {
+    private fun handle(time: Double, message: String) {
         if ("<time>" !in message) {
             val split = SPEAKERS.fold(message) { text, speaker -> text.replace(" $speaker", "$END$speaker") }
-            split.split(END).forEach { hearUntagged(time, it) }
+            split.split(END).forEach { handleUntagged(time, it) }
         } else if ("<details>" in message) {
             val isError = message.between("<flags>", "<Code>").toIntOrNull()?.and(1) == 1
             val code = message.between("<Code>", "<details>")
@@ -70,7 +70,7 @@ internal class StationEvents(
         }
     }
 
-    private fun hearUntagged(time: Double, message: String) {
+    private fun handleUntagged(time: Double, message: String) {
         val found = SYSTEM_LINE.find(message)
         if (found == null) return add(events, time, message.trim())
         system.timestamps.add(time)

@@ -8,7 +8,7 @@ internal class StationMatch {
     private var match: List<String> = emptyList()
 
     /** Searches for it in the [text] of an entry. */
-    fun hear(text: String) {
+    fun handle(text: String) {
         EVENT.find(text)?.let { event = it.groupValues[1] }
         MATCH.find(text)?.let { match = it.groupValues }
     }

@@ -48,5 +48,5 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 /** Receives the payloads of an entry. */
 internal fun interface EntryListener {
     /** Receives the payload from [from] until [until] of a record at [micros]. */
-    fun heard(micros: Double, bytes: ByteArray, from: Int, until: Int)
+    fun handle(micros: Double, bytes: ByteArray, from: Int, until: Int)
 }

@@ -67,8 +67,8 @@ internal class MatchMetadata {
         offer("Start Time", startMicros(firstMicros)?.let(::wallTimeText))
     }
 
-    private fun longListener(hear: (micros: Double, number: Long) -> Unit) = EntryListener { micros, bytes, from, until ->
-        if (until - from == Long.SIZE_BYTES) hear(micros, longAt(bytes, from))
+    private fun longListener(handle: (micros: Double, number: Long) -> Unit) = EntryListener { micros, bytes, from, until ->
+        if (until - from == Long.SIZE_BYTES) handle(micros, longAt(bytes, from))
     }
 
     private companion object {

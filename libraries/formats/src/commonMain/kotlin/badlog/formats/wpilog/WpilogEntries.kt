@@ -126,7 +126,7 @@ internal class WpilogEntries(
         }
         val bad = entry.decoder.badCount
         entry.decoder.accept(micros / MICROS, bytes, from, until)
-        entry.listener?.heard(micros, bytes, from, until)
+        entry.listener?.handle(micros, bytes, from, until)
         return entry.decoder.badCount == bad
     }
 

@@ -17,7 +17,7 @@ import kotlin.random.Random
 private data class Found(val id: Int, val micros: Double, val payload: List<Byte>)
 
 /** The records that a parser reads of [bytes], by their places, and the recording that it makes of them. */
-private class Heard(bytes: ByteArray, piece: Int = bytes.size) {
+private class ReadLog(bytes: ByteArray, piece: Int = bytes.size) {
     val records = LinkedHashMap<Long, Found>()
     val ends = HashMap<Long, Long>()
     val recording = parseLog(bytes, piece)
@@ -60,7 +60,7 @@ private val ROBOT: ByteArray = TestLog("{}").apply {
     }
 }.bytes
 
-private val WHOLE = Heard(ROBOT)
+private val WHOLE = ReadLog(ROBOT)
 
 /** Where the records of entries begin, behind those that begin the entries. */
 private val BODY = WHOLE.records.entries.first { it.value.id != 0 }.key.toInt()
@@ -73,24 +73,24 @@ class WpilogDamageSpec : FunSpec({
         for (from in BODY until ROBOT.size - 6000 step 61) {
             val until = from + 4096
             val damaged = ROBOT.copyOf().also { it.fill(0, from, until) }
-            val heard = Heard(damaged)
-            val lost = intact(from, until + 75).filter { (at, record) -> heard.records[at] != record }
+            val log = ReadLog(damaged)
+            val lost = intact(from, until + 75).filter { (at, record) -> log.records[at] != record }
             // A record right before the hole may end in zeros of its own.
             lost.values.filter { it.payload.last() != 0.toByte() }.shouldBeEmpty()
-            (heard.records.keys - WHOLE.records.keys).shouldBeEmpty()
-            heard.count(ProblemKind.RECORDS_SKIPPED) shouldBe 1
+            (log.records.keys - WHOLE.records.keys).shouldBeEmpty()
+            log.count(ProblemKind.RECORDS_SKIPPED) shouldBe 1
         }
     }
 
     test("what was skipped is reported with its place and its size") {
         val from = WHOLE.records.keys.first { it > 12_000 }.toInt()
         val until = WHOLE.records.keys.first { it > 13_000 }.toInt()
-        val heard = Heard(ROBOT.copyOf().also { it.fill(-1, from, until) })
-        val problem = heard.recording.problems.single { it.kind != ProblemKind.NOT_DECODED }
+        val log = ReadLog(ROBOT.copyOf().also { it.fill(-1, from, until) })
+        val problem = log.recording.problems.single { it.kind != ProblemKind.NOT_DECODED }
         problem.kind shouldBe ProblemKind.RECORDS_SKIPPED
         problem.message shouldContain "$from to ${until - 1}"
         problem.loss.bytes shouldBe (until - from).toLong()
-        heard.records shouldBe WHOLE.records.filterKeys { it < from || it >= until }
+        log.records shouldBe WHOLE.records.filterKeys { it < from || it >= until }
     }
 
     test("random bytes, lost bytes and repeated bytes cost what they touch, and little else") {
@@ -103,9 +103,9 @@ class WpilogDamageSpec : FunSpec({
                 1 -> ROBOT.copyOf(from) + ROBOT.copyOfRange(from + size, ROBOT.size)
                 else -> ROBOT.copyOf(from + size) + ROBOT.copyOfRange(from, ROBOT.size)
             }
-            val heard = Heard(damaged, 4096).records.values.toSet()
+            val log = ReadLog(damaged, 4096).records.values.toSet()
             val until = if (it % 3 == 2) from else from + size
-            val lost = intact(from, until).filter { (_, record) -> record !in heard }
+            val lost = intact(from, until).filter { (_, record) -> record !in log }
             withClue("$it at $from, $size bytes") { lost.keys.sumOf { at -> (WHOLE.ends.getValue(at) - at).toInt() } shouldBeLessThan 1500 }
         }
     }
@@ -115,11 +115,11 @@ class WpilogDamageSpec : FunSpec({
         for ((record, byte) in listOf(2 to 0, 3 to 5)) {
             val at = WHOLE.records.keys.elementAt(record)
             val begin = WHOLE.ends.getValue(at).toInt() - WHOLE.records.getValue(at).payload.size
-            val heard = Heard(ROBOT.copyOf().also { it[begin + byte] = 99 })
-            heard.records.size shouldBe WHOLE.records.size - 1 - 150
-            heard.count(ProblemKind.BAD_RECORD) shouldBe 1
-            heard.count(ProblemKind.UNKNOWN_ENTRY) shouldBe 150
-            heard.recording.problems.none { it.kind == ProblemKind.RECORDS_SKIPPED } shouldBe true
+            val log = ReadLog(ROBOT.copyOf().also { it[begin + byte] = 99 })
+            log.records.size shouldBe WHOLE.records.size - 1 - 150
+            log.count(ProblemKind.BAD_RECORD) shouldBe 1
+            log.count(ProblemKind.UNKNOWN_ENTRY) shouldBe 150
+            log.recording.problems.none { it.kind == ProblemKind.RECORDS_SKIPPED } shouldBe true
         }
     }
 
@@ -128,34 +128,34 @@ class WpilogDamageSpec : FunSpec({
         val head = ROBOT[at.toInt()].toInt()
         val sizeAt = at.toInt() + 1 + (head and 3) + 1
         for (size in listOf(1, 3, 9, 40, 127, 255)) {
-            val heard = Heard(ROBOT.copyOf().also { it[sizeAt] = size.toByte() })
-            (WHOLE.records.keys - heard.records.keys).filter { it !in at..at + size + 100 }.shouldBeEmpty()
+            val log = ReadLog(ROBOT.copyOf().also { it[sizeAt] = size.toByte() })
+            (WHOLE.records.keys - log.records.keys).filter { it !in at..at + size + 100 }.shouldBeEmpty()
         }
         // With two more bytes for the size, what follows is taken for the rest of the record's head.
-        val longer = Heard(ROBOT.copyOf().also { it[at.toInt()] = (head or 8).toByte() })
+        val longer = ReadLog(ROBOT.copyOf().also { it[at.toInt()] = (head or 8).toByte() })
         (WHOLE.records.keys - longer.records.keys).size shouldBeLessThan 12
     }
 
     test("the entries whose start record is lost are listed by their numbers") {
         val third = WHOLE.records.keys.elementAt(2).toInt()
         val fifth = WHOLE.records.keys.elementAt(4).toInt()
-        val heard = Heard(ROBOT.copyOf().also { it.fill(0, third, fifth) })
-        heard.count(ProblemKind.UNKNOWN_ENTRY) shouldBe 300
-        heard.recording.problems.single { it.kind == ProblemKind.UNKNOWN_ENTRY }.message shouldContain "300 records belong to entries (numbers 3, 4)"
-        heard.recording.topics.size shouldBe Heard(ROBOT).recording.topics.size - 2
+        val log = ReadLog(ROBOT.copyOf().also { it.fill(0, third, fifth) })
+        log.count(ProblemKind.UNKNOWN_ENTRY) shouldBe 300
+        log.recording.problems.single { it.kind == ProblemKind.UNKNOWN_ENTRY }.message shouldContain "300 records belong to entries (numbers 3, 4)"
+        log.recording.topics.size shouldBe ReadLog(ROBOT).recording.topics.size - 2
     }
 
     test("damage at the end of a file costs only the records there") {
-        val heard = Heard(ROBOT.copyOf().also { it.fill(0, ROBOT.size - 500, ROBOT.size) })
-        heard.recording.problems.map { it.kind } - ProblemKind.NOT_DECODED shouldContainExactly listOf(ProblemKind.RECORDS_LOST)
+        val log = ReadLog(ROBOT.copyOf().also { it.fill(0, ROBOT.size - 500, ROBOT.size) })
+        log.recording.problems.map { it.kind } - ProblemKind.NOT_DECODED shouldContainExactly listOf(ProblemKind.RECORDS_LOST)
     }
 
     test("damage that goes on for megabytes is skipped with little memory") {
         val damaged = ROBOT.copyOf(12_000) + Random(5).nextBytes(3_000_000) + ROBOT.copyOfRange(12_000, ROBOT.size)
-        val heard = Heard(damaged, 65_536)
-        heard.records.size - WHOLE.records.size shouldBeLessThan 5
-        WHOLE.records.size - heard.records.size shouldBeLessThan 5
-        heard.recording.problems.sumOf { it.loss.bytes } shouldBeLessThan 3_000_200
+        val log = ReadLog(damaged, 65_536)
+        log.records.size - WHOLE.records.size shouldBeLessThan 5
+        WHOLE.records.size - log.records.size shouldBeLessThan 5
+        log.recording.problems.sumOf { it.loss.bytes } shouldBeLessThan 3_000_200
     }
 
     test("the size of the pieces makes no difference to what is saved") {
@@ -167,9 +167,9 @@ class WpilogDamageSpec : FunSpec({
                 val size = random.nextInt(1, 400)
                 if (random.nextBoolean()) damaged.fill(0, at, at + size) else random.nextBytes(size).copyInto(damaged, at)
             }
-            val whole = Heard(damaged)
+            val whole = ReadLog(damaged)
             for (piece in listOf(1, 7, 500, 4097)) {
-                val other = Heard(damaged, piece)
+                val other = ReadLog(damaged, piece)
                 describeLog(other.recording) shouldBe describeLog(whole.recording)
                 other.records shouldBe whole.records
             }

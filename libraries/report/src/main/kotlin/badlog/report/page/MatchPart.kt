@@ -4,8 +4,8 @@ import badlog.core.recording.Severity
 import badlog.report.LogReport
 import badlog.report.ORDER
 import badlog.rules.Finding
-import badlog.rules.comparison.figureText
 import badlog.rules.comparison.resistanceText
+import badlog.rules.comparison.threeDigitText
 import badlog.rules.incident.Incident
 import badlog.rules.number.Measure
 import badlog.rules.timeText
@@ -44,24 +44,24 @@ internal fun matchPart(log: IndexedLog): String {
 }
 
 private fun factsOf(report: LogReport): String {
-    val lowest = report.figures.of("battery", Measure.LOWEST)
-    val resistance = resistanceText(report.figures)
+    val lowest = report.numbers.of("battery", Measure.LOWEST)
+    val resistance = resistanceText(report.numbers)
     return listOfNotNull(
-        lowest.takeUnless { it.isNaN() }?.let { "battery down to ${figureText(it, "V")}" },
+        lowest.takeUnless { it.isNaN() }?.let { "battery down to ${threeDigitText(it, "V")}" },
         resistance.takeIf { it.isNotEmpty() }?.let { "battery and wiring $it" },
     ).joinToString(" · ")
 }
 
 private fun findingItem(finding: Finding, page: String?): String {
-    val told = "<span class=\"rule\">${escaped(finding.rule)}</span>${escaped(finding.text)}"
-    return item(finding.severity, finding, page) + "<div class=\"told\">$told</div></li>\n"
+    val content = "<span class=\"rule\">${escaped(finding.rule)}</span>${escaped(finding.text)}"
+    return item(finding.severity, finding, page) + "<div class=\"told\">$content</div></li>\n"
 }
 
 /** Returns what came first and what followed, each as a link to its evidence. */
 private fun incidentItem(incident: Incident, page: String?): String {
-    val told = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
+    val content = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
     val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"
-    return item(incident.severity, incident.first, page) + "<div class=\"told\">$told$next</div></li>\n"
+    return item(incident.severity, incident.first, page) + "<div class=\"told\">$content$next</div></li>\n"
 }
 
 private fun item(severity: Severity, finding: Finding, page: String?): String {

@@ -3,8 +3,8 @@ package badlog.report.page
 import badlog.core.recording.Severity
 import badlog.report.LogReport
 import badlog.rules.Finding
-import badlog.rules.comparison.figureText
-import badlog.rules.number.LogFigures
+import badlog.rules.comparison.threeDigitText
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 
 /**
@@ -14,7 +14,7 @@ internal fun overview(logs: List<IndexedLog>): String {
     val out = StringBuilder("<table class=\"overview\">\n<thead><tr><th scope=\"col\">Match</th>")
     for (title in listOf("Errors", "Warnings", "Notes")) out.append("<th scope=\"col\" class=\"count\">$title</th>")
     out.append("<th scope=\"col\" class=\"first\">Main finding</th>")
-    for ((title, unit) in FIGURES) out.append("<th scope=\"col\" class=\"count figure\">$title<br><small>$unit</small></th>")
+    for ((title, unit) in NUMBERS) out.append("<th scope=\"col\" class=\"count figure\">$title<br><small>$unit</small></th>")
     out.append("</tr></thead>\n<tbody>\n")
     for (log in logs.sortedWith(WORST_FIRST)) out.append(row(log))
     return out.append("</tbody>\n</table>\n").toString()
@@ -35,14 +35,14 @@ private fun row(log: IndexedLog): String {
     out.append("<th scope=\"row\">$name</th>")
     for (severity in listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)) {
         val count = log.report.count(severity)
-        val told = if (count == 0) "–" else "<span class=\"of-${severity.cssClass}\">$count</span>"
-        out.append("<td class=\"count\">$told</td>")
+        val cell = if (count == 0) "–" else "<span class=\"of-${severity.cssClass}\">$count</span>"
+        out.append("<td class=\"count\">$cell</td>")
     }
     val (first, finding) = firstOf(log.report)
     out.append("<td class=\"first\">${linked(first, log.page.takeIf { hasPart }, finding)}</td>")
-    for ((_, _, figure) in FIGURES) {
-        val value = figure(log.report.figures)
-        out.append("<td class=\"count figure\">${if (value.isNaN()) "–" else escaped(figureText(value, ""))}</td>")
+    for ((_, _, number) in NUMBERS) {
+        val value = number(log.report.numbers)
+        out.append("<td class=\"count figure\">${if (value.isNaN()) "–" else escaped(threeDigitText(value, ""))}</td>")
     }
     return out.append("</tr>\n").toString()
 }
@@ -53,7 +53,7 @@ private fun firstOf(report: LogReport): Pair<String, Finding?> = report.incident
 
 private fun LogReport.count(severity: Severity) = findings.count { it.severity == severity }
 
-private val FIGURES = listOf<Triple<String, String, (LogFigures) -> Double>>(
+private val NUMBERS = listOf<Triple<String, String, (LogNumbers) -> Double>>(
     Triple("Battery low", "V") { it.of("battery", Measure.LOWEST) },
     Triple("Resistance", "mΩ") { it.resistance },
 )

@@ -1,6 +1,6 @@
 package badlog.report.page
 
-import badlog.rules.comparison.figureText
+import badlog.rules.comparison.threeDigitText
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.faded
@@ -24,8 +24,8 @@ internal fun trendPlot(title: String, unit: String, points: List<TrendPoint>): S
     val sorted = known.map { it.value }.sorted()
     val usual = (sorted[(sorted.size - 1) / 2] + sorted[sorted.size / 2]) / 2
     val (lowest, highest) = known.minBy { it.value } to known.maxBy { it.value }
-    val said = "${known.size} matches, from ${text(lowest, unit)} to ${text(highest, unit)}, usually ${figureText(usual, unit)}"
-    val caption = "${escaped(title)}<small>usually ${escaped(figureText(usual, unit))}</small>"
+    val said = "${known.size} matches, from ${text(lowest, unit)} to ${text(highest, unit)}, usually ${threeDigitText(usual, unit)}"
+    val caption = "${escaped(title)}<small>usually ${escaped(threeDigitText(usual, unit))}</small>"
     val pen = SvgPen({ _, _, _ -> 0.0 }, cssOf = ::themed)
     TrendPlot(points, known, unit).draw(pen, usual, if (lowest.value == highest.value) listOf(lowest) else listOf(lowest, highest))
     val picture = pen.document(WIDTH, HEIGHT, colors[Shade.SURFACE])
@@ -41,13 +41,13 @@ private class TrendPlot(private val points: List<TrendPoint>, known: List<TrendP
     fun draw(pen: SvgPen, usual: Double, extremes: List<TrendPoint>) {
         pen.segments(Points().line(LEFT, y(usual), RIGHT, y(usual)), colors[Shade.MUTED], 1.0, DASH)
         for (extreme in extremes) {
-            pen.text(figureText(extreme.value, ""), LEFT - GAP, y(extreme.value), LETTERS, colors[Shade.MUTED], TextSide.LEFT)
+            pen.text(threeDigitText(extreme.value, ""), LEFT - GAP, y(extreme.value), LETTERS, colors[Shade.MUTED], TextSide.LEFT)
         }
         val places = points.indices.filter { points[it].value.isFinite() }
         val line = Points()
         for (place in places) line.add(x(place), y(points[place].value))
         pen.chain(line, isClosed = false, colors[Shade.ACCENT], LINE)
-        for (place in places) pen.titled("${points[place].name}: ${figureText(points[place].value, unit)}") { drawPoint(pen, place) }
+        for (place in places) pen.titled("${points[place].name}: ${threeDigitText(points[place].value, unit)}") { drawPoint(pen, place) }
         pen.text("first match", LEFT, BELOW, LETTERS, colors[Shade.MUTED])
         pen.text("last match", RIGHT, BELOW, LETTERS, colors[Shade.MUTED], TextSide.LEFT)
     }
@@ -74,7 +74,7 @@ private class TrendPlot(private val points: List<TrendPoint>, known: List<TrendP
 
 private val TrendPoint.spread get() = if (uncertainty.isFinite()) uncertainty else 0.0
 
-private fun text(point: TrendPoint, unit: String) = "${figureText(point.value, unit)} (${point.name})"
+private fun text(point: TrendPoint, unit: String) = "${threeDigitText(point.value, unit)} (${point.name})"
 
 private val colors = PenColors.LIGHT
 

@@ -129,12 +129,12 @@ class HookRunnerSpec : FunSpec({
     }
 
     test("a hook ends, and its header is deleted, when the program is asked to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
-        val told = File.createTempFile("hook", ".txt")
+        val report = File.createTempFile("hook", ".txt")
         try {
             val program = """
                 import os, subprocess, sys, time
                 child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(3600)'])
-                open(r'$told', 'w').write('%d %d %s .' % (os.getpid(), child.pid, os.environ['BADLOG_HEADER']))
+                open(r'$report', 'w').write('%d %d %s .' % (os.getpid(), child.pid, os.environ['BADLOG_HEADER']))
                 time.sleep(3600)
             """.trimIndent()
             val java = File(System.getProperty("java.home"), "bin/java").path
@@ -148,8 +148,8 @@ class HookRunnerSpec : FunSpec({
                 "-c",
                 program,
             ).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
-            eventually(2.minutes) { told.readText() shouldEndWith "." }
-            val (hook, child, header) = told.readText().split(' ')
+            eventually(2.minutes) { report.readText() shouldEndWith "." }
+            val (hook, child, header) = report.readText().split(' ')
             File(header).exists() shouldBe true
             ending.destroy()
             eventually(2.minutes) {
@@ -158,29 +158,29 @@ class HookRunnerSpec : FunSpec({
             }
             File(header).exists() shouldBe false
         } finally {
-            told.delete()
+            report.delete()
         }
     }
 
     test("a hook that takes too long is killed, with what it started").config(enabled = HAS_PYTHON) {
-        val told = File.createTempFile("hook", ".txt")
+        val report = File.createTempFile("hook", ".txt")
         val program = """
             import os, subprocess, sys, time
             child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(3600)'])
-            open(r'$told', 'w').write('%d %d' % (os.getpid(), child.pid))
+            open(r'$report', 'w').write('%d %d' % (os.getpid(), child.pid))
             time.sleep(3600)
         """.trimIndent()
         val took = measureTime {
             for (limit in LIMITS) {
                 shouldThrow<HookException> { python(program, limit) }.message shouldContain "took longer than $limit"
-                if (told.length() > 0) break
+                if (report.length() > 0) break
             }
         }
         took shouldBeLessThan 30.minutes
-        val started = told.readText().split(' ')
+        val started = report.readText().split(' ')
         started.size shouldBe 2
         eventually(2.minutes) { started.filter(::isRunning).shouldBeEmpty() }
-        told.delete()
+        report.delete()
     }
 
     test("a process that outlives its hook and keeps its output open is killed at the time limit").config(enabled = HAS_PYTHON) {

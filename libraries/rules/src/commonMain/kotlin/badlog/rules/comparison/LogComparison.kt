@@ -1,13 +1,13 @@
 package badlog.rules.comparison
 
-import badlog.rules.Comparison
+import badlog.rules.ComparisonRule
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.number.Baseline
 import badlog.rules.number.ComparedSignal
-import badlog.rules.number.FigureKey
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
+import badlog.rules.number.NumberKey
 import badlog.rules.timeText
 import badlog.signals.match.MatchKind
 import kotlin.math.abs
@@ -17,10 +17,10 @@ import kotlin.math.round
  * How a log differs from the team's others.
  *
  * @property findings the differences that are large enough to be findings, the largest first.
- * @property figures the figure of each of [findings].
+ * @property numbers the number of each of [findings].
  * @property differences the differences that are large enough to be mentioned in a related incident; [findings] first.
  */
-class LogDifferences internal constructor(val findings: List<Finding>, val figures: List<FigureKey>, val differences: List<Finding>) {
+class LogDifferences internal constructor(val findings: List<Finding>, val numbers: List<NumberKey>, val differences: List<Finding>) {
     companion object {
         /** No differences. */
         val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
@@ -33,7 +33,7 @@ class LogDifferences internal constructor(val findings: List<Finding>, val figur
  *
  * @return a result for each log.
  */
-fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
+fun RuleSet.compared(logs: List<LogNumbers>): List<LogDifferences> {
     val found = arrayOfNulls<LogDifferences>(logs.size)
     if (comparisons.isNotEmpty()) {
         for (kind in MatchKind.entries) {
@@ -47,17 +47,17 @@ fun RuleSet.compared(logs: List<LogFigures>): List<LogDifferences> {
 }
 
 /** Compares [logs] of the same kind by [rules]. */
-private class LogComparison(private val rules: List<Comparison>, private val logs: List<LogFigures>) {
-    /** The indices of the logs that have a figure, in order, and their values. */
+private class LogComparison(private val rules: List<ComparisonRule>, private val logs: List<LogNumbers>) {
+    /** The indices of the logs that have a number, in order, and their values. */
     private class Column {
         val logs = ArrayList<Int>()
         val values = ArrayList<Double>()
     }
 
-    private val columns = HashMap<FigureKey, Column>()
+    private val columns = HashMap<NumberKey, Column>()
 
     // Logs with the same topics have the same list of keys.
-    private val columnsOf = HashMap<List<FigureKey>, List<Column>>()
+    private val columnsOf = HashMap<List<NumberKey>, List<Column>>()
 
     init {
         for ((place, log) in logs.withIndex()) {
@@ -69,7 +69,7 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         }
     }
 
-    private class Difference(val rule: Comparison, val key: FigureKey, val value: Double, val usual: Baseline, val strength: Double)
+    private class Difference(val rule: ComparisonRule, val key: NumberKey, val value: Double, val usual: Baseline, val strength: Double)
 
     fun differencesOf(place: Int): LogDifferences {
         val log = logs[place]
@@ -90,9 +90,9 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         return LogDifferences(findings.values.toList(), findings.keys.map { it.key }, all)
     }
 
-    private fun columnsOf(log: LogFigures) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
+    private fun columnsOf(log: LogNumbers) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
 
-    /** Returns the figures of the logs nearest to that at [place], because a robot changes over a season. */
+    /** Returns the numbers of the logs nearest to that at [place], because a robot changes over a season. */
     private fun othersOf(column: Column, place: Int): DoubleArray {
         val at = column.logs.binarySearch(place)
         val from = (at - MOST / 2).coerceAtMost(column.logs.size - MOST - 1).coerceAtLeast(0)
@@ -103,14 +103,14 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         return others
     }
 
-    private fun differenceOf(log: LogFigures, figure: Int, others: DoubleArray, rule: Comparison): Difference? {
-        val key = log.keys[figure]
-        val value = log.values[figure]
+    private fun differenceOf(log: LogNumbers, number: Int, others: DoubleArray, rule: ComparisonRule): Difference? {
+        val key = log.keys[number]
+        val value = log.values[number]
         val signal = ComparedSignal.of(key.signal) ?: return null
         val isBothWays = signal.isOfMotor && key.measure == Measure.DRIVING
         val isBelow = others.count { value < it } > others.size / 2
         if (!isBothWays && isBelow != signal.isWorseBelow) return null
-        // Most figures are among those of the others, which can be seen without sorting.
+        // Most numbers are among those of the others, which can be seen without sorting.
         if (others.count { if (isBelow) it <= value else it >= value } > MOST_BEYOND) return null
         val usual = Baseline(others)
         // A motor that is usually off, such as that of a compressor or a climber, is on when needed.
@@ -125,15 +125,15 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         return if (strength >= LEAST_STRENGTH && away >= least) Difference(rule, key, value, usual, strength) else null
     }
 
-    private fun findingOf(difference: Difference, log: LogFigures): Finding {
+    private fun findingOf(difference: Difference, log: LogNumbers): Finding {
         val (key, usual) = difference.key to difference.usual
         val text = difference.rule.text.filled(
             mapOf(
                 "topic" to key.topic,
                 "when" to key.measure.words,
-                "value" to if (key.measure == Measure.RESISTANCE) resistanceText(log) else figureText(difference.value, key.unit),
+                "value" to if (key.measure == Measure.RESISTANCE) resistanceText(log) else threeDigitText(difference.value, key.unit),
                 "difference" to differenceText(difference),
-                "usual" to figureText(usual.median, key.unit),
+                "usual" to threeDigitText(usual.median, key.unit),
                 "others" to "${usual.count} other ${log.kind.words}",
             ),
         )
@@ -166,9 +166,9 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         val word = if (away > 0) "above" else "below"
         val median = difference.usual.median
         val isRatio = ComparedSignal.of(difference.key.signal)?.isRatio == true
-        if (!isRatio || median <= 0) return "${figureText(abs(away), difference.key.unit)} $word"
+        if (!isRatio || median <= 0) return "${threeDigitText(abs(away), difference.key.unit)} $word"
         val ratio = difference.value / median
-        return if (ratio >= MANY_TIMES) "${figureText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
+        return if (ratio >= MANY_TIMES) "${threeDigitText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
     }
 
     private companion object {
@@ -183,27 +183,27 @@ private class LogComparison(private val rules: List<Comparison>, private val log
         const val MANY_TIMES = 3.0
         const val LEAST_AMPS = 0.5
 
-        /** Only a few figures are related to an incident, so a smaller difference is enough. */
+        /** Only a few numbers are related to an incident, so a smaller difference is enough. */
         const val LEAST_STRENGTH = 0.5
     }
 }
 
 /** Returns the resistance of a log's battery with its uncertainty: `24.8 ± 0.9 mΩ`. Empty if the log does not show it. */
-fun resistanceText(log: LogFigures): String =
-    if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_TOLD))} mΩ"
+fun resistanceText(log: LogNumbers): String =
+    if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_SHOWN))} mΩ"
 
 private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
 
-private const val LEAST_TOLD = 0.1
+private const val LEAST_SHOWN = 0.1
 
 /** Returns the topics that show [key]: its own, or, for the resistance, those of battery voltage and current. */
-private fun LogFigures.evidenceOf(key: FigureKey): List<String> {
+private fun LogNumbers.evidenceOf(key: NumberKey): List<String> {
     val current = if (key.measure == Measure.RESISTANCE) keys.find { it.signal == "total current" }?.topic else null
     return listOfNotNull(key.topic, current).filter { it != SUM_OF_CHANNELS }
 }
 
-/** Returns a figure with its unit, in three digits: `23.1 A`. */
-fun figureText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
+/** Returns a number with its unit, in three digits: `23.1 A`. */
+fun threeDigitText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
 
 private fun threeDigits(value: Double): Double {
     var scale = 1.0

@@ -2,7 +2,7 @@ package badlog.rules.comparison
 
 import badlog.rules.Finding
 import badlog.rules.RuleSet
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 
 /**
  * A log among others of a folder.
@@ -10,7 +10,7 @@ import badlog.rules.number.LogFigures
  * @property match the match that it is of; null if it does not say.
  * @property found what the rules found in it alone.
  */
-class LogOfFolder(val file: String, val match: String?, val figures: LogFigures, val found: List<Finding>)
+class LogOfFolder(val file: String, val match: String?, val numbers: LogNumbers, val found: List<Finding>)
 
 /**
  * Returns for each of [logs], which are in the order of time, that the robot code had restarted before it: it begins with an enabled robot,
@@ -19,8 +19,8 @@ class LogOfFolder(val file: String, val match: String?, val figures: LogFigures,
 fun RuleSet.restartsIn(logs: List<LogOfFolder>): List<Finding?> {
     val rule = rules.find { it.name == RESTARTED }
     return logs.mapIndexed { at, log ->
-        val before = logs.getOrNull(at - 1)?.takeIf { log.match != null && it.match == log.match && it.figures.endsEnabled }
-        if (rule == null || before == null || !log.figures.beginsEnabled || log.found.any { it.rule == RESTARTED }) return@mapIndexed null
+        val before = logs.getOrNull(at - 1)?.takeIf { log.match != null && it.match == log.match && it.numbers.endsEnabled }
+        if (rule == null || before == null || !log.numbers.beginsEnabled || log.found.any { it.rule == RESTARTED }) return@mapIndexed null
         val text = "The log begins while the robot was enabled, and “${before.file}”, of the same match, ended so: " +
             "the robot code had restarted."
         Finding(rule.name, rule.severity, null, text, Double.NaN, emptyList(), 1, "", next = rule.next)

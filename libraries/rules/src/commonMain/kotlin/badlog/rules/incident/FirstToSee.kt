@@ -22,10 +22,10 @@ class FirstToSee internal constructor(val finding: Finding, val incident: Incide
 fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? {
     val worst: Severity = findings.maxOfOrNull { it.severity } ?: return null
     val incident = incidents.firstOrNull()?.takeIf { it.severity == worst }
-    val finding = incident?.lastTold(worst) ?: incident?.first ?: findings.worstFirst().first()
+    val finding = incident?.lastReported(worst) ?: incident?.first ?: findings.worstFirst().first()
     return FirstToSee(finding, incident)
 }
 
 /** Returns the last finding of [severity] that its sentences report; one about the whole log comes before all others. */
-private fun Incident.lastTold(severity: Severity): Finding? = sentences.map { it.finding }.filter { it.severity == severity }
+private fun Incident.lastReported(severity: Severity): Finding? = sentences.map { it.finding }.filter { it.severity == severity }
     .maxByOrNull { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }

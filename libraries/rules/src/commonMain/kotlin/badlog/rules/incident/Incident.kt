@@ -38,16 +38,16 @@ class Incident internal constructor(
      */
     val sentences: List<Sentence>
         get() {
-            val told = effects.filter {
+            val reported = effects.filter {
                 it.severity != Severity.NOTE && !isSaidByCause(it)
             }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_TOLD)
             return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
-                told.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
+                reported.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
                 listOfNotNull(difference?.let { Sentence(it.text, it) })
         }
 
     /** The effects that [sentences] omit. */
-    val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { told -> effects.filter { it !in told } }
+    val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { reported -> effects.filter { it !in reported } }
 
     /** The full names of the topics that show what [sentences] say, in order. */
     val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()

@@ -3,7 +3,7 @@ package badlog.rules.number
 import kotlin.math.abs
 
 /**
- * The same figure in the team's other logs: its median, and the usual distance from it (1.4826 times the median absolute
+ * The same number in the team's other logs: its median, and the usual distance from it (1.4826 times the median absolute
  * deviation, which for a normal distribution is the standard deviation). A single unusual log changes neither.
  *
  * @property second the distance from the median of the second farthest log.

@@ -1,7 +1,7 @@
 package badlog.rules.number
 
 /**
- * A signal whose topics have figures to compare.
+ * A signal whose topics have numbers to compare.
  *
  * @property least smaller differences do not count, in the unit of the signal.
  * @property isRatio whether a difference is relative to the usual value, rather than absolute as for voltages.
@@ -33,7 +33,7 @@ internal class ComparedSignal(
             ComparedSignal("motor current", CURRENT, least = 3.0, isOfMotor = true),
             ComparedSignal("stator current", CURRENT, least = 5.0, isOfMotor = true),
             ComparedSignal("motor temperature", listOf(Measure.HIGHEST), least = 12.0, isRatio = false),
-            ComparedSignal(FigureKey.RESISTANCE, listOf(Measure.RESISTANCE), least = 3.0),
+            ComparedSignal(NumberKey.RESISTANCE, listOf(Measure.RESISTANCE), least = 3.0),
         )
 
         private val BY_NAME = ALL.associateBy { it.signal }

@@ -41,12 +41,12 @@ class DistributionSpec : FunSpec({
 
     test("distributions come back from text as they were, and a damaged line is left out") {
         val loops = checkNotNull(of(listOf(5.5, 7.25, 33.0, 70.0)))
-        val text = LogFigures(MatchKind.MATCH, emptyList(), DoubleArray(0), Double.NaN, distributions = listOf(loops)).toText()
-        val back = checkNotNull(FigureReader().read(text).distributionOf("loop time"))
+        val text = LogNumbers(MatchKind.MATCH, emptyList(), DoubleArray(0), Double.NaN, distributions = listOf(loops)).toText()
+        val back = checkNotNull(LogNumbersReader().read(text).distributionOf("loop time"))
         back.quantiles shouldBe loops.quantiles
         back.seconds shouldBe loops.seconds
         back.unit shouldBe "ms"
-        fun read(distributions: String) = FigureReader().read(FigureText(text.names, text.values, distributions)).distributions.size
+        fun read(distributions: String) = LogNumbersReader().read(LogNumbersText(text.names, text.values, distributions)).distributions.size
         for (damaged in listOf("", "x", "loop time\tms\t1;2\t1.0\t3*", text.distributions.replace("*", "x"), text.distributions.replace("5*", "5000000000*"))) {
             read(damaged) shouldBe 0
         }

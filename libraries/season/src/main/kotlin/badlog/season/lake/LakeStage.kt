@@ -139,10 +139,10 @@ internal fun writeParquet(
     Files.createDirectories(target.parent)
     val draft = target.resolveSibling("${LakeLayout.DRAFT}${UUID.randomUUID()}.part")
     try {
-        val told = metadata?.let { (name, text) -> ", KV_METADATA {${literal(name)}: ${literal(text)}}" }.orEmpty()
+        val option = metadata?.let { (name, text) -> ", KV_METADATA {${literal(name)}: ${literal(text)}}" }.orEmpty()
         val group = (MAX_GROUP_CELLS / maxOf(columns, 1)).coerceIn(MIN_GROUP, MAX_GROUP)
         val rows = connection.run(
-            "COPY ($select) TO ${literal("$draft")} (FORMAT parquet, COMPRESSION zstd, COMPRESSION_LEVEL 2, ROW_GROUP_SIZE $group$told)",
+            "COPY ($select) TO ${literal("$draft")} (FORMAT parquet, COMPRESSION zstd, COMPRESSION_LEVEL 2, ROW_GROUP_SIZE $group$option)",
         )
         Files.move(draft, target, ATOMIC_MOVE, REPLACE_EXISTING)
         return rows

@@ -4,6 +4,7 @@ import badlog.core.recording.Recording
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.START_VALUE
 import badlog.signals.clock.loggedStart
+import badlog.signals.match.MatchOfLog
 import badlog.signals.match.dateInName
 import badlog.signals.match.dateInText
 import badlog.signals.match.matchOf
@@ -15,18 +16,15 @@ import java.time.ZoneOffset
  * The match and time of a log, from its values, its topics or its file's name.
  *
  * @property partition the season and the event.
- * @property type the type of match, such as `Qualification`; null if unknown.
- * @property number the number of the match, only its first digits; null if unknown.
- * @property title its name for people.
+ * @property match the match.
+ * @property number its number, only the first digits; null if unknown.
  * @property zero when its x was 0, in s since 1970; null unless a clock with UTC shows it.
  * @property start when its first sample was, likewise.
  */
 internal class LogIdentity private constructor(
     val partition: Partition,
-    val type: String?,
+    val match: MatchOfLog,
     val number: Int?,
-    val title: String?,
-    val alliance: String?,
     val zero: Double?,
     val start: Double?,
 ) {
@@ -42,10 +40,8 @@ internal class LogIdentity private constructor(
             val year = second?.let { LocalDateTime.ofEpochSecond(it, 0, ZoneOffset.UTC).year }
             return LogIdentity(
                 Partition(year, match.event),
-                match.type,
+                match,
                 match.number?.let { NUMBER.find(it) }?.value?.toInt(),
-                match.title,
-                match.alliance,
                 zero,
                 start,
             )

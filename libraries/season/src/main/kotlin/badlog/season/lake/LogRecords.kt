@@ -33,7 +33,7 @@ internal class LogRecords(
 ) {
     private val recording = view.recording
     private val secondsPerX = Units.secondsIn(view.xAxis.unit) ?: 1.0
-    private val events = recording.topics.filter { tellsEvents(it) }.flatMap { topic ->
+    private val events = recording.topics.filter { holdsEvents(it) }.flatMap { topic ->
         view.eventsOf(topic).events.map { listOf(log, topic.name, it.x, momentOf(it.x), it.text) }
     }
 
@@ -51,7 +51,7 @@ internal class LogRecords(
     private fun momentOf(x: Double): Long? = identity.zero?.let { microsOf(it + x * secondsPerX) }
 
     /** Texts among numbers have no other place in a lake. */
-    private fun tellsEvents(topic: Topic) = topic.texts.size > 0 && (topic.kind != TopicKind.STATE || "log" in topic.attributes)
+    private fun holdsEvents(topic: Topic) = topic.texts.size > 0 && (topic.kind != TopicKind.STATE || "log" in topic.attributes)
 
     private fun topicRecord(topic: Topic): List<Any?> {
         val positions = topic.times ?: if (topic.size == recording.rowCount) view.xAxis.positions else DoubleArray(0)
@@ -91,7 +91,7 @@ internal class LogRecords(
     private fun matchRecord(): List<Any?> {
         val range = view.xAxis.range
         return listOf(
-            log, identity.title, identity.type, identity.number, identity.alliance, identity.start?.let(::microsOf),
+            log, identity.match.title, identity.match.type, identity.number, identity.match.alliance, identity.start?.let(::microsOf),
             range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex }, view.xAxis.name,
             view.xAxis.unit.takeUnless(Units::isNone), recording.format.id, recording.rowCount.toLong(),
             recording.sampleCount, recording.topics.size.toLong(), events.size.toLong(), findings.size.toLong(), recording.isSalvaged,

@@ -26,7 +26,7 @@ internal object FixedColumns {
 /** Returns the columns that are the same in each row of the log [log] of [identity]. */
 internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, String>> = listOf(
     FixedColumns.LOG to literalOrNull(log),
-    FixedColumns.TYPE to literalOrNull(identity.type),
+    FixedColumns.TYPE to literalOrNull(identity.match.type),
     FixedColumns.NUMBER to (identity.number?.toString() ?: "NULL") + "::INTEGER",
 )
 

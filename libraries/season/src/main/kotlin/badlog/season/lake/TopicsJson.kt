@@ -12,15 +12,15 @@ import kotlinx.serialization.json.JsonPrimitive
 internal fun topicsJson(topics: List<Topic>, columnOf: Map<Topic, String>, identity: LogIdentity): String = JsonObject(
     mapOf(
         "version" to JsonPrimitive(LakeLayout.VERSION),
-        "title" to JsonPrimitive(identity.title),
+        "title" to JsonPrimitive(identity.match.title),
         "columns" to JsonObject(
             topics.associate { topic ->
-                val told = mapOf(
+                val fields = mapOf(
                     "topic" to JsonPrimitive(topic.name),
                     "unit" to JsonPrimitive(unitOf(topic)),
                     "attributes" to JsonArray(topic.attributes.map(::JsonPrimitive)),
                 )
-                (columnOf[topic] ?: topic.name) to JsonObject(told)
+                (columnOf[topic] ?: topic.name) to JsonObject(fields)
             },
         ),
     ),

@@ -98,9 +98,9 @@ class LakeDatabase private constructor(
     }
 
     private fun give(rows: ResultSet, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean) {
-        val told = rows.metaData
-        columns((1..told.columnCount).map { SqlColumn(told.getColumnLabel(it), told.getColumnTypeName(it)) })
-        while (rows.next()) if (!row((1..told.columnCount).map { jsonOf(rows.getObject(it)) })) return
+        val described = rows.metaData
+        columns((1..described.columnCount).map { SqlColumn(described.getColumnLabel(it), described.getColumnTypeName(it)) })
+        while (rows.next()) if (!row((1..described.columnCount).map { jsonOf(rows.getObject(it)) })) return
     }
 
     private fun <R> asking(sql: String, work: () -> R): R = try {
@@ -116,18 +116,18 @@ class LakeDatabase private constructor(
 
     /** Only queries can be written as JSON by DuckDB, so anything else is refused before any of it is executed. */
     private fun requireQuery(sql: String) {
-        val told = connection.createStatement().use { statement ->
+        val parsed = connection.createStatement().use { statement ->
             statement.executeQuery("SELECT json_serialize_sql(${literal(sql)})").use { rows ->
                 rows.next()
                 Json.parseToJsonElement(rows.getString(1)).jsonObject
             }
         }
-        if (told["error"]?.jsonPrimitive?.content == "true") {
-            val message = told["error_message"]?.jsonPrimitive?.content.orEmpty()
+        if (parsed["error"]?.jsonPrimitive?.content == "true") {
+            val message = parsed["error_message"]?.jsonPrimitive?.content.orEmpty()
             throw SqlException(if ("SELECT" in message) ONLY_QUERIES else "The query is wrong: $message")
         }
-        if (told["statements"]?.jsonArray?.size != 1) throw SqlException(ONLY_QUERIES)
-        if (isConfined) QuerySources.require(told)
+        if (parsed["statements"]?.jsonArray?.size != 1) throw SqlException(ONLY_QUERIES)
+        if (isConfined) QuerySources.require(parsed)
     }
 
     override fun close() {

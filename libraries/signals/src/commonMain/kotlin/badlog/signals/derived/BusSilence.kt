@@ -20,8 +20,8 @@ fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> 
         val from = own.x[i]
         val to = if (i + 1 < own.size) own.x[i + 1] else end
         if (to - from < least || !isEnabled(from) || !isEnabled(from + least)) continue
-        val heard = others.count { it.firstAtOrAfter(to - usual) - it.firstAtOrAfter(from + usual) > 1 }
-        if (2 * heard <= others.size) continue
+        val sending = others.count { it.firstAtOrAfter(to - usual) - it.firstAtOrAfter(from + usual) > 1 }
+        if (2 * sending <= others.size) continue
         times += from
         gaps += to - from
         times += to

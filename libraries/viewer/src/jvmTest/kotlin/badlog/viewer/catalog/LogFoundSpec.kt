@@ -34,8 +34,8 @@ class LogFoundSpec : FunSpec({
     test("the headline is what the sentences tell, and of several findings without an incident it is the first one") {
         val heavy = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 90.0, it) }
         val chain = listOf("Low battery" to 91.0, "Browned out" to 91.5, "Main breaker" to 92.0).map { (rule, at) -> finding(rule, Severity.ERROR, at) }
-        val told = verdict(*heavy.toTypedArray(), *chain.toTypedArray())!!
-        told.sentences.any { told.headline.substringBefore(" at ") in it } shouldBe true
+        val found = verdict(*heavy.toTypedArray(), *chain.toTypedArray())!!
+        found.sentences.any { found.headline.substringBefore(" at ") in it } shouldBe true
         verdict(finding("Late", Severity.ERROR, 80.0), finding("Early", Severity.ERROR, 5.0))!!.headline shouldBe "Early at 0:05"
     }
 

@@ -17,25 +17,25 @@ public class RecordPiece(public val entry: RecordEntry, public val offsetMicros:
  *
  * @property described a topic with the entry's unit and attributes, if its old name implied them; otherwise null.
  */
-public class RecordLane(public val name: String, public val pieces: List<RecordPiece>, public val described: Topic? = null)
+public class MergedEntry(public val name: String, public val pieces: List<RecordPiece>, public val described: Topic? = null)
 
 /**
- * Writes a WPILOG that has all records of [lanes] in the order of time, with the payloads from their own logs; at equal times,
- * those of the earlier piece come first. A record that several pieces of a lane have, with the same time and payload, is written
+ * Writes a WPILOG that has all records of [entries] in the order of time, with the payloads from their own logs; at equal times,
+ * those of the earlier piece come first. A record that several pieces of an entry have, with the same time and payload, is written
  * once.
  *
  * The first of its pieces defines an entry. If it is the only one, its metadata and its end are also written at their times.
  */
-public class RecordMerge(private val lanes: List<RecordLane>) {
+public class RecordMerge(private val entries: List<MergedEntry>) {
     private val out = RecordBuffer()
-    private val lane = IntList()
+    private val merged = IntList()
     private val piece = IntList()
     private val record = IntList()
     private val times = ArrayList<DoubleArray>()
 
-    private val repeats = IntArray(lanes.size)
+    private val repeats = IntArray(entries.size)
 
-    /** For each lane, the number of records skipped because another piece also has them. */
+    /** For each entry, the number of records skipped because another piece also has them. */
     public val repeated: List<Int> get() = repeats.asList()
 
     /**
@@ -47,12 +47,12 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
      *   exception from it stops the writing and is passed on.
      */
     public fun write(progress: (done: Long, total: Long) -> Unit = { _, _ -> }, sink: (bytes: ByteArray, size: Int) -> Unit) {
-        val headers = lanes.flatMap { it.pieces }.map { it.entry.log.header }
+        val headers = entries.flatMap { it.pieces }.map { it.entry.log.header }
         val header = headers.firstOrNull()?.takeIf { first -> headers.all { it.contentEquals(first) } }
         if (header == null) out.header(WpilogParser.OWN_HEADER) else out.copy(header, 0, header.size)
-        lanes.forEachIndexed { index, lane ->
-            start(index + 1, lane)
-            append(index, lane)
+        entries.forEachIndexed { index, merged ->
+            start(index + 1, merged)
+            append(index, merged)
         }
         val all = DoubleArray(record.size)
         var at = 0
@@ -62,8 +62,8 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         }
         val order = stableOrder(all)
         for (i in order.indices) {
-            val from = lanes[lane[order[i]]].pieces[piece[order[i]]]
-            copy(lane[order[i]] + 1, from, record[order[i]], all[order[i]])
+            val from = entries[merged[order[i]]].pieces[piece[order[i]]]
+            copy(merged[order[i]] + 1, from, record[order[i]], all[order[i]])
             if (out.size < PIECE && i < order.lastIndex) continue
             sink(out.bytes, out.size)
             out.clear()
@@ -72,17 +72,17 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         if (out.size > 0) sink(out.bytes, out.size)
     }
 
-    private fun start(id: Int, lane: RecordLane) {
-        val first = lane.pieces.first()
+    private fun start(id: Int, merged: MergedEntry) {
+        val first = merged.pieces.first()
         val entry = first.entry
         val begin = entry.controls.firstOrNull { entry.log.store.controlKind(it) == ControlKind.START }
         val metadata = when {
-            lane.described != null -> metadataOf(lane.described.copy(name = lane.name))
-            lane.pieces.size > 1 || begin == null -> entry.metadata
+            merged.described != null -> metadataOf(merged.described.copy(name = merged.name))
+            merged.pieces.size > 1 || begin == null -> entry.metadata
             else -> startMetadata(entry.log.store.payload(begin))
         }
         val micros = begin?.let { entry.log.store.micros(it) + first.offsetMicros } ?: 0.0
-        out.start(id, lane.name, entry.type, metadata, maxOf(0.0, micros))
+        out.start(id, merged.name, entry.type, metadata, maxOf(0.0, micros))
     }
 
     /** Returns the last of the three texts, each of which is preceded by its length. */
@@ -92,9 +92,9 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         return payload.decodeToString(at + Int.SIZE_BYTES)
     }
 
-    /** Sorts the records of [lane], including the control records of its only piece. */
-    private fun append(index: Int, lane: RecordLane) {
-        val pieces = lane.pieces
+    /** Sorts the records of [merged], including the control records of its only piece. */
+    private fun append(index: Int, merged: MergedEntry) {
+        val pieces = merged.pieces
         val next = IntArray(pieces.size)
         val kept = DoubleArray(pieces.sumOf { it.entry.size + it.entry.controls.size })
         var size = 0
@@ -116,7 +116,7 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
         }
         val last = if (size > 0) kept[size - 1] else 0.0
         val only = pieces.singleOrNull()
-        for (control in if (only == null || lane.described != null) IntArray(0) else only.entry.controls) {
+        for (control in if (only == null || merged.described != null) IntArray(0) else only.entry.controls) {
             val kind = checkNotNull(only).entry.log.store.controlKind(control)
             val isEnd = kind == ControlKind.FINISH && control == only.entry.controls.last()
             if (kind != ControlKind.SET_METADATA && !isEnd) continue
@@ -141,7 +141,7 @@ public class RecordMerge(private val lanes: List<RecordLane>) {
     }
 
     private fun add(index: Int, from: Int, current: Int) {
-        lane.add(index)
+        merged.add(index)
         piece.add(from)
         record.add(current)
     }

@@ -121,7 +121,7 @@ class RecordCopySpec : FunSpec({
     test("a merge has the payloads of all, in the order of time, and only once what several have") {
         val one = recordsOf(typed().record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 2_000_000, longs(BIG)).record(4, 3_000_000, byteArrayOf(1)).bytes)
         val two = recordsOf(typed().record(3, 1_000_000, longs(BIG)).record(2, 1_500_000, doubles(3.0, 4.0)).record(3, 9_000_000, longs(7)).bytes)
-        val lanes = one.entries.zip(two.entries).map { (a, b) -> RecordLane(a.name, listOf(RecordPiece(a), RecordPiece(b, 1_000_000.0))) }
+        val lanes = one.entries.zip(two.entries).map { (a, b) -> MergedEntry(a.name, listOf(RecordPiece(a), RecordPiece(b, 1_000_000.0))) }
         val merge = RecordMerge(lanes)
         val merged = recordsOf(written { merge.write(sink = it) })
         merge.repeated shouldContainExactly listOf(0, 0, 1, 0, 0)
@@ -134,9 +134,9 @@ class RecordCopySpec : FunSpec({
 
     test("a merge of one log reads as that log") {
         val log = recordsOf(VARIED_LOG.bytes)
-        val merged = written { sink -> RecordMerge(log.entries.map { RecordLane(it.name, listOf(RecordPiece(it))) }).write(sink = sink) }
+        val merged = written { sink -> RecordMerge(log.entries.map { MergedEntry(it.name, listOf(RecordPiece(it))) }).write(sink = sink) }
         val all = written { RecordCopy(log, sink = it).all() }
-        fun told(bytes: ByteArray) = describeLog(parseLog(bytes)).lines().filter { "UNKNOWN" !in it && "EARLY" !in it && "goes back" !in it }
-        told(merged) shouldContainExactly told(all)
+        fun described(bytes: ByteArray) = describeLog(parseLog(bytes)).lines().filter { "UNKNOWN" !in it && "EARLY" !in it && "goes back" !in it }
+        described(merged) shouldContainExactly described(all)
     }
 })

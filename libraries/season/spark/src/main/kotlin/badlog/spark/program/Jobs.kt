@@ -21,14 +21,14 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
     fun lake(words: List<String>) {
         val arguments = Arguments.of(words, setOf(Arguments.OUT, Arguments.RULES, Arguments.MAX_SIZE))
         val lake = arguments.required(Arguments.OUT)
-        tell(lake, refresh(SparkLake(context, lake), arguments))
+        report(lake, refresh(SparkLake(context, lake), arguments))
     }
 
     /** `rules LOGS… --out FOLDER`: runs the rules, and shows what they found. */
     fun rules(words: List<String>) {
         val arguments = Arguments.of(words, setOf(Arguments.OUT, Arguments.RULES, Arguments.MAX_SIZE))
         val out = arguments.required(Arguments.OUT)
-        tell(out, refresh(SparkLake(context, out, hasSamples = false), arguments))
+        report(out, refresh(SparkLake(context, out, hasSamples = false), arguments))
         LakeQuery(spark, out).ask(COUNTS).show(SHOWN, false)
     }
 
@@ -65,7 +65,7 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
         return RulesFile.parse(text).rules
     }
 
-    private fun tell(lake: String, result: SparkLakeResult) {
+    private fun report(lake: String, result: SparkLakeResult) {
         for (log in result.refused.sortedBy { it.path }) say("${log.path}: ${log.message}")
         val parts = listOfNotNull(
             "${result.written} written" + if (result.salvaged > 0) " (${result.salvaged} with data missing)" else "",

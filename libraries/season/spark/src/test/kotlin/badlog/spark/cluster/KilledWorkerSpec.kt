@@ -47,9 +47,9 @@ class KilledWorkerSpec : FunSpec({
                         job.waitFor(15, TimeUnit.MINUTES) shouldBe true
                         job.exitValue() shouldBe 0
                     }
-                    val told = (place / "job.out").readText()
-                    told shouldContain "${LOGS + 1} written (1 with data missing), 1 not in the lake"
-                    told shouldContain "${logs / "notes.bag"}: "
+                    val output = (place / "job.out").readText()
+                    output shouldContain "${LOGS + 1} written (1 with data missing), 1 not in the lake"
+                    output shouldContain "${logs / "notes.bag"}: "
                     lake shouldBeTheLake folder / "expected"
                     written in 1 until LOGS && LOSS in cluster.log("job")
                 }

@@ -80,10 +80,10 @@ class LakeQuerySpec : FunSpec({
             val rules = (folder / "low.toml").also {
                 (folder).put("low.toml", "[[rule]]\nname = \"Low battery\"\nseverity = \"warning\"\nwhen = \"min(battery) < 9\"\ntext = \"low\"\n")
             }
-            val told = ArrayList<String>()
-            Jobs(SESSION, told::add).rules(listOf("${folder / "logs"}", "--rules", "$rules", "--out", "${folder / "found"}"))
-            Jobs(SESSION, told::add).rules(listOf("${folder / "lake"}", "--rules", "$rules", "--out", "${folder / "again"}"))
-            told.single { it.startsWith("${folder / "found"}: ") } shouldContain "7 written"
+            val lines = ArrayList<String>()
+            Jobs(SESSION, lines::add).rules(listOf("${folder / "logs"}", "--rules", "$rules", "--out", "${folder / "found"}"))
+            Jobs(SESSION, lines::add).rules(listOf("${folder / "lake"}", "--rules", "$rules", "--out", "${folder / "again"}"))
+            lines.single { it.startsWith("${folder / "found"}: ") } shouldContain "7 written"
             val findings = "SELECT log, rule FROM findings ORDER BY log"
             sparkAnswer(folder / "found", findings) shouldBe "\"q3.bag\"|\"Low battery\"\n\"q4.bag\"|\"Low battery\""
             sparkAnswer(folder / "again", findings) shouldBe sparkAnswer(folder / "found", findings)
@@ -96,10 +96,10 @@ class LakeQuerySpec : FunSpec({
 
     test("an answer is written as files, and a wrong option is refused").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inLake { folder ->
-            val told = ArrayList<String>()
+            val lines = ArrayList<String>()
             val query = "SELECT number FROM matches WHERE number IS NOT NULL ORDER BY number"
-            Jobs(SESSION, told::add).sql(listOf("${folder / "lake"}", query, "--out", "${folder / "answer"}", "--format", "csv"))
-            told shouldContain "The answer is in ${folder / "answer"}."
+            Jobs(SESSION, lines::add).sql(listOf("${folder / "lake"}", query, "--out", "${folder / "answer"}", "--format", "csv"))
+            lines shouldContain "The answer is in ${folder / "answer"}."
             (folder / "answer").toFile().walk().filter { it.extension == "csv" }.joinToString("") { it.toPath().readText() } shouldBe "number\n1\n2\n3\n4\n"
             for (
             words in listOf(
@@ -109,9 +109,9 @@ class LakeQuerySpec : FunSpec({
                 listOf("${folder / "lake"}", query, "--out"),
             )
             ) {
-                shouldThrow<UsageException> { Jobs(SESSION, told::add).sql(words) }
+                shouldThrow<UsageException> { Jobs(SESSION, lines::add).sql(words) }
             }
-            shouldThrow<UsageException> { Jobs(SESSION, told::add).lake(listOf("logs", "--out", "x", "--max-size", "large")) }
+            shouldThrow<UsageException> { Jobs(SESSION, lines::add).lake(listOf("logs", "--out", "x", "--max-size", "large")) }
                 .message shouldContain "number of MB"
         }
     }

@@ -3,7 +3,7 @@ package badlog.viewer.shown.folder
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.comparison.compared
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.viewer.catalog.ListedLog
 
 /**
@@ -27,17 +27,17 @@ fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
     it.summary.date.second < log.summary.date.second && !isOfSameRun(it, log)
 }.sortedBy { it.summary.date.second }.takeLast(MOST_READ)
 
-/** Returns how [log] differs from those of the [earlier] ones that are of the same kind, by [rules], for which [figuresOf] returns figures. */
-fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, figuresOf: (E) -> LogFigures): Changes<E> {
-    val own = figuresOf(log)
+/** Returns how [log] differs from those of the [earlier] ones that are of the same kind, by [rules], for which [numbersOf] returns numbers. */
+fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, numbersOf: (E) -> LogNumbers): Changes<E> {
+    val own = numbersOf(log)
     val keys = own.keys.toSet()
     // The Driver Station logs the same matches, but nothing that the robot does.
-    val alike = earlier.map { it to figuresOf(it) }
-        .filter { (_, figures) -> figures.kind == own.kind && figures.keys.any(keys::contains) }
+    val alike = earlier.map { it to numbersOf(it) }
+        .filter { (_, numbers) -> numbers.kind == own.kind && numbers.keys.any(keys::contains) }
         .takeLast(MOST)
     if (alike.isEmpty()) return Changes()
     val compared = rules.compared(alike.map { it.second } + own).last()
-    val previous = compared.findings.zip(compared.figures) { difference, key -> difference to alike.last { key in it.second.keys }.first }
+    val previous = compared.findings.zip(compared.numbers) { difference, key -> difference to alike.last { key in it.second.keys }.first }
     return Changes(compared.findings, previous.toMap())
 }
 

@@ -3,9 +3,9 @@ package badlog.viewer.shown.folder
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.fromJson
-import badlog.rules.number.FigureReader
-import badlog.rules.number.FigureText
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
+import badlog.rules.number.LogNumbersReader
+import badlog.rules.number.LogNumbersText
 import badlog.rules.number.Measure
 import badlog.rules.toJson
 import badlog.signals.match.MatchKind
@@ -24,8 +24,8 @@ class ChangesSpec : FunSpec({
     fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
 
     /** A log whose motor was as hot as [celsius]. */
-    fun figures(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogFigures = FigureReader().read(
-        FigureText(
+    fun numbers(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogNumbers = LogNumbersReader().read(
+        LogNumbersText(
             "motor temperature\t$motor/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
             "${kind.ordinal};NaN;false;false;$celsius",
         ),
@@ -37,23 +37,23 @@ class ChangesSpec : FunSpec({
 
     test("a log that is unlike the matches before it says how") {
         val temperatures = listOf(41.0, 40.0, 42.0, 39.5, 41.5, 40.5, 95.0)
-        val changes = changesOf(logs[6], logs.take(6), rules) { figures(temperatures[logs.indexOf(it)]) }
+        val changes = changesOf(logs[6], logs.take(6), rules) { numbers(temperatures[logs.indexOf(it)]) }
         changes.differences.single().text shouldContain "Arm/Temperature at its highest was 95 °C"
         changes.previous[changes.differences.single()] shouldBe logs[5]
     }
 
     test("a log like the others, or with too few before it, says nothing") {
-        changesOf(logs[6], logs.take(6), rules) { figures(40.0 + logs.indexOf(it) % 3) }.differences.shouldBeEmpty()
-        changesOf(logs[3], logs.take(3), rules) { figures(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
-        changesOf(logs[0], emptyList(), rules) { figures(95.0) } shouldBe Changes()
-        changesOf(logs[6], logs.take(6), rules) { LogFigures.NONE } shouldBe Changes()
+        changesOf(logs[6], logs.take(6), rules) { numbers(40.0 + logs.indexOf(it) % 3) }.differences.shouldBeEmpty()
+        changesOf(logs[3], logs.take(3), rules) { numbers(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
+        changesOf(logs[0], emptyList(), rules) { numbers(95.0) } shouldBe Changes()
+        changesOf(logs[6], logs.take(6), rules) { LogNumbers.NONE } shouldBe Changes()
     }
 
     test("logs that show nothing of the same, such as those of the Driver Station, neither count nor are drawn over it") {
         val many = List(50) { log("$it.bag", it.toLong()) }
         val changes = changesOf(many[49], many.take(49), rules) {
             val place = many.indexOf(it)
-            if (place % 2 == 0) figures(30.0, motor = "Other") else figures(if (place == 49) 95.0 else 40.0 + place % 3)
+            if (place % 2 == 0) numbers(30.0, motor = "Other") else numbers(if (place == 49) 95.0 else 40.0 + place % 3)
         }
         val difference = changes.differences.single()
         difference.text shouldContain "your 20 other matches"
@@ -70,7 +70,7 @@ class ChangesSpec : FunSpec({
         var read = 0
         val changes = changesOf(many[39], many.take(39), rules) {
             read++
-            if (it === many[38]) figures(40.0, MatchKind.PRACTICE) else figures(if (it === many[39]) 95.0 else 40.0 + read % 3)
+            if (it === many[38]) numbers(40.0, MatchKind.PRACTICE) else numbers(if (it === many[39]) 95.0 else 40.0 + read % 3)
         }
         changes.differences.single().text shouldContain "your 20 other matches"
         changes.previous[changes.differences.single()] shouldBe many[37]

@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import badlog.cli.command.ExitCode
 import java.io.InputStream

@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import badlog.report.LogReport
 import badlog.report.page.PageCharts

@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
@@ -18,7 +18,7 @@ import kotlin.io.path.listDirectoryEntries
  * @param program the loader of the program's classes. A service found there, as when Gradle runs it, takes precedence.
  * @param folder the folder of the jars otherwise.
  */
-internal class PartLoader(private val program: ClassLoader, private val folder: Path) {
+internal class PluginLoader(private val program: ClassLoader, private val folder: Path) {
     /**
      * Calls [command] by passing its service to [work].
      *
@@ -54,7 +54,7 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
 
     private fun loaderOfFolder(): ClassLoader? {
         if (!Files.isDirectory(folder)) return null
-        return PartClassLoader(folder.listDirectoryEntries().filter { it.extension == "jar" }.sorted(), program)
+        return PluginClassLoader(folder.listDirectoryEntries().filter { it.extension == "jar" }.sorted(), program)
     }
 
     companion object {
@@ -62,9 +62,9 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
         const val FOLDER = "season"
 
         /** Returns the loader for the parts of the running program. */
-        fun ofProgram(): PartLoader {
-            val jar = Path.of(PartLoader::class.java.protectionDomain.codeSource.location.toURI())
-            return PartLoader(PartLoader::class.java.classLoader, jar.resolveSibling(FOLDER))
+        fun ofProgram(): PluginLoader {
+            val jar = Path.of(PluginLoader::class.java.protectionDomain.codeSource.location.toURI())
+            return PluginLoader(PluginLoader::class.java.classLoader, jar.resolveSibling(FOLDER))
         }
     }
 }
@@ -74,7 +74,7 @@ internal class PartLoader(private val program: ClassLoader, private val folder: 
  * Kotlin and badlog itself come from the program, because both communicate through them. What Java has comes from Java, even if a jar also has
  * it, such as its interfaces of XML: their objects come from Java as well.
  */
-private class PartClassLoader(jars: List<Path>, private val program: ClassLoader) :
+private class PluginClassLoader(jars: List<Path>, private val program: ClassLoader) :
     URLClassLoader("part", jars.map { it.toUri().toURL() }.toTypedArray(), program) {
     override fun loadClass(name: String, resolve: Boolean): Class<*> = synchronized(getClassLoadingLock(name)) {
         findLoadedClass(name) ?: if (SHARED.any(name::startsWith)) super.loadClass(name, resolve) else ownOrShared(name)

@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import java.io.IOException
 import java.nio.file.Files

@@ -22,7 +22,7 @@ import badlog.viewer.text.withUnit
  * @property line the signal as a line of a graph.
  * @property definition the formula that calculates it; null if there is none.
  */
-internal class Signal(val name: String, val isDerived: Boolean, val line: GraphSeries, val definition: String? = null) {
+internal class DrawableTopic(val name: String, val isDerived: Boolean, val line: GraphSeries, val definition: String? = null) {
     /** The unit, `ul` for none. */
     val unit: String get() = line.unit
 
@@ -52,7 +52,7 @@ internal class Signal(val name: String, val isDerived: Boolean, val line: GraphS
 }
 
 /** Returns whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
-internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
+internal fun DrawableTopic.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
     // What it is costs a look through its samples, so only where that is asked for.
     val own = if (Trait.entries.any(query::asksFor)) traits else emptySet()
     return query.matches(text, if (name in found) own + Trait.FINDING else own)
@@ -62,7 +62,7 @@ internal fun Signal.isFoundBy(query: Query, found: Set<String>, text: String = n
  * Returns the value of [signal] at [position], or at its end for null: a number, formatted by [sampleText], with its unit, or the name of a
  * state; `–` for a gap.
  */
-internal fun valueText(signal: Signal, position: Double?, sampleText: (Double) -> String = ::numberText): String {
+internal fun valueText(signal: DrawableTopic, position: Double?, sampleText: (Double) -> String = ::numberText): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)
     return signal.line.textOf(index) { withUnit(sampleText(it), signal.unit) }
 }

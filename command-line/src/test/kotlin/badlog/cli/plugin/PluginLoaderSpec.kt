@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import badlog.cli.BAG
 import badlog.cli.Badlog
@@ -32,18 +32,18 @@ import kotlin.io.path.fileSize
 import kotlin.io.path.name
 import kotlin.io.path.readLines
 
-class PartLoaderSpec : FunSpec({
+class PluginLoaderSpec : FunSpec({
     test("the class path of the program stays as short as it was, since each jar on it costs time at every start") {
         val wanted = Path.of("../../src/test/resources/class-path.txt").readLines().filter { it.isNotEmpty() && !it.startsWith('#') }
         namesIn(LIBRARIES) shouldContainExactly wanted
     }
 
     test("a part has its own libraries, and none of those by which it talks with the program") {
-        val part = namesIn(LIBRARIES / PartLoader.FOLDER)
+        val part = namesIn(LIBRARIES / PluginLoader.FOLDER)
         part shouldContain "assistant"
         part.filter { it.startsWith("kotlin-stdlib") || it.startsWith("kotlinx-serialization") } shouldContainExactly emptyList()
         // Two of the same would not know each other's classes.
-        jarsIn(LIBRARIES / PartLoader.FOLDER).map { it.name }.filter { it in jarsIn(LIBRARIES).map { jar -> jar.name } } shouldContainExactly emptyList()
+        jarsIn(LIBRARIES / PluginLoader.FOLDER).map { it.name }.filter { it in jarsIn(LIBRARIES).map { jar -> jar.name } } shouldContainExactly emptyList()
     }
 
     test("the installed program loads a part when it is called, and prints nothing but the protocol") {
@@ -110,8 +110,8 @@ class PartLoaderSpec : FunSpec({
 
     test("a part that is incomplete is reported as one that is missing") {
         inFolder { folder ->
-            (folder / PartLoader.FOLDER).with("broken.jar", "no jar")
-            val ended = badlogWith(PartLoader(WithoutServices, folder / PartLoader.FOLDER), "mcp", folder.toString())
+            (folder / PluginLoader.FOLDER).with("broken.jar", "no jar")
+            val ended = badlogWith(PluginLoader(WithoutServices, folder / PluginLoader.FOLDER), "mcp", folder.toString())
             ended.code shouldBe ExitCode.NOTHING
             ended.err shouldContain "is missing or incomplete"
         }
@@ -134,7 +134,7 @@ private fun program(vararg arguments: String) = ProcessBuilder(javaCommand(*argu
 
 private fun programOf(jars: List<Path>, vararg arguments: String) = ProcessBuilder(javaCommand(jars, arguments.toList())).start()
 
-private fun badlogWith(parts: PartLoader, vararg arguments: String): Ended {
+private fun badlogWith(parts: PluginLoader, vararg arguments: String): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()
     val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
@@ -143,6 +143,6 @@ private fun badlogWith(parts: PartLoader, vararg arguments: String): Ended {
 }
 
 /** The classes of the tests, which have the part among them, without what says so. */
-private object WithoutServices : ClassLoader(PartLoaderSpec::class.java.classLoader) {
+private object WithoutServices : ClassLoader(PluginLoaderSpec::class.java.classLoader) {
     override fun getResources(name: String): Enumeration<URL> = if (name.startsWith("META-INF/services/badlog")) Collections.emptyEnumeration() else super.getResources(name)
 }

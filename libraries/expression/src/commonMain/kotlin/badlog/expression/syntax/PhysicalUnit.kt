@@ -13,22 +13,23 @@ import kotlin.math.round
  * @property size its size in the dimension's base unit.
  * @property axisPower the power of the x axis' unit of time that it also contains.
  */
-internal class Measure(val dimension: String, val size: Double, val axisPower: Int = 0) {
+internal class PhysicalUnit(val dimension: String, val size: Double, val axisPower: Int = 0) {
     /** Returns this per unit of x. */
-    fun perAxis() = Measure(if (dimension.endsWith(TIMES)) dimension.removeSuffix(TIMES) else "$dimension$PER", size, axisPower - 1)
+    fun perAxis() = PhysicalUnit(if (dimension.endsWith(TIMES)) dimension.removeSuffix(TIMES) else "$dimension$PER", size, axisPower - 1)
 
     /** Returns this times a unit of x. */
-    fun timesAxis() = Measure(if (dimension.endsWith(PER)) dimension.removeSuffix(PER) else "$dimension$TIMES", size, axisPower + 1)
+    fun timesAxis() = PhysicalUnit(if (dimension.endsWith(PER)) dimension.removeSuffix(PER) else "$dimension$TIMES", size, axisPower + 1)
 
     companion object {
         private const val PER = "/time"
         private const val TIMES = "·time"
 
-        /** The measure of the x axis. */
-        val AXIS: Measure = Measure("time", 1.0, axisPower = 1)
+        /** The unit of the x axis. */
+        val AXIS: PhysicalUnit = PhysicalUnit("time", 1.0, axisPower = 1)
 
         /** Returns what [unit] measures; null if it is not known. */
-        fun of(unit: String): Measure? = Units.secondsIn(unit)?.let { Measure("time", it) } ?: KNOWN[unit] ?: KNOWN[unit.lowercase()]
+        fun of(unit: String): PhysicalUnit? =
+            Units.secondsIn(unit)?.let { PhysicalUnit("time", it) } ?: KNOWN[unit] ?: KNOWN[unit.lowercase()]
 
         /** Returns the longest unit at [from] in [text] that ends at a word boundary; empty if there is none. */
         fun longestAt(text: String, from: Int): String {
@@ -50,9 +51,9 @@ internal class Measure(val dimension: String, val size: Double, val axisPower: I
         private const val INCH = 0.0254
         private const val FOOT = 0.3048
 
-        private val KNOWN: Map<String, Measure> = buildMap {
+        private val KNOWN: Map<String, PhysicalUnit> = buildMap {
             fun add(dimension: String, vararg units: Pair<String, Double>) {
-                for ((names, size) in units) for (name in names.split(' ')) put(name, Measure(dimension, size))
+                for ((names, size) in units) for (name in names.split(' ')) put(name, PhysicalUnit(dimension, size))
             }
             add("voltage", "V volt volts" to 1.0, "mV" to 1e-3, "kV" to 1e3)
             add("current", "A amp amps ampere amperes" to 1.0, "mA" to 1e-3)
@@ -77,8 +78,14 @@ internal class Measure(val dimension: String, val size: Double, val axisPower: I
             for ((dimension, units) in listOf("length" to lengths, "angle" to angles)) {
                 for ((names, size) in units) {
                     for (name in names.split(' ')) {
-                        put("$name/s", Measure("$dimension/time", size))
-                        for (squared in listOf("$name/s²", "$name/s^2", "$name/s/s")) put(squared, Measure("$dimension/time/time", size))
+                        put("$name/s", PhysicalUnit("$dimension/time", size))
+                        for (squared in listOf(
+                            "$name/s²",
+                            "$name/s^2",
+                            "$name/s/s",
+                        )) {
+                            put(squared, PhysicalUnit("$dimension/time/time", size))
+                        }
                     }
                 }
             }
@@ -92,7 +99,7 @@ internal class Measure(val dimension: String, val size: Double, val axisPower: I
 }
 
 /** Converts numbers in [from] to numbers in [to], which has the same dimension and is called [unit]. */
-internal class Conversion(private val from: Measure, private val to: Measure, val unit: String) {
+internal class Conversion(private val from: PhysicalUnit, private val to: PhysicalUnit, val unit: String) {
     /** Returns the factor, where a second is [perSecond] of x. */
     fun factor(perSecond: Double): Double {
         var factor = from.size / to.size

@@ -8,7 +8,7 @@ import badlog.signals.json.jsonList
 import badlog.signals.json.jsonObject
 
 /** Returns [comparison] as JSON. */
-internal fun comparisonJson(comparison: Comparison): String = with(comparison) {
+internal fun comparisonJson(comparison: ComparisonRule): String = with(comparison) {
     jsonObject(
         "name" to quotedJson(name),
         "severity" to quotedJson(severity.name),
@@ -21,22 +21,22 @@ internal fun comparisonJson(comparison: Comparison): String = with(comparison) {
 }
 
 /** Returns the comparison that [comparisonJson] wrote. */
-internal fun comparisonOf(value: JsonValue): Comparison {
+internal fun comparisonOf(value: JsonValue): ComparisonRule {
     val json = JsonFields(value.members)
     val limits = json.list("limits", ::limitOf)
-    if (limits.size != Comparison.LIMITS.size) throw UnreadableJsonException()
+    if (limits.size != ComparisonRule.LIMITS.size) throw UnreadableJsonException()
     val (deviations, percent, findings, others) = limits
-    return Comparison(
+    return ComparisonRule(
         name = json.string("name"),
         severity = severityOf(json.string("severity")),
         group = json.string("group"),
         next = json.string("next"),
-        text = textOf(json.string("text"), Comparison.PLACES),
+        text = textOf(json.string("text"), ComparisonRule.PLACES),
         signals = json.strings("of"),
         deviations = deviations,
         percent = percent,
         findings = findings.toInt(),
-        others = others.toInt().coerceAtLeast(Comparison.FEWEST_OTHERS),
+        others = others.toInt().coerceAtLeast(ComparisonRule.FEWEST_OTHERS),
     )
 }
 

@@ -12,9 +12,9 @@ import badlog.rules.isPart
 import badlog.rules.number.ComparedSignal
 import badlog.rules.number.DistributedSignal
 import badlog.rules.number.Distribution
-import badlog.rules.number.FigureKey
-import badlog.rules.number.LogFigures
+import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
+import badlog.rules.number.NumberKey
 import badlog.rules.number.common
 import badlog.rules.number.meanOf
 import badlog.rules.number.percentileOf
@@ -35,26 +35,26 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.math.abs
 
 /**
- * Returns the figures of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
+ * Returns the numbers of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
  * time was too short.
  *
  * @param fileName the name of its file, which may show the match.
  * @param battery what it says of the robot's battery.
  */
-fun figuresOf(
+fun numbersOf(
     view: LogView,
     vocabulary: SignalVocabulary,
     fileName: String,
     battery: BatteryUse? = batteryUseOf(view, vocabulary),
-): LogFigures {
+): LogNumbers {
     val shape = LogShape.of(view)
-    if (!shape.vocabulary.hasTime) return LogFigures.NONE
+    if (!shape.vocabulary.hasTime) return LogNumbers.NONE
     val topics = shape.topicsOf(vocabulary)
     val kind = vocabulary.matchOf(view.recording, fileName).kind
-    return FigureSearch(view.identified(view.title, topics.modes), topics, kind, battery?.resistance).figures()
+    return NumberSearch(view.identified(view.title, topics.modes), topics, kind, battery?.resistance).numbers()
 }
 
-private class FigureSearch(
+private class NumberSearch(
     private val view: LogView,
     private val topics: SignalTopics,
     private val kind: MatchKind,
@@ -75,39 +75,39 @@ private class FigureSearch(
         val driving = common(enabled, drivenSpans())
         val (autonomous, teleop) = stretches.filterNot { it.isTest }.partition { it.isAutonomous }
         // If the log does not show autonomous, all of it would count as teleop.
-        val isTold = view.knowsAutonomous
+        val isKnown = view.knowsAutonomous
         spans = mapOf(
-            Measure.AUTONOMOUS to if (isTold) autonomous.map { it.span } else emptyList(),
-            Measure.TELEOP to if (isTold) teleop.map { it.span } else emptyList(),
+            Measure.AUTONOMOUS to if (isKnown) autonomous.map { it.span } else emptyList(),
+            Measure.TELEOP to if (isKnown) teleop.map { it.span } else emptyList(),
             Measure.DRIVING to driving,
             Measure.ENABLED to enabled,
         ).filter { (measure, spans) -> spans.sumOf { it.width } >= leastOf(measure) }
     }
 
-    fun figures(): LogFigures {
-        if (Measure.ENABLED !in spans) return LogFigures(kind, emptyList(), DoubleArray(0), Double.NaN, beginsEnabled, endsEnabled)
-        val keys = ArrayList<FigureKey>()
+    fun numbers(): LogNumbers {
+        if (Measure.ENABLED !in spans) return LogNumbers(kind, emptyList(), DoubleArray(0), Double.NaN, beginsEnabled, endsEnabled)
+        val keys = ArrayList<NumberKey>()
         val values = ArrayList<Double>()
         for (compared in ComparedSignal.ALL) {
             val (signal, measures) = compared.signal to compared.measures
             for ((topic, named) in namedOf(signal)) {
                 val series = samples.of(named)
-                if (keys.size >= MAX_FIGURES || !series.isOrdered || topic.any { it < ' ' }) continue
+                if (keys.size >= MAX_NUMBERS || !series.isOrdered || topic.any { it < ' ' }) continue
                 for (measure in measures) {
                     if (measure == Measure.ENABLED && Measure.TELEOP in spans && Measure.TELEOP in measures) continue
                     val value = measured(series, measure)
                     if (!value.isFinite()) continue
-                    keys += FigureKey(signal, topic, measure, named.listed.unit)
+                    keys += NumberKey(signal, topic, measure, named.listed.unit)
                     values += usefulDigits(value)
                 }
             }
         }
         if (resistance != null) {
-            keys += FigureKey(FigureKey.RESISTANCE, namedOf("battery").first().first, Measure.RESISTANCE, "mΩ")
+            keys += NumberKey(NumberKey.RESISTANCE, namedOf("battery").first().first, Measure.RESISTANCE, "mΩ")
             values += usefulDigits(resistance.milliohms)
         }
         val uncertainty = resistance?.uncertainty?.let(::usefulDigits) ?: Double.NaN
-        return LogFigures(kind, keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled, distributions())
+        return LogNumbers(kind, keys, values.toDoubleArray(), uncertainty, beginsEnabled, endsEnabled, distributions())
     }
 
     private fun distributions(): List<Distribution> = DistributedSignal.ALL.mapNotNull { distributed ->
@@ -188,7 +188,7 @@ private class FigureSearch(
 
         /** A robot that reverses is still driving. */
         const val BRIDGED = 0.3
-        const val MAX_FIGURES = 240
+        const val MAX_NUMBERS = 240
         val DRIVETRAIN = listOf("drive", "module", "swerve", "chassis")
     }
 }

@@ -6,8 +6,8 @@ import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import badlog.formats.wpilog.record.MergedEntry
 import badlog.formats.wpilog.record.RecordEntry
-import badlog.formats.wpilog.record.RecordLane
 import badlog.formats.wpilog.record.RecordLog
 import badlog.formats.wpilog.record.RecordMerge
 import badlog.formats.wpilog.record.RecordPiece
@@ -20,11 +20,11 @@ import java.nio.file.Path
  *
  * @param parts the logs, without rows.
  */
-internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
+internal class MergedRecords(parts: List<LogPart>, mode: MergeMode) {
     private class Source(val part: LogPart, val records: RecordLog)
 
     /** An entry that several logs of a group may have: [entry] in [first], with the records of all of them. */
-    private class Lane(val name: String, val first: Source, val entry: RecordEntry) {
+    private class SharedEntry(val name: String, val first: Source, val entry: RecordEntry) {
         val pieces = ArrayList<RecordPiece>()
 
         fun add(source: Source, entry: RecordEntry) {
@@ -34,7 +34,7 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
 
     private val names = MergedNames()
     private val valueNames = MergedNames()
-    private val schemas = HashMap<Pair<String, String>, Lane>()
+    private val schemas = HashMap<Pair<String, String>, SharedEntry>()
     private val groups: List<List<LogPart>> = mode.groupsOf(parts).map { group -> group.sortedBy { it.firstX } }
 
     /** What the logs with rows contain and records cannot express. */
@@ -44,17 +44,17 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
     /** Writes everything to [target], and returns the result. Call it once. */
     fun write(target: Path, progress: Progress): Merged {
         val sources = groups.map { group -> group.map(::sourceOf) }
-        val lanes = valueLanes(sources.flatten()) + sources.flatMap(::lanesOf)
+        val shared = sharedValues(sources.flatten()) + sources.flatMap(::sharedOf)
         val merge = RecordMerge(
-            lanes.map { lane ->
-                val isRenamed = lane.name != lane.entry.name
-                RecordLane(lane.name, lane.pieces, if (isRenamed) lane.first.part.recording.topicOf(lane.entry) else null)
+            shared.map { one ->
+                val isRenamed = one.name != one.entry.name
+                MergedEntry(one.name, one.pieces, if (isRenamed) one.first.part.recording.topicOf(one.entry) else null)
             },
         )
         newLog(target) { stream -> merge.write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
         val written = readRecording(target, LOG_FORMATS, keepSamples = false)
         // Only consecutive logs can repeat records.
-        val repeated = groups.map { group -> lanes.indices.filter { lanes[it].first.part in group }.sumOf { merge.repeated[it] } }
+        val repeated = groups.map { group -> shared.indices.filter { shared[it].first.part in group }.sumOf { merge.repeated[it] } }
         return Merged(written, groups.zip(repeated) { group, count -> Merged.Group(group, count) }, names.renamed + valueNames.renamed)
     }
 
@@ -65,21 +65,21 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
         return Source(part, records)
     }
 
-    /** Returns the lanes of values; equal ones are included once. */
-    private fun valueLanes(sources: List<Source>): List<Lane> {
+    /** Returns the entries of values; equal ones are included once. */
+    private fun sharedValues(sources: List<Source>): List<SharedEntry> {
         val known = HashSet<Pair<String, List<Byte>>>()
         return sources.flatMap { source ->
             // Merged parts may be a whole log again.
             val values = source.records.entries.filter { it.isValue && it.size > 0 && it.name != PART_VALUE }
             values.filter { known.add(it.name to it.payload(it.size - 1).asList()) }
-                .map { entry -> Lane(valueNames.take(entry.name, source.part), source, entry).apply { add(source, entry) } }
+                .map { entry -> SharedEntry(valueNames.take(entry.name, source.part), source, entry).apply { add(source, entry) } }
         }
     }
 
-    /** Returns the lanes of a [group]: entries with the same name become one, if they have the same type. */
-    private fun lanesOf(group: List<Source>): List<Lane> {
-        val made = ArrayList<Lane>()
-        val known = HashMap<Pair<String, String>, Lane>()
+    /** Returns the entries of a [group]: entries with the same name become one, if they have the same type. */
+    private fun sharedOf(group: List<Source>): List<SharedEntry> {
+        val made = ArrayList<SharedEntry>()
+        val known = HashMap<Pair<String, String>, SharedEntry>()
         for (source in group) {
             for (entry in source.records.entries) {
                 if (entry.isValue) continue
@@ -88,7 +88,7 @@ internal class RecordLanes(parts: List<LogPart>, mode: MergeMode) {
                 alike.getOrPut(entry.name to entry.type) {
                     val other = made.find { it.name == entry.name && it.entry.type != entry.type }
                     val reason = other?.let { "its type is ${entry.type}, and ${it.entry.type} in ${it.first.part.file}" }.orEmpty()
-                    Lane(names.take(entry.name, source.part, reason), source, entry).also(made::add)
+                    SharedEntry(names.take(entry.name, source.part, reason), source, entry).also(made::add)
                 }.add(source, entry)
             }
         }

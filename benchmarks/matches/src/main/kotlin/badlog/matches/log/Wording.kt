@@ -8,7 +8,7 @@ import badlog.matches.robot.Phase
  *
  * @property clockSeconds what its clock shows more than that of a robot of 2026, which begins with the program.
  */
-internal enum class Telling(val clockSeconds: Double) {
+internal enum class Wording(val clockSeconds: Double) {
     /** As the names of the match are; the robot of 2026 for WPILib's. */
     AS_NAMED(0.0),
 

@@ -3,16 +3,16 @@ package badlog.rules.number
 import badlog.signals.match.MatchKind
 
 /**
- * [LogFigures] as texts: logs of one robot usually share [names], which are then parsed only once.
+ * [LogNumbers] as texts: logs of one robot usually share [names], which are then parsed only once.
  *
  * @property names what is measured.
- * @property values the figures in the order of [names].
+ * @property values the numbers in the order of [names].
  * @property distributions the distributions, one per line.
  */
-class FigureText(val names: String, val values: String, val distributions: String = "")
+class LogNumbersText(val names: String, val values: String, val distributions: String = "")
 
-/** These figures as text. */
-fun LogFigures.toText(): FigureText = FigureText(
+/** These numbers as text. */
+fun LogNumbers.toText(): LogNumbersText = LogNumbersText(
     keys.joinToString("\n") { listOf(it.signal, it.topic, it.measure.ordinal, it.unit).joinToString("\t") },
     listOf(kind.ordinal, uncertainty, beginsEnabled, endsEnabled).joinToString(";", postfix = ";") + values.joinToString(";"),
     distributions.joinToString("\n") { one ->
@@ -49,17 +49,17 @@ private fun secondsIn(text: String): List<Double>? {
 private const val MAX_BINS = 1000
 
 /** Reads what [toText] wrote; equal texts of names are parsed once. Not thread-safe. */
-class FigureReader {
-    private val keys = HashMap<String, List<FigureKey>>()
+class LogNumbersReader {
+    private val keys = HashMap<String, List<NumberKey>>()
 
-    /** Returns the figures in [text]; none if it is not a text of figures. */
-    fun read(text: FigureText): LogFigures {
+    /** Returns the numbers in [text]; none if it is not a text of numbers. */
+    fun read(text: LogNumbersText): LogNumbers {
         val keys = keys.getOrPut(text.names) { keysOf(text.names) }
         val parts = text.values.split(';')
         // A list of no values is one empty text.
-        if (parts.size != maxOf(1, keys.size) + FIRST) return LogFigures.NONE
-        val kind = MatchKind.entries.getOrNull(parts[0].toIntOrNull() ?: -1) ?: return LogFigures.NONE
-        return LogFigures(
+        if (parts.size != maxOf(1, keys.size) + FIRST) return LogNumbers.NONE
+        val kind = MatchKind.entries.getOrNull(parts[0].toIntOrNull() ?: -1) ?: return LogNumbers.NONE
+        return LogNumbers(
             kind,
             keys,
             DoubleArray(keys.size) { parts[it + FIRST].toDoubleOrNull() ?: Double.NaN },
@@ -78,13 +78,13 @@ class FigureReader {
         return Distribution(parts[0], parts[1], quantiles, parts[3].toDoubleOrNull() ?: return null, secondsIn(parts[4]) ?: return null)
     }
 
-    private fun keysOf(names: String): List<FigureKey> = if (names.isEmpty()) {
+    private fun keysOf(names: String): List<NumberKey> = if (names.isEmpty()) {
         emptyList()
     } else {
         names.split('\n').map { line ->
             val parts = line.split('\t')
             if (parts.size != PARTS) return emptyList()
-            FigureKey(parts[0], parts[1], Measure.entries.getOrNull(parts[2].toIntOrNull() ?: -1) ?: return emptyList(), parts[3])
+            NumberKey(parts[0], parts[1], Measure.entries.getOrNull(parts[2].toIntOrNull() ?: -1) ?: return emptyList(), parts[3])
         }
     }
 

@@ -13,7 +13,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @param station the Driver Station's log.
  * @param fit how the clock of that relates to the robot's.
  */
-class RobotBesideStation(
+class StationOverlay(
     private val robot: LogView,
     private val station: ClockedLog,
     private val fit: ClockFit,

@@ -14,10 +14,10 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 
-class RobotBesideStationSpec : FunSpec({
+class StationOverlaySpec : FunSpec({
     val signals = RuleSet.BUILT_IN.signals
 
-    fun beside(robot: Recording, station: Recording, seconds: Double) = RobotBesideStation(LogView.of(robot).withSignals(signals, "log"), clocked(station), ClockFit(seconds, 4, 0.0), signals)
+    fun beside(robot: Recording, station: Recording, seconds: Double) = StationOverlay(LogView.of(robot).withSignals(signals, "log"), clocked(station), ClockFit(seconds, 4, 0.0), signals)
 
     fun LogView.topic(name: String) = recording.topics.single { it.name == name }
 

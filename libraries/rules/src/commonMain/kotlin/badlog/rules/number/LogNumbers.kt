@@ -3,15 +3,15 @@ package badlog.rules.number
 import badlog.signals.match.MatchKind
 
 /**
- * Identifies a figure: what is measured, and in which topic.
+ * Identifies a number: what is measured, and in which topic.
  *
  * @property signal the signal of the topic, or [RESISTANCE].
  * @property topic its full name.
- * @property unit the unit of the figure, empty for none.
+ * @property unit the unit of the number, empty for none.
  */
-data class FigureKey(val signal: String, val topic: String, val measure: Measure, val unit: String) {
+data class NumberKey(val signal: String, val topic: String, val measure: Measure, val unit: String) {
     companion object {
-        /** The signal of the figure calculated from battery voltage and total current. */
+        /** The signal of the number calculated from battery voltage and total current. */
         const val RESISTANCE: String = "battery resistance"
     }
 }
@@ -26,19 +26,19 @@ data class FigureKey(val signal: String, val topic: String, val measure: Measure
  * @property endsEnabled whether it was enabled when the log ended.
  * @property distributions how the values of some signals were distributed.
  */
-class LogFigures internal constructor(
+class LogNumbers internal constructor(
     val kind: MatchKind,
-    val keys: List<FigureKey>,
+    val keys: List<NumberKey>,
     internal val values: DoubleArray,
     val uncertainty: Double,
     val beginsEnabled: Boolean = false,
     val endsEnabled: Boolean = false,
     val distributions: List<Distribution> = emptyList(),
 ) {
-    /** Returns the figure for [key]; NaN for none. */
-    operator fun get(key: FigureKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
+    /** Returns the number for [key]; NaN for none. */
+    operator fun get(key: NumberKey): Double = keys.indexOf(key).let { if (it < 0) Double.NaN else values[it] }
 
-    /** Returns the value of the first figure of [signal] with [measure]; NaN for none. */
+    /** Returns the value of the first number of [signal] with [measure]; NaN for none. */
     fun of(signal: String, measure: Measure): Double =
         keys.indexOfFirst { it.signal == signal && it.measure == measure }.let { if (it < 0) Double.NaN else values[it] }
 
@@ -46,10 +46,10 @@ class LogFigures internal constructor(
     fun distributionOf(signal: String): Distribution? = distributions.find { it.signal == signal }
 
     /** The resistance of battery and wiring in milliohms; NaN if the log does not show it. */
-    val resistance: Double get() = of(FigureKey.RESISTANCE, Measure.RESISTANCE)
+    val resistance: Double get() = of(NumberKey.RESISTANCE, Measure.RESISTANCE)
 
     companion object {
-        /** No figures. */
-        val NONE: LogFigures = LogFigures(MatchKind.UNKNOWN, emptyList(), DoubleArray(0), Double.NaN)
+        /** No numbers. */
+        val NONE: LogNumbers = LogNumbers(MatchKind.UNKNOWN, emptyList(), DoubleArray(0), Double.NaN)
     }
 }

@@ -15,7 +15,7 @@ import badlog.networktables.TopicType
  * @property typeName the name of the type in its announcement.
  * @property payload returns the bytes of a sample, as in a WPILOG, if these are sent rather than numbers; otherwise null.
  */
-internal class Signal(
+internal class ReplayedTopic(
     val name: String,
     val type: TopicType,
     unit: String,

@@ -1,4 +1,4 @@
-package badlog.cli.part
+package badlog.cli.plugin
 
 import badlog.core.analysis.LogView
 import badlog.files.LogFile

@@ -3,7 +3,7 @@ package badlog.fetch
 import java.time.Duration
 
 /** What a fetch said, in its order. */
-class Heard(private val onWaiting: () -> Unit = {}, private val onProgress: (Long) -> Unit = {}) : FetchListener {
+class FetchReports(private val onWaiting: () -> Unit = {}, private val onProgress: (Long) -> Unit = {}) : FetchListener {
     val said = ArrayList<String>()
 
     override fun connected(address: RobotAddress, user: String) {
