@@ -1,6 +1,7 @@
 package badlog.benchmarks;
 
 import badlog.core.recording.NumberSinks;
+import badlog.files.ReadOptions;
 import badlog.files.ReadRecordingKt;
 import badlog.formats.LogFormatsKt;
 import java.io.BufferedReader;
@@ -68,8 +69,8 @@ public final class ReadingBenchmark {
 
     private static double read(Path bag, int cores) {
         long begin = System.nanoTime();
-        ReadRecordingKt.readRecording(bag, LogFormatsKt.getLOG_FORMATS(), true, false, NumberSinks.Companion.getRECORDING(), cores, bag.getFileName().toString(),
-            (done, total) -> Unit.INSTANCE);
+        ReadOptions options = new ReadOptions(true, false, NumberSinks.Companion.getRECORDING(), cores, null);
+        ReadRecordingKt.readRecording(bag, LogFormatsKt.getLOG_FORMATS(), options, (done, total) -> Unit.INSTANCE);
         return (System.nanoTime() - begin) / 1e9;
     }
 }

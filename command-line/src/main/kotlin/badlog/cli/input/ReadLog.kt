@@ -3,6 +3,7 @@ package badlog.cli.input
 import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.files.ReadOptions
 import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogFormat
@@ -19,7 +20,7 @@ import java.nio.file.Path
  * @throws Failure if the beginning of a WPILOG is lost.
  */
 internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
-    val recording = readLog(file, LOG_FORMATS, sinks = sinks, progress = progress::advanced).orThrow()
+    val recording = readLog(file, LOG_FORMATS, ReadOptions(sinks = sinks), progress::advanced).orThrow()
     if (isFormerWpilog(file, recording)) {
         throw Failure(
             "$file is named like a WPILOG, but does not begin like one: its beginning is lost, so nothing can be read.",

@@ -4,6 +4,7 @@ import badlog.cli.output.Omissions
 import badlog.cli.output.newLog
 import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
+import badlog.files.ReadOptions
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.record.MergedEntry
@@ -52,7 +53,7 @@ internal class MergedRecords(parts: List<LogPart>, mode: MergeMode) {
             },
         )
         newLog(target) { stream -> merge.write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
-        val written = readRecording(target, LOG_FORMATS, keepSamples = false)
+        val written = readRecording(target, LOG_FORMATS, ReadOptions(keepSamples = false))
         // Only consecutive logs can repeat records.
         val repeated = groups.map { group -> shared.indices.filter { shared[it].first.part in group }.sumOf { merge.repeated[it] } }
         return Merged(written, groups.zip(repeated) { group, count -> Merged.Group(group, count) }, names.renamed + valueNames.renamed)

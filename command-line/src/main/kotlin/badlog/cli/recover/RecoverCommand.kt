@@ -19,6 +19,7 @@ import badlog.cli.output.recordsOf
 import badlog.cli.output.writeLog
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
+import badlog.files.ReadOptions
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.terminal.Progress
@@ -81,7 +82,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
  * @throws Failure if it is not.
  */
 internal fun requireSame(recording: Recording, written: Path) {
-    val again = readRecording(written, LOG_FORMATS, keepSamples = false)
+    val again = readRecording(written, LOG_FORMATS, ReadOptions(keepSamples = false))
     val hasAll = again.rowCount == recording.rowCount && again.topics.map(::contentOf) == recording.topics.map(::contentOf)
     if (again.isSalvaged || !hasAll) {
         throw Failure(

@@ -15,6 +15,7 @@ import badlog.cli.topic.TopicChoice
 import badlog.cli.with
 import badlog.core.analysis.LogView
 import badlog.core.recording.NumberSinks
+import badlog.files.ReadOptions
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.report.NamedTopics
@@ -114,7 +115,7 @@ class InfoSpec : FunSpec({
         for (file in folders.flatMap { it.listDirectoryEntries("*.{bag,csv,bag.gz}") }) {
             fun json(needed: NumberSinks): JsonObject {
                 val numbers = StreamedNumbers(needed)
-                val view = LogView.of(readRecording(file, LOG_FORMATS, sinks = numbers))
+                val view = LogView.of(readRecording(file, LOG_FORMATS, ReadOptions(sinks = numbers)))
                 return jsonOf(InfoJson(LogSummary(file, 0, view, numbers, TopicChoice(emptyList())), emptyList(), emptyList()))
             }
             json(NamedTopics(emptyList())) shouldBe json(NumberSinks.RECORDING)

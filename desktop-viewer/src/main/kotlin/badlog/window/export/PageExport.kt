@@ -6,6 +6,7 @@ import badlog.exporter.ExportException
 import badlog.exporter.HtmlExporter
 import badlog.exporter.layoutFor
 import badlog.expression.undefinedTopics
+import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
@@ -102,7 +103,7 @@ internal class Additions(
     private fun workingIn(log: Path): List<String> {
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }
-        return when (val read = readLog(log, LOG_FORMATS, keepSamples = false)) {
+        return when (val read = readLog(log, LOG_FORMATS, ReadOptions(keepSamples = false))) {
             is ReadResult.NotRead -> emptyList()
 
             is ReadResult.Read -> {

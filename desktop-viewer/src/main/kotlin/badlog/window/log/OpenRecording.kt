@@ -7,6 +7,7 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.enabledSpans
 import badlog.core.recording.Topic
 import badlog.files.LogFile
+import badlog.files.ReadOptions
 import badlog.files.readLog
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
@@ -236,7 +237,7 @@ internal class OpenRecording(
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             assertOffWindow()
-            val recording = readLog(file, LOG_FORMATS, untilLastLineEnd = isGrowing) { done, total ->
+            val recording = readLog(file, LOG_FORMATS, ReadOptions(untilLastLineEnd = isGrowing)) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
             }.orThrow()
             val vocabulary = FolderRules.of(file, library).rules.signals

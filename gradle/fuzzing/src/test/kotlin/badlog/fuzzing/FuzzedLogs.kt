@@ -5,6 +5,7 @@ import badlog.core.bag.RecordingParser
 import badlog.core.bag.describe
 import badlog.core.recording.LogParser
 import badlog.core.recording.Recording
+import badlog.files.ReadOptions
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.DriverStationFormat
@@ -61,5 +62,5 @@ private val REVLOG: Path by lazy { Files.createTempFile("fuzz", ".revlog").also 
 
 internal fun readRevlog(bytes: ByteArray) {
     Files.write(REVLOG, bytes)
-    readRecording(REVLOG, LOG_FORMATS, cores = 1)
+    readRecording(REVLOG, LOG_FORMATS, ReadOptions(cores = 1))
 }

@@ -3,6 +3,7 @@ package badlog.exporter
 import badlog.core.bag.RecordingParser
 import badlog.exporter.NotesFile
 import badlog.files.AtomicFile
+import badlog.files.ReadOptions
 import badlog.files.Unpacked
 import badlog.files.partsOfLog
 import badlog.files.readRecording
@@ -147,7 +148,8 @@ class HtmlExporter(
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
         // A folder's pages compare with the same logs.
         if (input !in readable) {
-            readRecording(input, LOG_FORMATS, keepSamples = false).refusal?.let { throw ExportException.NotARecording(input, it) }
+            val compared = readRecording(input, LOG_FORMATS, ReadOptions(keepSamples = false))
+            compared.refusal?.let { throw ExportException.NotARecording(input, it) }
             readable.add(input)
         }
         val parts = if (log.path == input) partsOfLog(input) else listOf(log.path)

@@ -1,5 +1,6 @@
 package badlog.exporter
 
+import badlog.files.ReadOptions
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
 import badlog.files.readRecording
@@ -20,10 +21,10 @@ fun layoutFor(log: Path, signals: SignalVocabulary, top: Path? = null): FolderLa
     FolderLayout.of(log, top) { matchTypeOf(log, signals) }
 
 private fun matchTypeOf(log: Path, signals: SignalVocabulary): String? = try {
-    val head = readRecording(log, LOG_FORMATS, keepSamples = false)
+    val head = readRecording(log, LOG_FORMATS, ReadOptions(keepSamples = false))
     // A log of records mostly has the type in numbers, which are not kept at first, and always count more than its file's name.
-    val isTold = head.format.hasRows || signals.matchOf(head, fileName = "").type != null
-    val recording = if (isTold) head else readRecording(log, LOG_FORMATS)
+    val isKnown = head.format.hasRows || signals.matchOf(head, fileName = "").type != null
+    val recording = if (isKnown) head else readRecording(log, LOG_FORMATS)
     signals.matchOf(recording, log.fileName.toString()).type
 } catch (_: UnreadableFileException) {
     // The caller, which makes the page, reports the reason.

@@ -4,6 +4,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.text.freeName
 import badlog.files.LogName
+import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.ReadResult.Cause
 import badlog.files.readLog
@@ -113,7 +114,7 @@ internal class Transfer(
 
     /** Makes the complete part a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
-        val read = readLog(whole.part, LOG_FORMATS, name = log.name)
+        val read = readLog(whole.part, LOG_FORMATS, ReadOptions(name = log.name))
         if (read is ReadResult.NotRead) {
             // Nothing else can be fetched either.
             if (read.cause == Cause.NO_ROOM) read.orThrow()

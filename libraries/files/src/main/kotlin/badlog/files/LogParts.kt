@@ -44,7 +44,7 @@ private fun isOfStation(topic: Topic) =
  * or cannot be read.
  */
 public fun readStationLog(log: LogFile, formats: List<LogFormat>): Recording? = try {
-    readRecording(log.path, formats, cores = 1).takeIf { it.isOfDriverStation && it.sampleCount > 0 }
+    readRecording(log.path, formats, ReadOptions(cores = 1)).takeIf { it.isOfDriverStation && it.sampleCount > 0 }
 } catch (_: UnreadableFileException) {
     // Whatever it is, it is not the log being searched for.
     null

@@ -5,7 +5,6 @@ import badlog.core.bag.RecordingParser
 import badlog.core.bag.RowBatch
 import badlog.core.bag.RowBatchParser
 import badlog.core.recording.LogFormat
-import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import java.util.concurrent.Callable
 import java.util.concurrent.ExecutionException
@@ -19,14 +18,12 @@ import java.util.concurrent.atomic.AtomicInteger
  * several cores and joined on one thread, which also reads everything but plain rows. Few pieces are in progress, which bounds the
  * memory.
  *
- * @param cores the number of cores for reading rows, at least 2.
+ * @param options how the log is read, on at least 2 cores.
  */
 internal class ParsingThreads(
     formats: List<LogFormat>,
     private val expectedBytes: Long,
-    private val keepSamples: Boolean,
-    private val sinks: NumberSinks = NumberSinks.RECORDING,
-    private val cores: Int = 2,
+    private val options: ReadOptions,
     private val expectedLines: Long = 0,
     private val pieceSize: Int = PIECE_SIZE,
 ) : AutoCloseable {
@@ -38,8 +35,8 @@ internal class ParsingThreads(
     }
 
     private var bag: BagParser? = null
-    private val parser = RecordingParser(formats, keepSamples) { bagParser().also { bag = it } }.limited()
-    private val batching = pool("badlog-rows", cores)
+    private val parser = RecordingParser(formats, options.keepSamples) { bagParser().also { bag = it } }.limited()
+    private val batching = pool("badlog-rows", options.cores)
     private val putting = pool("badlog-parse", 1)
     private val inFlight = ArrayDeque<Piece>()
     private var filling = Piece(pieceSize)
@@ -81,7 +78,7 @@ internal class ParsingThreads(
     /** Submits the first [end] bytes of the piece; the others begin the next one. */
     private fun submit(end: Int) {
         val piece = filling
-        filling = if (inFlight.size < cores + SPARE_PIECES) Piece(pieceSize) else awaitFirst()
+        filling = if (inFlight.size < options.cores + SPARE_PIECES) Piece(pieceSize) else awaitFirst()
         piece.bytes.copyInto(filling.bytes, 0, end, piece.size)
         filling.size = piece.size - end
         piece.size = end
@@ -96,7 +93,7 @@ internal class ParsingThreads(
     }
 
     private fun batchOf(piece: Piece, columns: BooleanArray): RowBatch? {
-        val rows = piece.rows ?: RowBatchParser(columns, keepSamples).also { piece.rows = it }
+        val rows = piece.rows ?: RowBatchParser(columns, options.keepSamples).also { piece.rows = it }
         return rows.parse(piece.bytes, 0, piece.size)
     }
 
@@ -106,14 +103,14 @@ internal class ParsingThreads(
         isFull = parser.isFull
     }
 
-    private fun bagParser() = BagParser(expectedBytes, keepSamples, sinks, expectedLines, ::forAll)
+    private fun bagParser() = BagParser(expectedBytes, options.keepSamples, options.sinks, expectedLines, ::forAll)
 
     private fun awaitFirst(): Piece = inFlight.removeFirst().also { await(it.parsing) }
 
     private fun forAll(count: Int, work: (Int) -> Unit) {
         val next = AtomicInteger()
         fun share() = generateSequence { next.getAndIncrement().takeIf { it < count } }.forEach(work)
-        val others = List(cores - 1) { batching.submit { share() } }
+        val others = List(options.cores - 1) { batching.submit { share() } }
         share()
         for (other in others) await(other)
     }

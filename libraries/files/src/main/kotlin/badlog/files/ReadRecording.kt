@@ -3,7 +3,6 @@ package badlog.files
 import badlog.core.bag.BagParser
 import badlog.core.bag.RecordingParser
 import badlog.core.recording.LogFormat
-import badlog.core.recording.NumberSinks
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import java.nio.channels.FileChannel
@@ -16,20 +15,11 @@ import java.nio.file.Path
  * problem of the recording.
  *
  * Besides the recording, it holds pieces of the file in memory, never the whole file: less than 1 MB on the calling thread, which always
- * reads small files and logs of records; otherwise [cores] + 5 pieces of 256 kB, and the numbers read from them, which take up to four
- * times as much if they have one digit. A longer row takes twice its length. A column that outgrows its memory is copied, so that it
- * briefly exists twice.
+ * reads small files and logs of records; otherwise 5 pieces of 256 kB and one more per [core][ReadOptions.cores], and the numbers read
+ * from them, which take up to four times as much if they have one digit. A longer row takes twice its length. A column that outgrows its
+ * memory is copied, so that it briefly exists twice.
  *
  * @param formats the formats to recognize besides bag and CSV.
- * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
- * @param untilLastLineEnd true to ignore everything after the file's last line end, or everything if there is none: part of a row in a file
- *   that is still being written is not a problem. The same applies to part of a record at the end of a log of records. Has no effect on a
- *   compressed file.
- * @param sinks where numbers of a bag's or CSV file's topics go that the recording is not to keep; texts and counts are kept all the same.
- *   It and its sinks are called on one thread at a time, though not always the same one, and not the calling one; all calls have returned
- *   when this function returns. Each sink receives each row once, in order. Not used for logs of records.
- * @param cores the number of cores for reading a large file; 1 for only the calling thread, if others read other files meanwhile.
- * @param name the name of the log, if the file temporarily has another one.
  * @param progress called on the calling thread, about once per megabyte, with the number of bytes read and the size of the file at the
  *   start. An exception from it stops the reading and is passed on.
  * @throws UnreadableFileException if the file is missing, is not a regular file, or cannot be read.
@@ -39,17 +29,13 @@ import java.nio.file.Path
 public fun readRecording(
     file: Path,
     formats: List<LogFormat>,
-    keepSamples: Boolean = true,
-    untilLastLineEnd: Boolean = false,
-    sinks: NumberSinks = NumberSinks.RECORDING,
-    cores: Int = Runtime.getRuntime().availableProcessors(),
-    name: String = file.fileName.toString(),
+    options: ReadOptions = ReadOptions(),
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): Recording {
     requireRegularFile(file)
     return withinMemory(file) {
-        unpacked(file, { progress(0, Files.size(file)) }, name) { log ->
-            val recording = read(log.path, formats, keepSamples, untilLastLineEnd, sinks, cores, progress)
+        unpacked(file, { progress(0, Files.size(file)) }, options.name ?: file.fileName.toString()) { log ->
+            val recording = read(log.path, formats, options, progress)
             recording.copy(format = log.format ?: recording.format, problems = log.problems + recording.problems)
         }
     }
@@ -64,16 +50,13 @@ private fun withinMemory(file: Path, read: () -> Recording): Recording = try {
 private fun read(
     file: Path,
     formats: List<LogFormat>,
-    keepSamples: Boolean,
-    untilLastLineEnd: Boolean,
-    sinks: NumberSinks,
-    cores: Int,
+    options: ReadOptions,
     progress: (doneBytes: Long, totalBytes: Long) -> Unit,
 ): Recording = reading(file) { FileChannel.open(file) }.use { channel ->
     val pieces = FilePieces(file, channel, progress)
     val isGzip = pieces.beginning(GzipReader.SIGNATURE_SIZE, GzipReader::isGzip)
     val isOfRecords = formats.any { pieces.beginning(it.signatureSize, it::matches) }
-    val end = if (untilLastLineEnd && !isGzip && !isOfRecords) pieces.lastLineEnd() else null
+    val end = if (options.untilLastLineEnd && !isGzip && !isOfRecords) pieces.lastLineEnd() else null
     val until = end ?: Long.MAX_VALUE
     val expectedBytes = if (isGzip) pieces.inflatedSize() else end ?: pieces.total
     val isLarge = if (isGzip) {
@@ -81,9 +64,9 @@ private fun read(
     } else {
         !isOfRecords && expectedBytes >= MIN_PARALLEL
     }
-    val lines = if (isLarge && !isGzip && keepSamples) reading(file) { countLines(channel, expectedBytes, cores) } else 0L
-    val recording = if (isLarge && cores > 1) {
-        ParsingThreads(formats, expectedBytes, keepSamples, sinks, cores, lines).use { parsing ->
+    val lines = if (isLarge && !isGzip && options.keepSamples) reading(file) { countLines(channel, expectedBytes, options.cores) } else 0L
+    val recording = if (isLarge && options.cores > 1) {
+        ParsingThreads(formats, expectedBytes, options, lines).use { parsing ->
             val isFull = { parsing.isFull }
             pieces.read(isGzip, until, isFull, parsing::accept) {
                 pieces.readOthers(isFull, parsing::accept)
@@ -91,7 +74,8 @@ private fun read(
             }
         }
     } else {
-        val parser = RecordingParser(formats, keepSamples) { BagParser(expectedBytes, keepSamples, sinks, lines) }.limited()
+        val bagParser = { BagParser(expectedBytes, options.keepSamples, options.sinks, lines) }
+        val parser = RecordingParser(formats, options.keepSamples, bagParser).limited()
         val isFull = { parser.isFull }
         val accept = { bytes: ByteArray, size: Int -> parser.accept(bytes, 0, size) }
         pieces.read(isGzip, until, isFull, accept) {
@@ -99,7 +83,7 @@ private fun read(
             parser.finish()
         }
     }
-    if (untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
+    if (options.untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
 }
 
 /** Returns the same parser, limited to the number of rows or records that the user of the program allows. */

@@ -1,7 +1,6 @@
 package badlog.files
 
 import badlog.core.recording.LogFormat
-import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import java.nio.file.Path
 import java.util.concurrent.CancellationException
@@ -96,14 +95,10 @@ public class NotReadException(public val why: ReadResult.NotRead) : UnreadableFi
 public fun readLog(
     file: Path,
     formats: List<LogFormat>,
-    keepSamples: Boolean = true,
-    untilLastLineEnd: Boolean = false,
-    sinks: NumberSinks = NumberSinks.RECORDING,
-    cores: Int = Runtime.getRuntime().availableProcessors(),
-    name: String = file.fileName.toString(),
+    options: ReadOptions = ReadOptions(),
     progress: (doneBytes: Long, totalBytes: Long) -> Unit = { _, _ -> },
 ): ReadResult = orNotRead(file, { it }) {
-    val recording = readRecording(file, formats, keepSamples, untilLastLineEnd, sinks, cores, name, progress)
+    val recording = readRecording(file, formats, options, progress)
     recording.refusal?.let { ReadResult.NotRead.noLog(file, it) } ?: ReadResult.Read(recording)
 }
 

@@ -19,7 +19,7 @@ class ParsingThreadsSpec : FunSpec({
             for (keepSamples in listOf(true, false)) {
                 val expected = BagParser(0, keepSamples).apply { accept(bytes) }.finish()
                 for (pieceSize in listOf(20, 100, 400)) {
-                    val recording = ParsingThreads(LOG_FORMATS, bytes.size.toLong(), keepSamples, pieceSize = pieceSize).use {
+                    val recording = ParsingThreads(LOG_FORMATS, bytes.size.toLong(), ReadOptions(keepSamples, cores = 2), pieceSize = pieceSize).use {
                         it.accept(bytes, bytes.size)
                         it.finish()
                     }
@@ -34,7 +34,7 @@ class ParsingThreadsSpec : FunSpec({
         val bytes = "{\"topics\":[{\"name\":\"Time\"},{\"name\":\"b\"},{\"name\":\"c\"}]}\nTime,b,c\n$rows".encodeToByteArray()
         val expected = describeFully(BagParser().apply { accept(bytes) }.finish())
         for (expectedBytes in listOf(0L, 1000L, bytes.size.toLong(), bytes.size * 3L)) {
-            val recording = ParsingThreads(LOG_FORMATS, expectedBytes, keepSamples = true, pieceSize = 1 shl 14).use {
+            val recording = ParsingThreads(LOG_FORMATS, expectedBytes, ReadOptions(cores = 2), pieceSize = 1 shl 14).use {
                 it.accept(bytes, bytes.size)
                 it.finish()
             }
@@ -43,7 +43,7 @@ class ParsingThreadsSpec : FunSpec({
     }
 
     test("a log of records is read by its own parser") {
-        val recording = ParsingThreads(LOG_FORMATS, 0, keepSamples = true, pieceSize = 64).use {
+        val recording = ParsingThreads(LOG_FORMATS, 0, ReadOptions(cores = 2), pieceSize = 64).use {
             it.accept(VARIED_LOG.bytes, VARIED_LOG.bytes.size)
             it.finish()
         }

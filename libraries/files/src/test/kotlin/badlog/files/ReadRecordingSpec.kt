@@ -61,7 +61,7 @@ class ReadRecordingSpec : FunSpec({
                 for (content in listOf(text.encodeToByteArray(), gzip(text.encodeToByteArray()))) {
                     val threads = ConcurrentHashMap.newKeySet<Thread>()
                     val sinks = NumberSinks { _, _ -> NumberSink { _, _ -> threads += Thread.currentThread() } }
-                    readRecording(fileOf(folder, content), LOG_FORMATS, sinks = sinks, cores = cores)
+                    readRecording(fileOf(folder, content), LOG_FORMATS, ReadOptions(sinks = sinks, cores = cores))
                     threads shouldBe setOf(Thread.currentThread())
                 }
             }
@@ -72,7 +72,7 @@ class ReadRecordingSpec : FunSpec({
         inFolder { folder ->
             var sum = 0.0
             val sinks = NumberSinks { name, _ -> if (name == parse(LARGE).topics[0].name) NumberSink { _, number -> sum += number } else null }
-            val recording = readRecording(fileOf(folder, LARGE.encodeToByteArray()), LOG_FORMATS, keepSamples = false, sinks = sinks, cores = 3)
+            val recording = readRecording(fileOf(folder, LARGE.encodeToByteArray()), LOG_FORMATS, ReadOptions(keepSamples = false, sinks = sinks, cores = 3))
             recording.rowCount shouldBe 150_000
             sum shouldBe (3000.0 plusOrMinus 0.001)
         }
@@ -80,7 +80,7 @@ class ReadRecordingSpec : FunSpec({
 
     test("samples are kept only where they are wanted") {
         inFolder { folder ->
-            val topic = readRecording(fileOf(folder, VARIED_BAG.encodeToByteArray()), LOG_FORMATS, keepSamples = false).topics[0]
+            val topic = readRecording(fileOf(folder, VARIED_BAG.encodeToByteArray()), LOG_FORMATS, ReadOptions(keepSamples = false)).topics[0]
             topic.samples.size shouldBe 0
             topic.counts.numbers shouldBe VARIED_ROWS.size
         }
@@ -91,11 +91,11 @@ class ReadRecordingSpec : FunSpec({
             for (size in 1..VARIED_BAG.length) {
                 val beginning = VARIED_BAG.encodeToByteArray().copyOf(size)
                 val lines = beginning.copyOf(beginning.indexOfLast { it == '\n'.code.toByte() } + 1)
-                val recording = readRecording(fileOf(folder, beginning), LOG_FORMATS, untilLastLineEnd = true)
+                val recording = readRecording(fileOf(folder, beginning), LOG_FORMATS, ReadOptions(untilLastLineEnd = true))
                 describe(recording) shouldBe describe(parse(lines))
             }
             val large = LARGE + "0.020000,-1.23"
-            readRecording(fileOf(folder, large.encodeToByteArray()), LOG_FORMATS, untilLastLineEnd = true).run {
+            readRecording(fileOf(folder, large.encodeToByteArray()), LOG_FORMATS, ReadOptions(untilLastLineEnd = true)).run {
                 rowCount shouldBe 150_000
                 isSalvaged.shouldBeFalse()
             }
@@ -105,7 +105,7 @@ class ReadRecordingSpec : FunSpec({
     test("a last line end is found far before the end, and a carriage return is one") {
         inFolder { folder ->
             val text = "a,b\r1,2\r" + "3".repeat(1_000_000)
-            readRecording(fileOf(folder, text.encodeToByteArray()), LOG_FORMATS, untilLastLineEnd = true).run {
+            readRecording(fileOf(folder, text.encodeToByteArray()), LOG_FORMATS, ReadOptions(untilLastLineEnd = true)).run {
                 rowCount shouldBe 1
                 isSalvaged.shouldBeFalse()
             }
@@ -195,7 +195,7 @@ class ReadRecordingSpec : FunSpec({
     test("an empty file is an empty recording") {
         inFolder { folder ->
             val file = fileOf(folder, ByteArray(0))
-            for (recording in listOf(readRecording(file, LOG_FORMATS), readRecording(file, LOG_FORMATS, untilLastLineEnd = true))) {
+            for (recording in listOf(readRecording(file, LOG_FORMATS), readRecording(file, LOG_FORMATS, ReadOptions(untilLastLineEnd = true)))) {
                 recording.topics.shouldBeEmpty()
                 recording.problems.map { it.kind } shouldContain ProblemKind.EMPTY_FILE
             }
@@ -217,7 +217,7 @@ class ReadRecordingSpec : FunSpec({
             val bytes = VARIED_LOG.bytes
             for (cut in 1..20) {
                 val beginning = bytes.copyOf(bytes.size - cut)
-                val kinds = readRecording(fileOf(folder, beginning), LOG_FORMATS, untilLastLineEnd = true).problems.map { it.kind }
+                val kinds = readRecording(fileOf(folder, beginning), LOG_FORMATS, ReadOptions(untilLastLineEnd = true)).problems.map { it.kind }
                 kinds shouldBe parseLog(beginning).problems.map { it.kind } - ProblemKind.RECORD_CUT
             }
         }

@@ -29,7 +29,7 @@ class ReadResultSpec : FunSpec({
     test("a log is read, whole or up to its last line end") {
         readLog(log, LOG_FORMATS).orThrow().rowCount shouldBe 2
         val growing = folder.resolve("growing.csv").apply { writeText("Time,A\n0,1\n1,") }
-        readLog(growing, LOG_FORMATS, untilLastLineEnd = true).orThrow().run { rowCount to problems.size } shouldBe (1 to 0)
+        readLog(growing, LOG_FORMATS, ReadOptions(untilLastLineEnd = true)).orThrow().run { rowCount to problems.size } shouldBe (1 to 0)
     }
 
     test("what is not a log stays so until the file changes, and its sentence names the file once") {

@@ -106,7 +106,7 @@ internal class UnpackedSpec : FunSpec({
             val part = Files.write(folder.resolve(".copy.part"), log)
             unpacked(part) { it.path } shouldBe part
             if (!Owlet.isInstalled) {
-                shouldThrow<UnreadableFileException> { readRecording(part, LOG_FORMATS, name = "a.hoot") }.message shouldContain "owlet"
+                shouldThrow<UnreadableFileException> { readRecording(part, LOG_FORMATS, ReadOptions(name = "a.hoot")) }.message shouldContain "owlet"
             }
         }
     }

@@ -5,6 +5,7 @@ import badlog.core.recording.Recording
 import badlog.expression.Expression
 import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
+import badlog.files.ReadOptions
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
@@ -56,13 +57,13 @@ class NamedTopicsSpec : FunSpec({
         checkAll(120, Arb.element(files), Arb.int(0, 99), Arb.element(FORMS), Arb.element(WRITTEN)) { file, index, form, written ->
             val whole = wholes.getValue(file)
             val question = form.replace("%s", written(whole.topics[index % whole.topics.size].name))
-            val partial = readRecording(file, LOG_FORMATS, sinks = NamedTopics(listOf(question), signals = signals.namedIn(question)))
+            val partial = readRecording(file, LOG_FORMATS, ReadOptions(sinks = NamedTopics(listOf(question), signals = signals.namedIn(question))))
             answer(partial, question) shouldBe answer(whole, question)
         }
     }
 
     test("only topics that a question may name are read") {
-        val partial = readRecording(files[0], LOG_FORMATS, sinks = NamedTopics(listOf("min(Battery Voltage) < 7")))
+        val partial = readRecording(files[0], LOG_FORMATS, ReadOptions(sinks = NamedTopics(listOf("min(Battery Voltage) < 7"))))
         partial.topics.count { it.samples.isNotEmpty() } shouldBeLessThan 4
         partial.topics.map { it.counts } shouldBe readRecording(files[0], LOG_FORMATS).topics.map { it.counts }
     }

@@ -4,6 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import badlog.files.LogFile
+import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.orNotRead
 import badlog.files.readLog
@@ -50,7 +51,7 @@ sealed interface LogContent {
             work: (LogContent) -> R,
         ): R = orNotRead(file.path, { work(None(it)) }) {
             work(
-                when (val read = readLog(file.path, LOG_FORMATS, sinks = sinks, cores = cores)) {
+                when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(sinks = sinks, cores = cores))) {
                     is ReadResult.NotRead -> None(read)
 
                     is ReadResult.Read -> {

@@ -5,6 +5,7 @@ import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
 import badlog.files.LogFile
 import badlog.files.LogName
+import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.orNotRead
 import badlog.files.readLog
@@ -45,7 +46,7 @@ class LogReading(private val store: FolderStore) {
             val other = LogSummary.unreadable(file.name, file.modified, "${file.name} is not a log.", Content.NO_LOG)
             return Summarized(other, isLasting = true)
         }
-        return when (val read = readLog(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }) {
+        return when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(cores = 1)) { _, _ -> checkpoint() }) {
             is ReadResult.Read -> {
                 val view = viewOf(read.recording, file)
                 Summarized(summaryOf(file, view), LogContent.Log(read.recording, view, emptyList()), isLasting = true)
@@ -64,7 +65,7 @@ class LogReading(private val store: FolderStore) {
         val rules = store.rulesFor(file.path)
         rules.found(file)?.let { return it }
         return orNotRead(file.path, { LogFound(rules.key, null) }) {
-            when (val read = readLog(file.path, LOG_FORMATS, cores = 1) { _, _ -> checkpoint() }) {
+            when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(cores = 1)) { _, _ -> checkpoint() }) {
                 is ReadResult.NotRead -> LogFound(rules.key, null)
 
                 is ReadResult.Read -> {
@@ -92,7 +93,7 @@ class LogReading(private val store: FolderStore) {
 
     /** Returns the summary of a file whose samples do not fit in memory. */
     private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogSummary =
-        when (val read = readLog(file.path, LOG_FORMATS, keepSamples = false, cores = 1) { _, _ -> checkpoint() }) {
+        when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(keepSamples = false, cores = 1)) { _, _ -> checkpoint() }) {
             is ReadResult.NotRead -> unreadable(file, read)
             is ReadResult.Read -> summaryOf(file, viewOf(read.recording, file)).copy(content = Content.SOMETHING)
         }

@@ -1,6 +1,7 @@
 package badlog.season.lake
 
 import badlog.core.analysis.LogView
+import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.orNotRead
 import badlog.files.readLog
@@ -39,7 +40,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
      */
     fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
         orNotRead(file, { Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
-            when (val read = readLog(file, LOG_FORMATS, cores = cores, name = source.file)) {
+            when (val read = readLog(file, LOG_FORMATS, ReadOptions(cores = cores, name = source.file))) {
                 is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
 
                 is ReadResult.Read -> {
