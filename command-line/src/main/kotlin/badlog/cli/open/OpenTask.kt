@@ -48,10 +48,8 @@ internal class OpenTask(
             if (!isPit) console.warn("The window, $window, cannot be started; opening the page instead.")
         }
         if (isPit) {
-            val why = if (console.isStandIn(
-                    path,
-                )
-            ) {
+            val isInput = console.isStandIn(path)
+            val why = if (isInput) {
                 "has no standard input; name a folder of logs"
             } else {
                 "cannot be started; “badlog doctor” says whether it is installed"

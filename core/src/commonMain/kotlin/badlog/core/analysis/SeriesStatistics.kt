@@ -78,14 +78,11 @@ private class Piece(series: Series, val part: Span) {
     val begin = if (series.isOrdered) series.firstAtOrAfter(part.from) else 0
     val stop = if (series.isOrdered) series.firstAfter(part.to) else series.size
 
+    private val hasEarlier = series.isOrdered && part.from <= part.to && begin in 1..series.size
+    private val beginsWithSample = begin < series.size && series.x[begin] == part.from
+
     /** A value still holds from before the part, unless there is a sample exactly at its start. */
-    val held = if (series.isOrdered && part.from <= part.to && begin in 1..series.size &&
-        !(begin < series.size && series.x[begin] == part.from)
-    ) {
-        begin - 1
-    } else {
-        begin
-    }
+    val held = if (hasEarlier && !beginsWithSample) begin - 1 else begin
 }
 
 /** Returns the statistics of this line from [from] to [to]. If its values hold, the last one holds until the end of its recording. */

@@ -35,14 +35,13 @@ class HostileQueriesSpec : FunSpec({
             val logs = outer.resolve("logs")
             logs.with("a.bag", bag())
             asking(logs) {
-                for (
-                query in listOf(
+                val queries = listOf(
                     "FROM '$outside'", "SELECT * FROM read_csv('$outside')", "SELECT * FROM read_text('../outside.csv')", "FROM glob('/etc/*')",
                     "SELECT getenv('HOME')", "FROM duckdb_settings()", "FROM duckdb_views()", "SELECT current_setting('temp_directory')",
                     "FROM 'https://example.org/x.parquet'", "COPY (SELECT 1) TO '$outer/x.csv'", "ATTACH '$outer/x.db'", "INSTALL httpfs", "LOAD httpfs",
                     "CREATE TABLE x AS SELECT 1", "DROP VIEW matches", "SELECT 1; SELECT 2", "PRAGMA version", "SELECT path FROM matches", "",
                 )
-                ) {
+                for (query in queries) {
                     withClue(query) {
                         val said = refusal("sql", "query" to query)
                         said shouldNotContain SECRET

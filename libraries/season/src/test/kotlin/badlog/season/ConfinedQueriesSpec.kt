@@ -44,8 +44,7 @@ class ConfinedQueriesSpec : FunSpec({
             lake.tables().single { it.name == "matches" }.columns.map { it.name } shouldNotContain "path"
             lake.answer("FROM matches") shouldNotContain place
             lake.answer("FROM match_statistics") shouldNotContain place
-            for (
-            sql in listOf(
+            val queries = listOf(
                 "SELECT path FROM matches", "SELECT filename FROM matches", "FROM duckdb_views()", "FROM duckdb_views", "FROM duckdb_settings()",
                 "SELECT current_setting('allowed_directories')", "SELECT (SELECT current_setting('temp_directory'))",
                 "SELECT 1 ORDER BY current_setting('temp_directory')", "FROM read_parquet('$folder/lake/matches/*/*/*.parquet')",
@@ -57,7 +56,7 @@ class ConfinedQueriesSpec : FunSpec({
                 "SELECT * FROM matches WHERE log IN (SELECT sql FROM duckdb_views())", "FROM badlog_table(1)", "SELECT getenv('HOME')",
                 "FROM matches, LATERAL (FROM duckdb_settings())", "SUMMARIZE duckdb_settings()", "FROM json_execute_serialized_sql('{}')",
             )
-            ) {
+            for (sql in queries) {
                 withClue(sql) {
                     val said = shouldThrow<SqlException> { lake.answer(sql) }.message
                     if (place !in sql) said shouldNotContain place

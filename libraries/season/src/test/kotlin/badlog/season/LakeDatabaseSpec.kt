@@ -55,8 +55,7 @@ class LakeDatabaseSpec : FunSpec({
 
     test("the shapes of a query that people use are all understood") {
         inLake { _, lake ->
-            for (
-            sql in listOf(
+            val queries = listOf(
                 "FROM matches",
                 "WITH low AS (SELECT * FROM statistics WHERE min < 7) SELECT log FROM low;",
                 "SELECT 1 -- a comment",
@@ -65,7 +64,7 @@ class LakeDatabaseSpec : FunSpec({
                 "SELECT * FROM samples ASOF JOIN events USING (log, t)",
                 "VALUES (1), (2)",
             )
-            ) {
+            for (sql in queries) {
                 withClue(sql) { lake.answer(sql).lines().first() shouldContain " " }
             }
         }
@@ -90,8 +89,7 @@ class LakeDatabaseSpec : FunSpec({
     test("nothing but a single query is executed") {
         inLake { folder, lake ->
             val before = (folder / "lake").written()
-            for (
-            sql in listOf(
+            val queries = listOf(
                 "CREATE TABLE x AS SELECT 1", "DROP VIEW matches", "INSERT INTO matches SELECT * FROM matches", "SET lock_configuration = false",
                 "SET enable_external_access = true", "INSTALL httpfs", "LOAD httpfs", "ATTACH '${folder / "x.db"}'", "PRAGMA database_list",
                 "COPY (SELECT 1) TO '${folder / "lake/x.parquet"}'", "EXPORT DATABASE '${folder / "lake/x"}'", "CALL pragma_version()",
@@ -99,7 +97,7 @@ class LakeDatabaseSpec : FunSpec({
                 "EXPLAIN ANALYZE COPY (SELECT 1) TO '${folder / "lake/x.parquet"}'", "CHECKPOINT", "VACUUM", "BEGIN",
                 "SELECT 1) TO '${folder / "lake/x.parquet"}' --",
             )
-            ) {
+            for (sql in queries) {
                 withClue(sql) { shouldThrow<SqlException> { lake.answer(sql) } }
             }
             (folder / "lake").written() shouldBe before
@@ -112,8 +110,7 @@ class LakeDatabaseSpec : FunSpec({
             secret.writeText("word\nsesame\n")
             (folder / "lake2").put("secret.csv", "word\nsesame\n")
             Files.createSymbolicLink(folder / "lake/link.csv", secret)
-            for (
-            sql in listOf(
+            val queries = listOf(
                 "FROM '$secret'", "SELECT * FROM read_csv('$secret')", "SELECT * FROM read_text('$secret')", "SELECT * FROM read_blob('/etc/hostname')",
                 "SELECT * FROM read_csv('${folder / "lake"}/../secret.csv')", "SELECT * FROM read_csv('${folder / "lake2/secret.csv"}')",
                 "SELECT * FROM glob('/etc/*')", "SELECT * FROM read_json('$secret')", "SELECT * FROM sniff_csv('$secret')",
@@ -121,7 +118,7 @@ class LakeDatabaseSpec : FunSpec({
                 "SELECT * FROM read_csv('s3://bucket/x.csv')", "SELECT * FROM parquet_metadata('$secret')", "SELECT getenv('HOME')",
                 "SELECT * FROM query('SELECT * FROM read_csv(''$secret'')')",
             )
-            ) {
+            for (sql in queries) {
                 withClue(sql) { shouldThrow<SqlException> { lake.answer(sql) } }
             }
         }

@@ -16,8 +16,7 @@ private fun listed(names: DeviceNames) = names.devices.map { listOf(it.type, "${
 class DeviceMapSpec : FunSpec({
     val same = listOf(listOf("", "3", "Front left", "Drive"), listOf("", "4", "Hood", "Shooter"))
 
-    for (
-    text in listOf(
+    val forms = listOf(
         """[{"id": 3, "name": "Front left", "subsystem": "Drive"}, {"id": 4, "name": "Hood", "subsystem": "Shooter"}]""",
         """{"devices": [{"CAN ID": 3, "label": "Front left", "Subsystem": "Drive"}, {"can_id": 4, "name": "Hood", "mechanism": "Shooter"}], "team": 1014}""",
         """{"3": {"name": "Front left", "subsystem": "Drive"}, "4": {"name": "Hood", "subsystem": "Shooter"}}""",
@@ -26,7 +25,7 @@ class DeviceMapSpec : FunSpec({
         """{"Drive": [{"id": 3, "name": "Front left"}], "Shooter": [{"id": 4, "name": "Hood"}]}""",
         """{"Drive": {"3": "Front left"}, "Shooter": {"4": "Hood"}}""",
     )
-    ) {
+    for (text in forms) {
         test("reads $text") { listed(DeviceMap.parse(text)) shouldBe same }
     }
 

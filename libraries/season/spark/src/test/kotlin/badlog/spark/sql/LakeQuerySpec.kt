@@ -47,8 +47,7 @@ private fun inLake(work: (Path) -> Unit) = inFolder { folder ->
 class LakeQuerySpec : FunSpec({
     test("Spark answers what DuckDB answers, about every table").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inLake { folder ->
-            for (
-            sql in listOf(
+            val queries = listOf(
                 "SELECT log, season, event, type, number, title, duration, format, salvaged FROM matches ORDER BY log",
                 "SELECT log, topic, stored, column_name, unit, kind, samples FROM topics ORDER BY log, topic",
                 "SELECT log, topic, count, min, max, mean, median FROM statistics ORDER BY log, topic",
@@ -61,7 +60,7 @@ class LakeQuerySpec : FunSpec({
                 "SELECT log, rule, severity, t, text, next, span_count FROM findings ORDER BY log, t, rule",
                 "SELECT log, topic, t, text FROM events ORDER BY log, t",
             )
-            ) {
+            for (sql in queries) {
                 withClue(sql) { sparkAnswer(folder / "lake", sql) shouldBe answerOf(folder / "lake", sql) }
             }
         }
@@ -101,14 +100,13 @@ class LakeQuerySpec : FunSpec({
             Jobs(SESSION, lines::add).sql(listOf("${folder / "lake"}", query, "--out", "${folder / "answer"}", "--format", "csv"))
             lines shouldContain "The answer is in ${folder / "answer"}."
             (folder / "answer").toFile().walk().filter { it.extension == "csv" }.joinToString("") { it.toPath().readText() } shouldBe "number\n1\n2\n3\n4\n"
-            for (
-            words in listOf(
+            val wrongCalls = listOf(
                 listOf("${folder / "lake"}"),
                 listOf("${folder / "lake"}", query, "--out", "x", "--format", "xlsx"),
                 listOf("${folder / "lake"}", query, "--into", "x"),
                 listOf("${folder / "lake"}", query, "--out"),
             )
-            ) {
+            for (words in wrongCalls) {
                 shouldThrow<UsageException> { Jobs(SESSION, lines::add).sql(words) }
             }
             shouldThrow<UsageException> { Jobs(SESSION, lines::add).lake(listOf("logs", "--out", "x", "--max-size", "large")) }

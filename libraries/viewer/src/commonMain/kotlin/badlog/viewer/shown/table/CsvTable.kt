@@ -24,19 +24,10 @@ class CsvTable internal constructor(
 
     /** The line of titles. A byte order mark before it marks the text as UTF-8 if necessary: without it, Excel assumes something else. */
     val header: String
-        get() = titles.joinToString(
-            ",",
-            if (titles.all { title ->
-                    title.all { it < '\u0080' }
-                }
-            ) {
-                ""
-            } else {
-                "\uFEFF"
-            },
-            "\n",
-            transform = ::cellOf,
-        )
+        get() {
+            val isAscii = titles.all { title -> title.all { it < '\u0080' } }
+            return titles.joinToString(",", if (isAscii) "" else "\uFEFF", "\n", transform = ::cellOf)
+        }
 
     /** Returns the lines of [count] rows from [first] on, counted from 0, or of as many as there are. */
     fun text(first: Int, count: Int): String = buildString {
