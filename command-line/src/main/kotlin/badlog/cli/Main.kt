@@ -11,7 +11,6 @@ import java.io.PrintStream
 import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
-/** The program `badlog`. */
 fun main(arguments: Array<String>) {
     // The start script can find this out; Java cannot before version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)

@@ -6,7 +6,6 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.types.path
 
-/** `badlog assign`. */
 internal class AssignCommand :
     SubCommand(
         "assign",

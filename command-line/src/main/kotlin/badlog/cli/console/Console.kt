@@ -128,7 +128,6 @@ internal class SearchCount(err: PrintStream, private val isShown: Boolean, priva
     private var files = 0L
     private val line = StatusLine(err)
 
-    /** Counts another file. */
     fun next() {
         files++
         if (!isShown || System.nanoTime() - shown < patience) return

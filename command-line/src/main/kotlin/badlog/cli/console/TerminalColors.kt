@@ -20,7 +20,6 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
     private fun painted(text: String, color: String) = "$color$text$RESET"
 
     companion object {
-        /** No colors. */
         val NONE = TerminalColors(isOn = false)
 
         /**

@@ -16,7 +16,6 @@ import com.github.ajalt.clikt.parameters.options.validate
 import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.double
 
-/** `badlog convert`. */
 internal class ConvertCommand(private val parts: PluginLoader) :
     LogCommand(
         "convert",

@@ -11,7 +11,6 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 
-/** `badlog cut`. */
 internal class CutCommand :
     LogCommand(
         "cut",

@@ -9,7 +9,6 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help
 import com.github.ajalt.clikt.parameters.arguments.optional
 
-/** `badlog doctor`. */
 internal class DoctorCommand(private val computer: Computer, private val robots: Robots) :
     SubCommand(
         "doctor",

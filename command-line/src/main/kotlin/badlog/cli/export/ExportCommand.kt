@@ -12,7 +12,6 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 
-/** `badlog export`. */
 internal class ExportCommand :
     LogCommand(
         "export",

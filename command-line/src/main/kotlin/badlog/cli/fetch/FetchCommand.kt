@@ -17,7 +17,6 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 import java.time.Duration
 
-/** `badlog fetch`. */
 internal class FetchCommand(private val robots: Robots) :
     SubCommand(
         "fetch",

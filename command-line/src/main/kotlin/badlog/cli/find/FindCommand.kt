@@ -26,7 +26,6 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Path
 
-/** `badlog find`. */
 internal class FindCommand :
     LogCommand(
         "find",

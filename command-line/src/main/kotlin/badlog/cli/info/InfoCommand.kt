@@ -27,7 +27,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** `badlog info`. */
 internal class InfoCommand :
     LogCommand(
         "info",

@@ -8,7 +8,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.path
 
-/** `badlog lake`. */
 internal class LakeCommand(private val parts: PluginLoader) :
     LogCommand(
         "lake",

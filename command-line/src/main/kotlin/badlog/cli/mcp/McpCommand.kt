@@ -15,7 +15,6 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.io.InputStream
 import java.nio.file.Path
 
-/** `badlog mcp`. */
 internal class McpCommand(private val parts: PluginLoader, private val input: InputStream) :
     SubCommand(
         "mcp",

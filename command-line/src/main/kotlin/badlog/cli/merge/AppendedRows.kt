@@ -13,7 +13,6 @@ internal class AppendedRows(logs: List<LogPart>) {
     private val rowParts = IntArray(total)
     private val rows = IntArray(total)
 
-    /** The number of rows. */
     var size = 0
         private set
 

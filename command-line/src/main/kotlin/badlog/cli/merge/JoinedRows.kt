@@ -4,7 +4,6 @@ package badlog.cli.merge
 internal class JoinedRows(private val groups: List<AppendedRows>) {
     private val rows = List(groups.size) { IntArray(groups.sumOf { it.size }) }
 
-    /** The number of rows. */
     var size = 0
         private set
 

@@ -28,7 +28,6 @@ internal class LogPart(
     val offset: Double = 0.0,
     val isOfFile: Boolean = recording.format.hasRecords,
 ) {
-    /** Its x axis. */
     val axis: XAxis = LogView.of(recording).xAxis
     private val topicOf = recording.topics.associateBy { it.name }
 

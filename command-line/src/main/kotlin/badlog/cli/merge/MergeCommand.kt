@@ -16,7 +16,6 @@ import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** `badlog merge`. */
 internal class MergeCommand :
     LogCommand(
         "merge",

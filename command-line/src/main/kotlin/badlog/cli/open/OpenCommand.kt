@@ -9,7 +9,6 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 
-/** `badlog open`. */
 internal class OpenCommand(private val computer: Computer) :
     LogCommand(
         "open",

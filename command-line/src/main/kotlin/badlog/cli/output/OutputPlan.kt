@@ -34,7 +34,6 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
     /** The single file that [out] names, or null if it is a folder or missing. */
     val file: Path? by lazy { out?.path?.takeUnless { out.isFolder || !isSingle() } }
 
-    /** Whether [out] is given. */
     val isGiven: Boolean get() = out != null
 
     private fun isSingle() = paths.size == 1 && !Files.isDirectory(paths[0])

@@ -13,7 +13,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.choice
 import com.github.ajalt.clikt.parameters.types.path
 
-/** `badlog rules`. */
 internal class RulesCommand :
     SubCommand(
         "rules",

@@ -20,7 +20,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 
-/** `badlog record`. */
 internal class RecordCommand(private val robots: Robots) :
     SubCommand(
         "record",

@@ -26,7 +26,6 @@ import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import java.nio.file.Path
 
-/** `badlog recover`. */
 internal class RecoverCommand :
     LogCommand(
         "recover",

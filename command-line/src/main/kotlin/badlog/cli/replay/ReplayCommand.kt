@@ -40,7 +40,6 @@ import com.github.ajalt.clikt.parameters.types.restrictTo
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** `badlog replay`. */
 internal class ReplayCommand :
     LogCommand(
         "replay",

@@ -17,7 +17,6 @@ import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 
-/** `badlog report`. */
 internal class ReportCommand(private val parts: PluginLoader) :
     LogCommand(
         "report",

@@ -13,7 +13,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.path
 import java.io.InputStream
 
-/** `badlog sql`. */
 internal class SqlCommand(private val parts: PluginLoader, private val input: InputStream) :
     SubCommand(
         "sql",

@@ -19,7 +19,6 @@ internal class StationLogs(private val folder: Path) {
     private val logs: List<LogFile> by lazy { reading(folder) { stationLogsIn(folder) } }
     private val starts by lazy { logs.associateWith(::startOf) }
 
-    /** Their number. */
     val size: Int get() = logs.size
 
     /**

@@ -30,7 +30,6 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Path
 
-/** `badlog table`. */
 internal class TableCommand :
     LogCommand(
         "table",

@@ -73,5 +73,4 @@ internal class LossJson(private val rows: Int, private val cells: Int, private v
 @Serializable
 internal class StretchJson(private val from: JsonNumber, private val to: JsonNumber)
 
-/** Returns [problem] as JSON. */
 internal fun json(problem: Problem): JsonElement = jsonOf(ProblemJson(problem))

@@ -12,7 +12,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.path
 
-/** `badlog todo`. */
 internal class TodoCommand :
     SubCommand(
         "todo",

@@ -43,7 +43,6 @@ private fun box(isTicked: Boolean) = if (isTicked) "[x] " else "[ ] "
 internal fun todoJson(list: TodoList, checklist: List<String>): List<JsonObject> =
     list.numbered.mapIndexed { place, item -> jsonOf(ItemJson(place + 1, item)) } + list.checklist(checklist).map { jsonOf(CheckJson(it)) }
 
-/** An item, for programs. */
 @Serializable
 private class ItemJson(
     private val command: String,

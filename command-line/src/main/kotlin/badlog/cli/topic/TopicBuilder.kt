@@ -24,7 +24,6 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     private var gaps = 0
     private var isInGap = false
 
-    /** Adds an empty cell. */
     fun addEmpty() {
         empty++
         add(Double.NaN)

@@ -48,6 +48,5 @@ internal class OnlyOption : OptionGroup() {
     private val patterns by option("--only", metavar = "PATTERN").multiple()
         .help("Only topics with such a name: 'PDP/*'; may be repeated.")
 
-    /** The requested selection. */
     val choice: TopicChoice get() = TopicChoice(patterns.map(::NamePattern))
 }

@@ -21,7 +21,6 @@ internal class SearchIndex {
         entries += listOf(address, title, heading, text.replace(SPACES, " ")).joinToString(",", "[", "]", transform = ::quote)
     }
 
-    /** Returns the script. */
     fun script(): String = entries.joinToString(",\n", "window.searchIndex = [\n", "\n];\n")
 
     private fun quote(text: String): String = buildString {

@@ -4,7 +4,6 @@ import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** A small whole bag. */
 internal const val BAG = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]}," +
     "{\"name\":\"Speed\",\"unit\":\"m/s\",\"attrs\":[]}]," +
     "\"values\":[{\"name\":\"Event Name\",\"value\":\"OHCL\"},{\"name\":\"Match Number\",\"value\":\"42\"}]}\n" +

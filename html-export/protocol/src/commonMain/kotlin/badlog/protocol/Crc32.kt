@@ -28,7 +28,6 @@ class Crc32 {
         state = crc
     }
 
-    /** Forgets all bytes. */
     fun reset() {
         state = -1
     }

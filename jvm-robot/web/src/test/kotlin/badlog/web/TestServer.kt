@@ -40,7 +40,6 @@ internal fun withServer(options: LogServerOptions = LogServerOptions(), test: (T
 
 /** A server of the folder [logs] on [port]. */
 internal class TestServer(val logs: Path, val port: Int) {
-    /** Opens a connection. */
     fun connect() = Socket(InetAddress.getLoopbackAddress(), port).apply { soTimeout = 30_000 }
 
     /** Sends [head] exactly so, and returns the answer; null if the connection was closed without one. */

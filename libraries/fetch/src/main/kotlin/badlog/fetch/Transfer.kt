@@ -45,7 +45,6 @@ internal class Transfer(
         checkpoint()
     }
 
-    /** The fetched logs. */
     val fetched = ArrayList<FetchedLog>()
 
     /** The number of logs that were already here. */

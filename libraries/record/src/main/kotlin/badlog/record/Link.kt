@@ -34,7 +34,6 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     var receivedMicros: Long = clock()
         private set
 
-    /** Whether it has ended. */
     val isClosed: Boolean get() = isOver.get()
 
     /** Connects. Returns false if the server does not answer, or is not one of NetworkTables 4. */

@@ -49,7 +49,6 @@ internal class Session(
         }
     }
 
-    /** Does what is due. */
     fun tick() {
         val now = clock()
         if (now - flushedMicros < FLUSH_MICROS) return

@@ -28,7 +28,6 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
     val hasNames: Boolean get() = seasons.any { it.battery != null }
 
     companion object {
-        /** No batteries. */
         internal val NONE = SeasonOfLogs(emptyList(), emptyList(), emptyList())
 
         /**

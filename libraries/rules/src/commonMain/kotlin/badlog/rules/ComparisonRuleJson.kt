@@ -7,7 +7,6 @@ import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonList
 import badlog.signals.json.jsonObject
 
-/** Returns [comparison] as JSON. */
 internal fun comparisonJson(comparison: ComparisonRule): String = with(comparison) {
     jsonObject(
         "name" to quotedJson(name),

@@ -63,7 +63,6 @@ class DeviceNames(val devices: List<NamedDevice>) {
     }
 
     companion object {
-        /** No names. */
         val NONE: DeviceNames = DeviceNames(emptyList())
     }
 }

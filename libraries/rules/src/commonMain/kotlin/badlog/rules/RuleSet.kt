@@ -30,7 +30,6 @@ class RuleSet internal constructor(
     internal fun with(devices: DeviceNames): RuleSet = RuleSet(aliases, rules, signals, causes, comparisons, devices)
 
     companion object {
-        /** No rules. */
         val NONE: RuleSet = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE)
     }
 }

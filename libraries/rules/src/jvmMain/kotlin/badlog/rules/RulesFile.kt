@@ -29,7 +29,6 @@ class RulesFile internal constructor(val rules: RuleSet, val hooks: List<HookCom
         /** No rules, no hooks. */
         val NONE: RulesFile = RulesFile(RuleSet.NONE, emptyList(), "")
 
-        /** The built-in rules. */
         val BUILT_IN: RulesFile by lazy { RulesFile(RuleSet.BUILT_IN, emptyList(), resource(NAME)) }
     }
 }

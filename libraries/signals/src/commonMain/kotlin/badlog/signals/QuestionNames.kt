@@ -24,7 +24,6 @@ class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
         }
     }
 
-    /** The names. */
     val vocabulary: Vocabulary = shape.vocabulary.let {
         val meanings = signals.signals.map { signal -> signal.name }.filter { name -> name !in several && !it.knows(name) }
         Vocabulary(it.signals + named.values.map { signal -> signal.listed }, it.hasTime, meanings.toSet(), several = several)

@@ -71,7 +71,6 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         if (speed > 0) slipped += encoderSlip * speed * dt
     }
 
-    /** Reads the encoder. */
     fun sense() {
         val noise = chance.around0(0.0004)
         measured = if (isEncoderConnected) round((angle - slipped + noise) / STEP) * STEP else DEAD

@@ -23,7 +23,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.path
 
-/** Reads the command line. */
 internal class ArgumentParser {
     /** What the command line asks for: to do something, or to print something and exit. */
     sealed interface Result {
@@ -37,7 +36,6 @@ internal class ArgumentParser {
         class Refuse(val text: String) : Result
     }
 
-    /** Parses [arguments]. */
     fun parse(arguments: List<String>): Result {
         val command = Command()
         return try {

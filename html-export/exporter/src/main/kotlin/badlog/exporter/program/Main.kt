@@ -3,7 +3,6 @@ package badlog.exporter.program
 import badlog.terminal.openInBrowser
 import kotlin.system.exitProcess
 
-/** The program `badlog-html`. */
 fun main(arguments: Array<String>) {
     // The start script can find this out; Java cannot before version 22.
     val isTerminal = System.getProperty("badlog.terminal")?.toBoolean() ?: (System.console() != null)

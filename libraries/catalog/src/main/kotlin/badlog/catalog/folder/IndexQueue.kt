@@ -88,7 +88,6 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
         changes++
     }
 
-    /** Returns the current state. */
     @Synchronized
     fun state() = IndexState(
         entries = known.values.toList(),

@@ -71,7 +71,6 @@ class ResultCache<R : Any>(
         if (saved.elapsedNow() >= pause) save()
     }
 
-    /** Saves everything. */
     @Synchronized
     fun save() {
         if (!isChanged) return

@@ -73,7 +73,6 @@ private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: 
         .map { PointLabel(known[it].place.toDouble(), values[it], known[it].label) }
 }
 
-/** Returns [trend] over [matches]. */
 internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
     val known = matches.all.filter { trend.number(it.numbers).isFinite() }
     if (known.size < LEAST_MATCHES) return lacking(trend.texts, trend.what, known.size)

@@ -12,7 +12,6 @@ internal class Spans(private val from: DoubleArray, private val to: DoubleArray,
 
     override fun get(index: Int): Span = Span(from[index], to[index])
 
-    /** Their total length. */
     val total: Double
         get() {
             var sum = 0.0

@@ -37,7 +37,6 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
 
     class Enabled(from: Int, until: Int, val mode: Mode) : Node(from, until, emptyList())
 
-    /** The x axis. */
     class Axis(from: Int, until: Int) : Node(from, until, emptyList())
 
     class Negative(from: Int, val operand: Node) : Node(from, operand.until, listOf(operand))
@@ -58,7 +57,6 @@ internal enum class Mode {
     TELEOP,
     ;
 
-    /** Its spelling. */
     val word: String get() = name.lowercase()
 }
 

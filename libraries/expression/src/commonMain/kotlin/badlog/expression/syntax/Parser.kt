@@ -19,7 +19,6 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
     private var plainNameFrom = -1
     private var plainNameUntil = -1
 
-    /** Parses the whole text. */
     fun parse(): Node {
         if (text.length > Limits.LENGTH) {
             fail(Limits.LENGTH, text.length, "An expression has at most ${Limits.LENGTH} characters.", ExpressionErrorKind.LIMIT)

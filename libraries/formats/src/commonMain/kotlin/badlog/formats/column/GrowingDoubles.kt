@@ -7,7 +7,6 @@ internal class GrowingDoubles {
     private var last = NONE
     private var lastSize = 0
 
-    /** The number of numbers. */
     val size: Int get() = fullSize + lastSize
 
     fun add(number: Double) {
@@ -25,7 +24,6 @@ internal class GrowingDoubles {
         lastSize = 0
     }
 
-    /** Returns all of them. */
     fun toArray(): DoubleArray {
         if (full == null && lastSize == last.size) return last
         val all = DoubleArray(size)
@@ -48,7 +46,6 @@ internal class GrowingDoubles {
         return all
     }
 
-    /** Adds all of [others]. */
     fun addAll(others: GrowingDoubles) {
         for (number in others.toArray()) add(number)
     }

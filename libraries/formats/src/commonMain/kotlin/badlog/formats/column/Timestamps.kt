@@ -8,7 +8,6 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     private var isOrdered = true
     private var last = Double.NEGATIVE_INFINITY
 
-    /** The number of times. */
     var size = 0
         private set
 

@@ -24,7 +24,6 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** The unit of its samples. */
     val unit: String get() = if (decoder.isUndecoded) BYTE else unitIn(metadata)
 
-    /** Its attributes. */
     val attributes: List<String> get() = attributesIn(metadata, name)
 
     /** What it was in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else. */

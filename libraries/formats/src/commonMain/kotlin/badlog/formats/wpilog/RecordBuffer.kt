@@ -20,7 +20,6 @@ internal class RecordBuffer {
         text(extra)
     }
 
-    /** Starts entry [id]. */
     fun start(id: Int, name: String, type: String, metadata: String, micros: Double = 0.0) {
         val texts = listOf(name, type, metadata).map { it.encodeToByteArray() }
         head(0, micros, 1 + Int.SIZE_BYTES + texts.sumOf { Int.SIZE_BYTES + it.size })

@@ -100,7 +100,6 @@ class HookRunner(
     }
 
     companion object {
-        /** The default of [timeLimit]. */
         val DEFAULT_TIME_LIMIT: Duration = 30.seconds
 
         /** Returns the runner of [hook], which a file of rules in [folder] names. */

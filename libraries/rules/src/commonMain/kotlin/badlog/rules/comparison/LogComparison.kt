@@ -22,7 +22,6 @@ import kotlin.math.round
  */
 class LogDifferences internal constructor(val findings: List<Finding>, val numbers: List<NumberKey>, val differences: List<Finding>) {
     companion object {
-        /** No differences. */
         val NONE: LogDifferences = LogDifferences(emptyList(), emptyList(), emptyList())
     }
 }

@@ -49,7 +49,6 @@ class LogNumbers internal constructor(
     val resistance: Double get() = of(NumberKey.RESISTANCE, Measure.RESISTANCE)
 
     companion object {
-        /** No numbers. */
         val NONE: LogNumbers = LogNumbers(MatchKind.UNKNOWN, emptyList(), DoubleArray(0), Double.NaN)
     }
 }

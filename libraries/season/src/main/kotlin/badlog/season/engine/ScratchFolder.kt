@@ -5,7 +5,6 @@ import java.nio.file.Path
 
 /** A folder for temporary files, which goes when it is closed, or when the program ends and the work in it is finished. */
 internal class ScratchFolder : AutoCloseable {
-    /** Where it is. */
     val path: Path = Files.createTempDirectory("badlog-duckdb")
 
     // Hooks of the program run at the same time: the one that waits for the work must be the one that removes the folder.

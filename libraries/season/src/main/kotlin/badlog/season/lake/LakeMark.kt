@@ -21,7 +21,6 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         fun isOf(source: LogSource): Boolean = path == source.path && size == source.size && modified == source.modified
     }
 
-    /** Its text. */
     val text: String get() = JSON.encodeToString(this)
 
     /** This, after a run that found that those of [logs] in [ignored] are not logs, and why. */
@@ -33,7 +32,6 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         )
     }
 
-    /** Writes it into [folder]. */
     fun write(folder: Path) = writeAtomically(folder.resolve(LakeLayout.MARK)) { it.write(text.encodeToByteArray()) }
 
     companion object {

@@ -53,7 +53,6 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - entry.files.toSet())
     }
 
-    /** Removes [former]. */
     fun remove(former: RegisteredLog) = lock.read {
         note(former.log, emptyMap())?.let(::insert)
         touch(listOf(former.partition), former.files)

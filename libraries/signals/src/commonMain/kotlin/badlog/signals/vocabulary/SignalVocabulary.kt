@@ -37,7 +37,6 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     }
 
     companion object {
-        /** No signals. */
         val NONE: SignalVocabulary = SignalVocabulary(emptyList(), emptyList(), emptyList())
     }
 }

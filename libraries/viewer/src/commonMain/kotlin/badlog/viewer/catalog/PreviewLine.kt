@@ -29,13 +29,11 @@ class PreviewLine(val bytes: ByteArray) {
     override fun hashCode(): Int = bytes.contentHashCode()
 
     companion object {
-        /** The number of columns. */
         const val COLUMNS = 48
 
         /** The preview of nothing: no column has a value. */
         val NONE: PreviewLine by lazy { PreviewLine(ByteArray(BYTES) { if (it % 2 == 0) 1 else 0 }) }
 
-        /** The number of bytes. */
         const val BYTES = 2 * COLUMNS
 
         /**

@@ -120,7 +120,6 @@ internal class RecordStore {
 internal class IntList {
     private var numbers = IntArray(16)
 
-    /** Their number. */
     var size = 0
         private set
 

@@ -74,7 +74,6 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         },
     )
 
-    /** Removes graph [id]. */
     fun without(id: Int): Board = copy(graphs = graphs.filterNot { it.id == id })
 
     /** Moves graph [id] by [places], up if negative. */

@@ -30,7 +30,6 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
         return Notebook(inOrder(notes - setOfNotNull(written.replaced) + Note(written.x, written.text.trim())))
     }
 
-    /** Removes [note]. */
     fun without(note: Note): Notebook = copy(notes = notes - note)
 
     /** Shows [notes] instead, for example because another window has changed them; the draft stays. */

@@ -23,7 +23,6 @@ class PenColors private constructor(val isDark: Boolean) {
         /** The light theme, also that of paper. */
         val LIGHT: PenColors = PenColors(isDark = false)
 
-        /** The dark theme. */
         val DARK: PenColors = PenColors(isDark = true)
 
         /** Returns those of the dark or the light theme. */

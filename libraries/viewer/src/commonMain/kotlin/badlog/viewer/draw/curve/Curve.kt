@@ -24,7 +24,6 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
 
     private var isCorner = BooleanArray(0)
 
-    /** The number of points. */
     var size: Int = 0
         private set
 

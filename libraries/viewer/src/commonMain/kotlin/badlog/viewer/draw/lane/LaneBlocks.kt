@@ -21,7 +21,6 @@ class LaneBlocks {
     var states: IntArray = IntArray(0)
         private set
 
-    /** The number of blocks. */
     var size: Int = 0
         private set
 

@@ -12,7 +12,6 @@ class EventMarks {
     private var pixels = DoubleArray(0)
     private var looks = IntArray(0)
 
-    /** Their number. */
     var size: Int = 0
         private set
 

@@ -21,7 +21,6 @@ class EventTimeline private constructor(
     private val logOf: IntArray,
     private val cells: IntArray,
 ) {
-    /** Their number. */
     val size: Int get() = x.size
 
     /** The number of events with an x; these are the first ones. */
@@ -85,7 +84,6 @@ class EventTimeline private constructor(
     private fun idOf(index: Int) = logs[logOf[index]].topic.texts.ids[cells[index]]
 
     companion object {
-        /** No events. */
         val NONE: EventTimeline = of(emptyList())
 
         /** Returns the events of all [logs]. */

@@ -45,11 +45,9 @@ class FindingMarks {
     private var runEnds = IntArray(0)
     private var onePixel = 1.0
 
-    /** The number of glyphs. */
     var size: Int = 0
         private set
 
-    /** The number of runs. */
     var runCount: Int = 0
         private set
 

@@ -9,17 +9,14 @@ class ModeBands {
     private var right = DoubleArray(FIRST_BANDS)
     private var modes = IntArray(FIRST_BANDS)
 
-    /** Their number. */
     var size: Int = 0
         private set
 
     /** Returns where band [index] begins, in pixels from the left. */
     fun leftOf(index: Int): Double = left[index]
 
-    /** Returns where it ends. */
     fun rightOf(index: Int): Double = right[index]
 
-    /** Returns its mode. */
     fun modeOf(index: Int): RobotMode = RobotMode.entries[modes[index]]
 
     /**

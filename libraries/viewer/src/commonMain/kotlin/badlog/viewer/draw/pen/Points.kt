@@ -21,7 +21,6 @@ class Points {
     /** Adds both ends of a line. */
     fun line(fromX: Double, fromY: Double, toX: Double, toY: Double): Points = add(fromX, fromY).add(toX, toY)
 
-    /** Removes all places. */
     fun clear(): Points {
         size = 0
         return this

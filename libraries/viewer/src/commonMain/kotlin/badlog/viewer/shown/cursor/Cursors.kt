@@ -30,7 +30,6 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
     /** Removes the pointer, which left the graphs. If nothing is pinned, values are still read at its last place. */
     fun left(): Cursors = if (isPinned) copy(hover = null) else this
 
-    /** Pins A at [x]. */
     fun pinnedAt(x: Double): Cursors = copy(pinned = x)
 
     /** Handles a click at [x]: pins A there; a click on A, at most [reach] beside it, removes both cursors. */

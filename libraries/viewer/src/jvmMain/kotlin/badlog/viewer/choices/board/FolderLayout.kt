@@ -17,7 +17,6 @@ import java.nio.file.Path
  */
 class FolderLayout private constructor(val file: Path?, val text: String?, val layout: BoardLayout?, val problem: String?) {
     companion object {
-        /** No layout. */
         val NONE: FolderLayout = FolderLayout(null, null, null, null)
 
         /** The name of the file for all matches. */
