@@ -20,8 +20,8 @@ internal class FileHead private constructor(val isGzip: Boolean, private val rec
     /** Returns the title of the match, as far as it is known from this beginning of the file called [name]; null if it is unknown. */
     fun titleIn(name: String, signals: SignalVocabulary): String? = signals.matchOf(recording, name).title
 
-    /** Returns whether this beginning of the file tells the match by itself, whatever the file is called. */
-    fun tellsMatch(signals: SignalVocabulary): Boolean = titleIn(name = "", signals) != null
+    /** Returns whether this beginning of the file identifies the match by itself, whatever the file is called. */
+    fun identifiesMatch(signals: SignalVocabulary): Boolean = titleIn(name = "", signals) != null
 
     companion object {
         /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */

@@ -60,25 +60,25 @@ class HtmlExporter(
         checkWritable(page, files)
         return refusing {
             unpacked(input, { progress.advanced(0, Files.size(input)) }) { log ->
-                export(log, if (log.path == input) logParts else listOf(log.path), input, page, withNotes(additions, input), progress)
+                val exported = ExportedLog(input, log, if (log.path == input) logParts else listOf(log.path))
+                export(exported, page, withNotes(additions, input), progress)
             }
         }
     }
 
-    private fun export(
-        log: Unpacked,
-        logParts: List<Path>,
-        input: Path,
-        page: Path,
-        additions: PageAdditions,
-        progress: Progress,
-    ): ExportReport = reading(input) { Files.newInputStream(log.path) }.use { stream ->
-        val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
-        val head = FileHead.of(first)
-        if (head.refusal != null) throw ExportException.NotARecording(input, head.refusal)
-        val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
-        withOthers(source, logParts).use { whole ->
-            passingOn(progress) { reported -> writing(page) { write(log, logParts, input, whole, head, page, additions, reported) } }
+    /** The log in [input], whose content is that of [parts]. */
+    private class ExportedLog(val input: Path, val log: Unpacked, val parts: List<Path>)
+
+    private fun export(exported: ExportedLog, page: Path, additions: PageAdditions, progress: Progress): ExportReport {
+        val input = exported.input
+        return reading(input) { Files.newInputStream(exported.log.path) }.use { stream ->
+            val first = reading(input) { stream.readNBytes(FileHead.BYTES) }
+            val head = FileHead.of(first)
+            if (head.refusal != null) throw ExportException.NotARecording(input, head.refusal)
+            val source = ReadGuard(input, SequenceInputStream(ByteArrayInputStream(first), stream))
+            withOthers(source, exported.parts).use { whole ->
+                passingOn(progress) { reported -> writing(page) { write(exported, whole, head, page, additions, reported) } }
+            }
         }
     }
 
@@ -94,17 +94,17 @@ class HtmlExporter(
     }
 
     private fun write(
-        log: Unpacked,
-        logParts: List<Path>,
-        input: Path,
+        exported: ExportedLog,
         source: InputStream,
         head: FileHead,
         page: Path,
         additions: PageAdditions,
         progress: Progress,
     ): ExportReport {
-        val name = log.name
-        val firstBytes = Files.size(log.path)
+        val input = exported.input
+        val logParts = exported.parts
+        val name = exported.log.name
+        val firstBytes = Files.size(exported.log.path)
         val total = logParts.sumOf(Files::size)
         val parser = RecordingParser(LOG_FORMATS, keepSamples = false)
         Files.createDirectories(page.parent)
@@ -112,9 +112,9 @@ class HtmlExporter(
             val writer = PageWriter(file.out, parts)
             val signals = additions.rules.signals
             val heads = sequenceOf(head) + logParts.asSequence().drop(1).map(::headOf)
-            // A file's name may be that of another match, and only decides where no part of the log tells the match.
-            val telling = heads.firstOrNull { it.tellsMatch(signals) } ?: head
-            writer.begin(telling.titleIn(name, signals) ?: name, additions.video != null)
+            // A file's name may be that of another match, and only decides where no part of the log identifies the match.
+            val identifying = heads.firstOrNull { it.identifiesMatch(signals) } ?: head
+            writer.begin(identifying.titleIn(name, signals) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
                 // Only a large file is worth several workers, and reading while the page is still being loaded.
@@ -134,7 +134,7 @@ class HtmlExporter(
             val embeddedFile = embedded.file
             val parsed = parser.finish()
             val read = if (embeddedFile.isCut) parsed.withGzipCut(embeddedFile.inflatedBytes) else parsed
-            val recording = read.copy(problems = log.problems + read.problems)
+            val recording = read.copy(problems = exported.log.problems + read.problems)
             recording.refusal?.let { throw ExportException.NotARecording(input, it) }
             writer.end(name, embedded, head.isGzip, logParts.getOrNull(1)?.let { SecondPart(it.fileName.toString(), firstBytes) })
             file.commit()

@@ -10,6 +10,7 @@ import badlog.expression.ExpressionError
 import badlog.expression.ParsedQuestion
 import badlog.expression.Question
 import badlog.files.LogFile
+import badlog.files.ReadOptions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.LogShape
@@ -102,7 +103,8 @@ class Find(
 
     private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
         if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
-        return LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, named, cores, work = ::ask)
+        val options = ReadOptions(sinks = named, cores = cores)
+        return LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, options, work = ::ask)
     }
 
     private fun ask(content: LogContent): CachedResult<Stored> = when (content) {

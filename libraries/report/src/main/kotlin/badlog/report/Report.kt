@@ -10,6 +10,7 @@ import badlog.core.recording.Recording
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.ReadOptions
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN
@@ -106,7 +107,7 @@ class Report(
             if (file in unreadable) {
                 emptyList()
             } else {
-                LogContent.examined(file, virtualTopics, rules.signals, { it.overX(file) }, cores = cores) { content ->
+                LogContent.examined(file, virtualTopics, rules.signals, { it.overX(file) }, ReadOptions(cores = cores)) { content ->
                     if (content !is LogContent.Log) return@examined emptyList()
                     hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
                 }
@@ -151,7 +152,7 @@ class Report(
         virtualTopics,
         rules.signals,
         { it.overX(file) },
-        cores = cores,
+        ReadOptions(cores = cores),
         beside = beside ?: { _, view -> view },
     ) { examination.of(it, file.name) }
 

@@ -1,7 +1,6 @@
 package badlog.catalog.examine
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import badlog.files.LogFile
 import badlog.files.ReadOptions
@@ -34,9 +33,9 @@ sealed interface LogContent {
 
     companion object {
         /**
-         * Returns the result of [work] for [file], read on [cores] cores with the topics of [definitions], which may name [signals].
-         * [withX] names an x axis, where the log may not have one, [sinks] decides which numbers are needed, and [beside] adds another log
-         * to its view. A failure affects only this file: [work] then receives a [None] that describes it.
+         * Returns the result of [work] for [file], read as [options] say with the topics of [definitions], which may name [signals].
+         * [withX] names an x axis, where the log may not have one, and [beside] adds another log to its view. A failure affects only this
+         * file: [work] then receives a [None] that describes it.
          *
          * @throws InterruptedException if the thread was interrupted.
          */
@@ -45,13 +44,12 @@ sealed interface LogContent {
             definitions: List<String>,
             signals: SignalVocabulary,
             withX: (Recording) -> Recording = { it.overItsTime() },
-            sinks: NumberSinks = NumberSinks.RECORDING,
-            cores: Int = 1,
+            options: ReadOptions = ReadOptions(cores = 1),
             beside: (LogFile, LogView) -> LogView = { _, view -> view },
             work: (LogContent) -> R,
         ): R = orNotRead(file.path, { work(None(it)) }) {
             work(
-                when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(sinks = sinks, cores = cores))) {
+                when (val read = readLog(file.path, LOG_FORMATS, options)) {
                     is ReadResult.NotRead -> None(read)
 
                     is ReadResult.Read -> {

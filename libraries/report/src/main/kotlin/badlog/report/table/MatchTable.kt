@@ -14,6 +14,7 @@ import badlog.expression.Question
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.files.LogFile
+import badlog.files.ReadOptions
 import badlog.report.HookFailure
 import badlog.report.NamedTopics
 import badlog.report.Reply
@@ -131,18 +132,14 @@ class MatchTable(
                 only.map { it.text }
         val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
         val batteries = if (by.any(::isBattery)) {
-            FolderBatteries.of(
-                files.map {
-                    it.path
-                },
-                commonFolderOf(files, folders),
-            )
+            FolderBatteries.of(files.map { it.path }, commonFolderOf(files, folders))
         } else {
             FolderBatteries.NONE
         }
         batteries.problems.forEach(complain)
         val examine = { file: LogFile, cores: Int ->
-            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, sinks, cores) { ask(it, file.name) }
+            val options = ReadOptions(sinks = sinks, cores = cores)
+            LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, options) { ask(it, file.name) }
         }
         val advance = { progress(rows.size, files.size) }
         runCached(files, known, examine, advance) { file, stored ->
