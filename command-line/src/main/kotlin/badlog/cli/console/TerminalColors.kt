@@ -49,6 +49,7 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
             "error" to RED,
             "warning" to YELLOW,
             "note" to CYAN,
+            "hint" to CYAN,
             "then" to FAINT,
             "next" to FAINT,
             "ok" to GREEN,

@@ -52,8 +52,8 @@ internal class InfoText(
 
     /** Returns what a person must know even if they asked for something else; that all is well is shown only on request. */
     private fun worstLines(): List<String> {
-        val (notes, others) = view.problems.partition { it.severity == Severity.NOTE }
-        val more = if (notes.isEmpty()) emptyList() else listOf("${counted(notes.size.toLong(), "note")}: see --problems")
+        val (hints, others) = view.problems.partition { it.severity == Severity.NOTE }
+        val more = if (hints.isEmpty()) emptyList() else listOf("${counted(hints.size.toLong(), "hint")}: see --problems")
         return problemLines(others) + more
     }
 

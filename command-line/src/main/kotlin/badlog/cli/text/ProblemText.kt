@@ -16,8 +16,11 @@ private fun lineOf(problem: Problem, indent: String): String {
     val line = problem.line?.let { "line $it: " }.orEmpty()
     val isCounted = problem.count == 1 || problem.message.contains(Regex("\\b${problem.count}\\b"))
     val times = if (isCounted) "" else " (${grouped(problem.count.toLong())} times)"
-    return wrapped(indent + problem.severity.name.lowercase().padEnd(SEVERITY), line + problem.message + times)
+    return wrapped(indent + wordOf(problem.severity).padEnd(SEVERITY), line + problem.message + times)
 }
+
+/** A note, for people, is what a team writes at a moment. */
+private fun wordOf(severity: Severity) = if (severity == Severity.NOTE) "hint" else severity.name.lowercase()
 
 private const val SEVERITY = 9
 

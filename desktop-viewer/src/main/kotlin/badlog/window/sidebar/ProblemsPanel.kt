@@ -103,10 +103,10 @@ internal val Severity.title: String
     get() = when (this) {
         Severity.ERROR -> "lost"
         Severity.WARNING -> "warning"
-        Severity.NOTE -> "note"
+        Severity.NOTE -> "hint"
     }
 
-/** Returns losses, then warnings, then notes; those of one severity stay in order. */
+/** Returns losses, then warnings, then hints; those of one severity stay in order. */
 internal fun worstFirst(problems: List<Problem>): List<Problem> = problems.sortedByDescending { it.severity }
 
 /** Returns a sentence that says what [problems] mean for someone who relies on the file. */

@@ -62,10 +62,11 @@ internal class ProblemStripSpec : PageSpec({
         }
     }
 
-    browserTest("notes alone are one quiet line") {
-        onPage(TestPages.of("Time,A\n0,true\n1,false\n\n2,true\n", "notes.csv")) {
+    browserTest("hints alone are one quiet line") {
+        onPage(TestPages.of("Time,A\n0,true\n1,false\n\n2,true\n", "hints.csv")) {
             element("#problems").getDomAttribute("data-errors") shouldBe "0"
             element("#problems").getDomAttribute("data-warnings") shouldBe "0"
+            element("#problems").text shouldContain "hint"
             element("#problems").size.height shouldBeLessThan 30
             element(".problem-list").isDisplayed shouldBe false
         }

@@ -39,7 +39,7 @@ private fun problemsOf(view: LogView): String {
     if (view.problems.isEmpty()) return "none: every cell was read as written"
     return countText(view.count(Severity.ERROR), "error") +
         " (data was lost), " + countText(view.count(Severity.WARNING), "warning") +
-        " (kept, but perhaps not read as intended), " + countText(view.count(Severity.NOTE), "note") +
+        " (kept, but perhaps not read as intended), " + countText(view.count(Severity.NOTE), "hint") +
         " (for information). The first ten of each kind and topic are listed, the others only counted."
 }
 

@@ -22,7 +22,7 @@ import org.w3c.dom.HTMLElement
 internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
     private val errors = view.count(Severity.ERROR)
     private val warnings = view.count(Severity.WARNING) + additions.size
-    private val notes = view.count(Severity.NOTE)
+    private val hints = view.count(Severity.NOTE)
     private val isListedAtOnce = additions.isNotEmpty() || errors in 1..MAX_OPENED
     private var wasOpen = false
     private lateinit var list: HTMLElement
@@ -32,15 +32,15 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         id = "problems"
         setAttribute("data-errors", errors.toString())
         setAttribute("data-warnings", warnings.toString())
-        setAttribute("data-notes", notes.toString())
+        setAttribute("data-hints", hints.toString())
         classList.add(
             when {
                 errors > 0 -> "has-errors"
                 warnings > 0 -> "has-warnings"
-                else -> "has-notes"
+                else -> "has-hints"
             },
         )
-        isHidden = errors + warnings + notes == 0
+        isHidden = errors + warnings + hints == 0
         setAttribute("aria-label", "Problems of this file")
         toggle = addButton("problems-toggle", "") { open(list.isHidden) }.apply {
             appendChild(Icon.CHEVRON.draw())
@@ -63,7 +63,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         val parts = ArrayList<String>()
         if (errors > 0) parts += if (errors == 1) "Data is missing in 1 place" else "Data is missing in ${countText(errors)} places"
         if (warnings > 0) parts += countText(warnings, "warning")
-        if (notes > 0) parts += countText(notes, "note")
+        if (hints > 0) parts += countText(hints, "hint")
         return parts.joinToString()
     }
 
@@ -77,11 +77,11 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         list.addRows(Severity.ERROR)
         for (problem in additions) list.appendChild(row(problem))
         list.addRows(Severity.WARNING)
-        if (notes == view.problems.size && additions.isEmpty()) {
+        if (hints == view.problems.size && additions.isEmpty()) {
             list.addRows(Severity.NOTE)
-        } else if (notes > 0) {
-            list.add("li").add("details", "notes") {
-                add("summary", "", countText(notes, "note"))
+        } else if (hints > 0) {
+            list.add("li").add("details", "hints") {
+                add("summary", "", countText(hints, "hint"))
                 add("ul").addRows(Severity.NOTE)
             }
         }
@@ -96,7 +96,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         val name = when (problem.severity) {
             Severity.ERROR -> "lost"
             Severity.WARNING -> "warning"
-            Severity.NOTE -> "note"
+            Severity.NOTE -> "hint"
         }
         add("span", "severity is-$name", name)
         add("span", "problem-text") {

@@ -39,7 +39,7 @@ fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.su
     listOfNotNull(
         counted(errors, "error"),
         counted(warnings, "warning"),
-        counted(notes, "note"),
+        counted(notes, "hint"),
     ).joinToString(", ")
 }
 
