@@ -182,7 +182,7 @@ public final class InstallGradle {
             URI source = InstallGradle.class.getProtectionDomain().getCodeSource().getLocation().toURI();
             return Path.of(source).getParent().getParent();
         } catch (URISyntaxException | RuntimeException e) {
-            throw new Failure("The project's folder cannot be told; run this program as: java gradle/InstallGradle.java");
+            throw new Failure("The project's folder cannot be found; run this program as: java gradle/InstallGradle.java");
         }
     }
 

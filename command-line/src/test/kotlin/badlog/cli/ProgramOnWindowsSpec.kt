@@ -44,7 +44,7 @@ private val CONVERSATION = listOf(
 /** Java under Wine can read a file as its input only if Wine itself has opened that. */
 private const val MCP_SCRIPT = "@call badlog\\bin\\badlog.bat mcp . < conversation.txt\r\n"
 
-/** An assistant hears when a file was written, which is now. */
+/** An assistant receives when a file was written, which is now. */
 private val WRITTEN = Regex("""\\"written\\":\\"[^"]*\\"""")
 
 /** A folder with umlauts and spaces that has badlog, a log, and a torn one. */

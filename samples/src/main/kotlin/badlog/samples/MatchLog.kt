@@ -18,7 +18,7 @@ fun BagLog.createMatchTopics(run: Run) {
     createFieldTopics(robot)
 }
 
-/** What the field tells the robot before a match, and the label of the battery. */
+/** What the field sends to the robot before a match, and the label of the battery. */
 fun matchValues(start: String, number: String, alliance: String, location: String, battery: String) = listOf(
     "Start Time" to start,
     "Event Name" to "Mill Creek Regional",

@@ -80,7 +80,7 @@ class MatchGenerator(private val seed: Long) {
             return generated("${match.name}-without", plan.copy(fault = null, strength = 0.0))
         }
 
-        /** Returns [match], one of WPILib's logger, as a robot of 2027 logs it: the same moments, told in the other season's way. */
+        /** Returns [match], one of WPILib's logger, as a robot of 2027 logs it: the same moments, written in the other season's way. */
         fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Wording.ROBOT_OF_2027)
 
         /** Returns the log that the Driver Station of 2027 writes of [match], one of WPILib's logger. */

@@ -52,8 +52,8 @@ public interface ParquetSession : AutoCloseable {
      *
      * @param log what the column `log` holds.
      * @param file the name of the log's file.
-     * @param signals what topics are called that tell match and time.
-     * @return each file and how many rows it has; nothing where the log has no samples.
+     * @param signals the names of topics, such as those that identify match and time.
+     * @return each file and its number of rows; nothing if the log has no samples.
      */
     public fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<Pair<Path, Long>>
 }

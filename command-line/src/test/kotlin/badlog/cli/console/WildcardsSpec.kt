@@ -47,10 +47,10 @@ class WildcardsSpec : FunSpec({
             (folder / "abc.bag").writeText("")
             val arguments = listOf("info", "$folder/???.bag")
             withWildcards(arguments, WINDOWS) shouldBe arguments
-            val told = noPath("$folder/???.bag")
-            unreachable(arguments, told, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
-            unreachable(arguments, told, "Linux") shouldBe null
-            unreachable(listOf("info", "a.bag"), told, WINDOWS) shouldBe null
+            val failure = noPath("$folder/???.bag")
+            unreachable(arguments, failure, WINDOWS).shouldNotBeNull() shouldContain "name the folder above it"
+            unreachable(arguments, failure, "Linux") shouldBe null
+            unreachable(listOf("info", "a.bag"), failure, WINDOWS) shouldBe null
             val none = listOf("info", "$folder/*.wpilog")
             withWildcards(none, WINDOWS) shouldBe none
             unreachable(none, noPath("$folder/*.wpilog"), WINDOWS) shouldBe "There is no file or folder $folder/*.wpilog; check the spelling."

@@ -93,7 +93,7 @@ class FindSpec : FunSpec({
         ended.err shouldContain "“SCORING” is not a topic or signal of this log; put a text in single quotes, as in 'SCORING'."
     }
 
-    test("what the log does not tell is unknown, with the reason") {
+    test("what the log does not show is unknown, with the reason") {
         inFolder { folder ->
             folder.with("a.bag", BAG.replace("Enabled", "Other"))
             val ended = badlog("find", folder, "total(enabled)", "--no-cache")

@@ -147,7 +147,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("two downloads run at a time, at 1 MB/s together; a third one is told, and gets its turn") {
+    test("two downloads run at a time, at 1 MB/s together; a third one is shown that it waits, and gets its turn") {
         withServer(LogServerOptions().apply { bytesPerSecond = 200_000 }) { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
             val sockets = List(2) { server.connect() }
@@ -159,7 +159,7 @@ class LogServerSpec : FunSpec({
             val third = server.get("/logs/a.bag")
             third.status shouldBe 503
             third.text shouldStartWith "Two downloads are running already"
-            // That it passes is told to pages that follow.
+            // Pages that follow learn that it passes.
             third.headers["retry-after"] shouldBe "1"
             // Short answers need no place.
             server.get("/logs/?format=json").status shouldBe 200

@@ -47,7 +47,7 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     /** Answers requests from [transport], until it is closed. */
     suspend fun serve(transport: Transport) {
         val end = CompletableDeferred<Unit>()
-        // A short conversation may have ended before its session is made: the session would no longer hear of that, and closing the server would
+        // A short conversation may have ended before its session is made: the session would not notice that, and closing the server would
         // wait for it forever. When the transport is closed, nothing is left to close.
         transport.onClose { end.complete(Unit) }
         server().createSession(transport)

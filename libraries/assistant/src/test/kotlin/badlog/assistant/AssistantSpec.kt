@@ -69,7 +69,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("findings of a log tell what led to the brownout, with evidence and times") {
+    test("findings of a log show what led to the brownout, with evidence and times") {
         asking(SAMPLES) {
             val found = data("findings", "log" to MATCH)
             val incident = found.array("incidents").first().jsonObject
@@ -104,7 +104,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("statistics are those of the range, in units, and states tell how long each was there") {
+    test("statistics are those of the range, in units, and states have the time that each lasted") {
         asking(SAMPLES) {
             val whole = data("statistics", "log" to MATCH, "topics" to listOf("battery voltage"))
             whole.array("topics").single().jsonObject.getValue("min").text("value") shouldBe "6.73"
@@ -128,7 +128,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("events and states are given by their times, and what is left out is told with where to go on") {
+    test("events and states are given by their times, and what is left out is reported with where to continue") {
         asking(SAMPLES) {
             val first = data("samples", "log" to MATCH, "topics" to listOf("Event Log"), "points" to 3).array("topics").single().jsonObject
             first.array("points").size shouldBe 3
@@ -151,7 +151,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("a graph is a PNG of the size that is told, with each line in its color") {
+    test("a graph is a PNG of the requested size, with each line in its color") {
         asking(SAMPLES) {
             val result = call(
                 "graph",

@@ -80,7 +80,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("no answer tells where the folder is") {
+    test("no answer shows where the folder is") {
         inFolder { folder ->
             folder.with("a.bag", bag())
             folder.with("broken.wpilog", "WPILOG")

@@ -54,7 +54,7 @@ class HostileQueriesSpec : FunSpec({
         }
     }
 
-    test("a link to a log outside is in no table, also where a log becomes one, and no answer tells where the folder is").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("a link to a log outside is in no table, also where a log becomes one, and no answer shows where the folder is").config(enabledOrReasonIf = { IF_LINKS }) {
         inFolder { outer ->
             val outside = outer.with("outside.bag", bag(topic = SECRET))
             outer.with("more/b.bag", bag(topic = SECRET))

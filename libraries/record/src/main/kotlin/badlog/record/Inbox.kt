@@ -19,7 +19,7 @@ internal sealed interface Incoming {
     /**
      * It is closed, because of [reason].
      *
-     * @property localMicros when it was last heard of.
+     * @property localMicros when its last message arrived.
      */
     class Closed(override val link: Link, val reason: String, val localMicros: Long) : Incoming
 }

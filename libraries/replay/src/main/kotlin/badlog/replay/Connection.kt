@@ -14,7 +14,7 @@ import java.nio.ByteBuffer
 internal class Connection(private val socket: WebSocket, val protocol: SubProtocol, path: String) : Wire {
     val name: String = nameIn(path)
 
-    /** When the client was last heard of. */
+    /** When the client's last message arrived. */
     @Volatile
     var receivedNanos: Long = System.nanoTime()
 

@@ -94,7 +94,7 @@ class BrokenClientsSpec : FunSpec({
         socket.getInputStream().readBytes().decodeToString()
     }
 
-    test("A handshake without an end is ended and told of") {
+    test("A handshake without an end is ended and reported") {
         ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.open()
             Socket("127.0.0.1", server.port).use { socket ->
@@ -111,7 +111,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A message of pieces without an end is ended and told of, however small they are") {
+    test("A message of pieces without an end is ended and reported, however small they are") {
         ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.open()
             rawClient(server.port).use { socket ->
@@ -146,7 +146,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("However many connect, 64 connections are kept, and the next one hears why it is not") {
+    test("However many connect, 64 connections are kept, and the next one receives the reason") {
         ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.open()
             val others = List(64) { rawClient(server.port) }

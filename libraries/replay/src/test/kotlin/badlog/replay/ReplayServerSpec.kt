@@ -27,7 +27,7 @@ private fun serving(
 }
 
 class ReplayServerSpec : FunSpec({
-    test("Whoever subscribes to all hears of every topic with type and unit, and what it is now") {
+    test("Whoever subscribes to all receives every topic with type, unit and current value") {
         serving { server ->
             TestClient(server.port).use { client ->
                 client.subscribe("", options = TestClient.ALL_CHANGES)

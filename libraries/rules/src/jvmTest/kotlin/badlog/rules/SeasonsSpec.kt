@@ -56,7 +56,7 @@ class SeasonsSpec : FunSpec({
     val matches = listOf(generator.healthy(Naming.WPILIB, 0), generator.healthy(Naming.WPILIB, 2)) +
         FAULTS.filterIndexed { index, _ -> index % 8 == 0 }.map { generator.faulty(Naming.WPILIB, it, 1.0) }
 
-    test("the same match told as in 2026 and as in 2027 has the same findings, phases and paths, though the clock began a day before") {
+    test("the same match logged as in 2026 and as in 2027 has the same findings, phases and paths, though the clock began a day before") {
         for (match in matches) {
             withClue(match.name) {
                 val before = viewOf(match)

@@ -70,7 +70,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("each table tells its columns, also in a lake where it has nothing") {
+    test("each table lists its columns, also in a lake where it has nothing") {
         inLake { _, lake ->
             val tables = lake.tables().associateBy { it.name }
             tables.keys shouldContain "match_statistics"

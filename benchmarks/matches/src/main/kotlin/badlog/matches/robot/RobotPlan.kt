@@ -5,7 +5,7 @@ import badlog.matches.fault.Naming
 import badlog.matches.fault.Need
 
 /**
- * What makes a match without a fault hard to tell from one with a fault.
+ * What makes a match without a fault hard to distinguish from one with a fault.
  *
  * @property title what it is, in words.
  */

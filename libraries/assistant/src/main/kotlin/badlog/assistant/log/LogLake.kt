@@ -29,9 +29,9 @@ internal class LogLake(
     private var making: Making? = null
 
     /**
-     * Lets [ask] query the logs as they are now; it also hears how many of them are not there, because they cannot be read.
+     * Lets [ask] query the logs as they are now; it also receives the number of those that are missing because they cannot be read.
      *
-     * @throws ToolException when the tables are not made yet, or cannot be, or when a query is wrong.
+     * @throws ToolException if the tables are not made yet, or cannot be, or if a query is wrong.
      */
     fun <R> asking(ask: (tables: SqlSession, missing: Int) -> R): R {
         val folder = LakeCache(cache, service.layoutVersion).lakeOf(logs.root, USER)

@@ -134,7 +134,7 @@ class LogReadingSpec : FunSpec({
         own.key shouldNotBe found.key
     }
 
-    test("a file that cannot be read is not said to have nothing, and who gives up hears so") {
+    test("a file that cannot be read is not said to have nothing, and cancelling is passed on") {
         val folder = tempdir().toPath()
         reading(folder).found(LogFile(folder.resolve("gone.bag"), 10, 0)).rules.shouldBeNull()
         val log = folder.put("a.bag", bag())

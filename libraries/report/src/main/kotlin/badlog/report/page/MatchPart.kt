@@ -54,14 +54,14 @@ private fun factsOf(report: LogReport): String {
 
 private fun findingItem(finding: Finding, page: String?): String {
     val content = "<span class=\"rule\">${escaped(finding.rule)}</span>${escaped(finding.text)}"
-    return item(finding.severity, finding, page) + "<div class=\"told\">$content</div></li>\n"
+    return item(finding.severity, finding, page) + "<div class=\"text\">$content</div></li>\n"
 }
 
 /** Returns what came first and what followed, each as a link to its evidence. */
 private fun incidentItem(incident: Incident, page: String?): String {
     val content = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
     val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"
-    return item(incident.severity, incident.first, page) + "<div class=\"told\">$content$next</div></li>\n"
+    return item(incident.severity, incident.first, page) + "<div class=\"text\">$content$next</div></li>\n"
 }
 
 private fun item(severity: Severity, finding: Finding, page: String?): String {

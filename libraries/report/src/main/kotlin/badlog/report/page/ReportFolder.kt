@@ -157,7 +157,7 @@ class ReportFolder(
     private fun filesOf(chart: PageChart): List<Pair<Path, ByteArray>> {
         val place = folder.resolve(PageCharts.FOLDER)
         return listOf(
-            // The mark tells on the next run that both are badlog's.
+            // The mark shows the next run that both are badlog's.
             place.resolve("${chart.name}.svg") to "$CHART_MARK${chart.svg}".encodeToByteArray(),
             place.resolve("${chart.name}.png") to chart.png,
         )

@@ -40,7 +40,7 @@ class Incident internal constructor(
         get() {
             val reported = effects.filter {
                 it.severity != Severity.NOTE && !isSaidByCause(it)
-            }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_TOLD)
+            }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_EFFECTS)
             return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
                 reported.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
                 listOfNotNull(difference?.let { Sentence(it.text, it) })
@@ -75,7 +75,7 @@ class Incident internal constructor(
     class Sentence internal constructor(val text: String, val finding: Finding)
 
     private companion object {
-        const val MAX_TOLD = 2
+        const val MAX_EFFECTS = 2
 
         // Effects that begin less than this after a cause count as simultaneous.
         const val MIN_LATER = 0.1

@@ -24,14 +24,14 @@ class ParquetWriter : AutoCloseable {
     private val turn = ReentrantLock()
 
     /**
-     * Writes the samples of [view] to [target], which is there whole or as it was before. Where some topics share rows and others have
-     * times of their own, the latter get a second file beside it: `match.series.parquet` beside `match.parquet`.
+     * Writes the samples of [view] to [target], atomically. Where some topics share rows and others have times of their own, the latter
+     * get a second file beside it: `match.series.parquet` beside `match.parquet`.
      *
      * @param log what the column `log` holds.
-     * @param file the name of the log's file, which may tell its match and its time.
-     * @param signals what topics are called that tell the same.
-     * @return what was written; nothing where the log has no samples.
-     * @throws LakeException when a file cannot be written.
+     * @param file the name of the log's file, which may show its match and its time.
+     * @param signals the names of topics, such as those that show the same.
+     * @return what was written; nothing if the log has no samples.
+     * @throws LakeException if a file cannot be written.
      */
     fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
         // DuckDB cannot be stopped without leaving a draft.

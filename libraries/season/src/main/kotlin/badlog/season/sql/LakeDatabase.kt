@@ -141,7 +141,7 @@ class LakeDatabase private constructor(
          *
          * @param output a file that [writeParquet] may write; null for none.
          * @param isConfined whether those who ask must not learn where files are, and may use little memory: queries can only read the
-         *   [tables] then, which do not tell it.
+         *   [tables] then, which do not show it.
          * @throws LakeException if it is not a lake.
          */
         fun open(lake: Lake, output: Path? = null, isConfined: Boolean = false): LakeDatabase {

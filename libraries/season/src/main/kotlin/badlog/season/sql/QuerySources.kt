@@ -8,7 +8,7 @@ import kotlinx.serialization.json.contentOrNull
 
 /**
  * What a query reads, as DuckDB's own parser sees it: for those who may read the tables of a lake and nothing else, such as files by
- * their names, DuckDB's settings, or its own tables, which tell where the files of the lake are.
+ * their names, DuckDB's settings, or its own tables, which show where the files of the lake are.
  */
 internal class QuerySources private constructor(private val ownNames: Set<String>) {
     private fun check(element: JsonElement) {

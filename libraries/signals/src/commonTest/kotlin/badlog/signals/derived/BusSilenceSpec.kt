@@ -16,7 +16,7 @@ class BusSilenceSpec : FunSpec({
 
     fun silence(own: Series, others: List<Series> = listOf(other, other), isEnabled: (Double) -> Boolean = { true }) = busSilence(listOf(own), others, isEnabled).most()
 
-    test("a device that is not heard while others are is silent, for as long as that lasts") {
+    test("a device that does not answer while others do is silent, for as long as that lasts") {
         silence(without(10.0, 12.0)) shouldBe (2.04 plusOrMinus 1e-6)
         silence(without(15.0, 99.0)) shouldBe 5.0
         silence(other) shouldBe 0.0

@@ -102,7 +102,7 @@ class DriveSpec : FunSpec({
         slip(0.5) shouldBe (2.5 plusOrMinus 0.3)
     }
 
-    test("speeds that come seldom tell nothing of slip") {
+    test("speeds that come seldom show nothing of slip") {
         val speed = times.of { (it % 4).let { at -> if (at < 1) 3 * (at * 10).toInt() / 10.0 else maxOf(0.0, 4 - at) } }
         val still = times.of { 0.0 }
         wheelSlip(times.filterIndexed { i, _ -> i % 5 == 0 }.toDoubleArray(), DoubleArray(600) { speed[it * 5] }, still, still, still).size shouldBe 0

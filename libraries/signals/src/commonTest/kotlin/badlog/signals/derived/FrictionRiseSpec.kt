@@ -28,7 +28,7 @@ class FrictionRiseSpec : FunSpec({
         abs(checkNotNull(rise(effort(weight = { if (it < 30) 3.0 else 12.0 }) { 1.0 }))) shouldBeLessThan 0.05
     }
 
-    test("a mechanism that hardly moves, or not in both parts of the match, tells nothing") {
+    test("a mechanism that hardly moves, or not in both parts of the match, shows nothing") {
         frictionRise(times, times.of { 0.2 }, effort { 1.0 }, times.always()) shouldBe null
         frictionRise(times, times.of { if (it < 40) swing(it) else 0.0 }, effort { 1.0 }, times.always()) shouldBe null
         frictionRise(times, place, effort { 1.0 }, BooleanArray(times.size) { times[it] < 20 }) shouldBe null

@@ -16,7 +16,7 @@ fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
     val begins = if (matches.isEmpty()) known.map { it.second } else beginsOfRuns(matches)
     val begin = begins.sortedDescending().take(TodoList.RECENT_RUNS).lastOrNull() ?: return emptyList()
     val recent = known.filter { it.second >= begin }
-    // When logs without a date began, their matches tell.
+    // The matches of logs without a date show when these began.
     val others = (logs - known.toSet()).filter { log -> recent.any { isOfSameMatch(it.match, log.match) } }
     return recent + others
 }

@@ -31,7 +31,7 @@ class LogFoundSpec : FunSpec({
         verdict(*stalled.toTypedArray(), alone) shouldBe Verdict(Severity.ERROR, "Team rule at 0:05", listOf("Team rule."), "Ask Ada.", errors = 1, warnings = 2)
     }
 
-    test("the headline is what the sentences tell, and of several findings without an incident it is the first one") {
+    test("the headline is what the sentences say, and of several findings without an incident it is the first one") {
         val heavy = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 90.0, it) }
         val chain = listOf("Low battery" to 91.0, "Browned out" to 91.5, "Main breaker" to 92.0).map { (rule, at) -> finding(rule, Severity.ERROR, at) }
         val found = verdict(*heavy.toTypedArray(), *chain.toTypedArray())!!

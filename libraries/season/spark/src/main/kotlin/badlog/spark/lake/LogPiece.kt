@@ -24,9 +24,9 @@ internal class LogOutcome(
     }
 }
 
-/** What goes from the task that read a log to the one that writes tables: a change to them, what is to be told once it is made, or both. */
+/** What goes from the task that read a log to the one that writes tables: a change to them, what to report once it is made, or both. */
 internal class LogPiece(val change: LakeChange?, val outcome: LogOutcome?) : Serializable {
-    /** By which the pieces of a place come together; empty for what is only told. */
+    /** The key that brings the pieces of a place together; empty for what is only reported. */
     val place: String get() = change?.place.orEmpty()
 
     private companion object {

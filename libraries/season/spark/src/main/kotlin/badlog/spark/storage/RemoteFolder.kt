@@ -16,10 +16,10 @@ import java.nio.file.Files
 import java.util.UUID
 
 /**
- * A folder on any file system that Hadoop knows, so Spark: a disk, HDFS, an object store. Its functions throw an [IOException] where that
+ * A folder on any file system that Hadoop knows, so Spark: a disk, HDFS, an object store. Its functions throw an [IOException] if that
  * file system fails.
  *
- * @param address of the folder, as `spark-submit` was told it.
+ * @param address the address of the folder, as it was given to `spark-submit`.
  * @param draft how the names of unfinished files begin.
  */
 internal class RemoteFolder(private val address: String, private val configuration: SerializableConfiguration, private val draft: String) :

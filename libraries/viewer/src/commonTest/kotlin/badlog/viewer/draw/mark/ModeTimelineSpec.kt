@@ -25,11 +25,11 @@ class ModeTimelineSpec : FunSpec({
 
     test("modes are those that the vocabulary's topics show, and only enabled if none shows autonomous") {
         val view = bagView(listOf("Time|xaxis", "E", "A"), listOf("0,0,0", "1,1,1", "2,1,0", "3,0,0"))
-        fun LogView.told(modes: ModeTopics) = ModeTimeline.of(identified(null, modes)).spans.map { it.span to it.mode }
-        view.told(ModeTopics(flag("E"), flag("A"))) shouldBe
+        fun LogView.modesOf(modes: ModeTopics) = ModeTimeline.of(identified(null, modes)).spans.map { it.span to it.mode }
+        view.modesOf(ModeTopics(flag("E"), flag("A"))) shouldBe
             listOf(Span(1.0, 2.0) to RobotMode.AUTONOMOUS, Span(2.0, 3.0) to RobotMode.TELEOP)
-        view.told(ModeTopics(flag("E"), null)) shouldBe listOf(Span(1.0, 3.0) to RobotMode.ENABLED)
-        view.told(ModeTopics.NONE) shouldBe emptyList()
+        view.modesOf(ModeTopics(flag("E"), null)) shouldBe listOf(Span(1.0, 3.0) to RobotMode.ENABLED)
+        view.modesOf(ModeTopics.NONE) shouldBe emptyList()
     }
 
     test("test and utility are not teleop, and a phase has the name of its op mode") {

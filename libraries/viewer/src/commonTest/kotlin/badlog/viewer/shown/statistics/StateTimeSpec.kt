@@ -15,21 +15,21 @@ class StateTimeSpec : FunSpec({
     val names = listOf("off", "on", "stuck")
 
     fun runs(vararg states: Double) = StateRuns(Series(DoubleArray(states.size) { it.toDouble() }, states), states.size.toDouble())
-    fun List<StateTime>.told() = map { Triple(it.state, it.time, it.count) }
+    fun List<StateTime>.parts() = map { Triple(it.state, it.time, it.count) }
 
     test("each state has its time and how often it was entered, the longest first") {
         val runs = runs(0.0, 1.0, 0.0, 0.0, 1.0)
-        runs.timesOf(names).told() shouldBe listOf(Triple("off", 3.0, 2), Triple("on", 2.0, 2))
+        runs.timesOf(names).parts() shouldBe listOf(Triple("off", 3.0, 2), Triple("on", 2.0, 2))
         runs.timesOf(names)[0].share shouldBe (0.6 plusOrMinus 1e-12)
     }
 
     test("in a range, what is inside counts, not what only touches it") {
-        runs(0.0, 1.0, 0.0, 0.0, 1.0).timesOf(names, 1.5, 4.0).told() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
+        runs(0.0, 1.0, 0.0, 0.0, 1.0).timesOf(names, 1.5, 4.0).parts() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
         runs(0.0, 1.0).timesOf(names, 7.0, 9.0) shouldBe emptyList()
     }
 
     test("a gap is in no state") {
-        runs(0.0, Double.NaN, 0.0).timesOf(names).told() shouldBe listOf(Triple("off", 2.0, 2))
+        runs(0.0, Double.NaN, 0.0).timesOf(names).parts() shouldBe listOf(Triple("off", 2.0, 2))
     }
 
     test("texts have the unit of x, or rows if x counts rows") {
@@ -44,11 +44,11 @@ class StateTimeSpec : FunSpec({
         checkAll(Arb.list(Arb.int(0..2), 1..60), Arb.int(0..30), Arb.int(1..40)) { states, from, length ->
             val runs = runs(*DoubleArray(states.size) { states[it].toDouble() })
             val to = (from + length).toDouble()
-            val told = runs.timesOf(names, from.toDouble(), to)
+            val times = runs.timesOf(names, from.toDouble(), to)
             val seen = maxOf(0.0, minOf(to, states.size.toDouble()) - from)
-            told.sumOf { it.time } shouldBe (seen plusOrMinus 1e-9)
-            if (seen > 0) told.sumOf { it.share } shouldBe (1.0 plusOrMinus 1e-9)
-            if (seen > 0) told.map { it.state }.toSet() shouldBe states.drop(from).take(length).map { names[it] }.toSet()
+            times.sumOf { it.time } shouldBe (seen plusOrMinus 1e-9)
+            if (seen > 0) times.sumOf { it.share } shouldBe (1.0 plusOrMinus 1e-9)
+            if (seen > 0) times.map { it.state }.toSet() shouldBe states.drop(from).take(length).map { names[it] }.toSet()
         }
     }
 })
