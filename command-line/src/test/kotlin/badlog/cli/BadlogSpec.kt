@@ -5,6 +5,7 @@ import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
 import badlog.cli.plugin.PluginLoader
 import badlog.exporter.BADLOG_VERSION
+import badlog.files.inFolder
 import badlog.rules.commandWords
 import com.github.ajalt.clikt.core.parse
 import io.kotest.core.spec.style.FunSpec

@@ -4,6 +4,7 @@ import badlog.cli.fetch.Robots
 import badlog.fetch.DriverStation
 import badlog.fetch.FakeRobot
 import badlog.fetch.IMPATIENCE
+import badlog.files.inFolder
 import kotlin.io.path.div
 
 /** Does [work] beside a disabled robot of any team. */

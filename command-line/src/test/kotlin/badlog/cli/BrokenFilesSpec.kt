@@ -2,6 +2,7 @@ package badlog.cli
 
 import badlog.cli.command.ExitCode
 import badlog.core.recording.ProblemKind
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.console.Console
 import badlog.cli.console.ResultStream
 import badlog.cli.console.SearchCount
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.command.ExitCode
 import badlog.core.python.TestPython
 import badlog.files.LogFile
+import badlog.files.inFolder
 import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.assertions.withClue

@@ -1,6 +1,7 @@
 package badlog.cli
 
 import badlog.core.bag.Mutant
+import badlog.files.inFolder
 import badlog.formats.driverstation.STATION_EVENTS
 import badlog.formats.driverstation.STATION_LOG
 import badlog.rules.RulesException

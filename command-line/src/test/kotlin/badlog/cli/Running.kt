@@ -79,16 +79,6 @@ internal fun badlogOn(
 /** The same with `--json`: nothing is said but JSON. */
 internal fun badlogJson(vararg arguments: Any): Ended = badlog(*arguments, "--json").also { if (it.json.isNotEmpty()) it.err shouldBe "" }
 
-/** Does [work] in a folder that is removed afterwards. */
-internal inline fun <T> inFolder(work: (Path) -> T): T {
-    val folder = Files.createTempDirectory("badlog")
-    try {
-        return work(folder)
-    } finally {
-        folder.toFile().deleteRecursively()
-    }
-}
-
 /** A file [name] in this folder, with [content]. */
 internal fun Path.with(name: String, content: String): Path = with(name, content.encodeToByteArray())
 

@@ -1,5 +1,6 @@
 package badlog.cli
 
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_EVENTS

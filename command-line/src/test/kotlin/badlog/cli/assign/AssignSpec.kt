@@ -3,9 +3,9 @@ package badlog.cli.assign
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

@@ -4,8 +4,8 @@ import badlog.cli.BAG
 import badlog.cli.Badlog
 import badlog.cli.Ended
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

@@ -1,6 +1,6 @@
 package badlog.cli.console
 
-import badlog.cli.inFolder
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.nulls.shouldNotBeNull

@@ -5,13 +5,13 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

@@ -5,11 +5,11 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.core.analysis.Span
 import badlog.core.recording.Value
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

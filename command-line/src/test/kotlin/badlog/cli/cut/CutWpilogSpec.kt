@@ -4,12 +4,12 @@ import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.sampleLog
 import badlog.cli.wpilog
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
 import badlog.core.recording.TopicKind
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

@@ -5,12 +5,12 @@ import badlog.cli.badlogOn
 import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.Patience
 import badlog.fetch.RobotAddress
 import badlog.files.UserFolders
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

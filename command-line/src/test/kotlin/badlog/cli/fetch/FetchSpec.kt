@@ -3,11 +3,11 @@ package badlog.cli.fetch
 import badlog.cli.badlogBeside
 import badlog.cli.besideRobot
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.fetch.FakeRobot
 import badlog.fetch.IMPATIENCE
 import badlog.fetch.matchBag
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

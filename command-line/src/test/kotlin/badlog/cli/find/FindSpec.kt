@@ -6,9 +6,9 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.files.LogFile
+import badlog.files.inFolder
 import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.core.spec.style.FunSpec

@@ -9,13 +9,13 @@ import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
-import badlog.cli.inFolder
 import badlog.cli.text.jsonOf
 import badlog.cli.topic.TopicChoice
 import badlog.cli.with
 import badlog.core.analysis.LogView
 import badlog.core.recording.NumberSinks
 import badlog.files.ReadOptions
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.report.NamedTopics

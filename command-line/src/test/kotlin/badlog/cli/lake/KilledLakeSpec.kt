@@ -5,10 +5,10 @@ import badlog.cli.IF_ENDED_GENTLY
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.endGently
-import badlog.cli.inFolder
 import badlog.cli.plugin.SeasonService
 import badlog.cli.plugin.javaCommand
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeTrue

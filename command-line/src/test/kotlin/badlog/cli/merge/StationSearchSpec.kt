@@ -3,9 +3,9 @@ package badlog.cli.merge
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_START

@@ -6,10 +6,10 @@ import badlog.cli.Ended
 import badlog.cli.badlogOn
 import badlog.cli.command.ExitCode
 import badlog.cli.computer.Computer
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
 import badlog.files.UserFolders
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

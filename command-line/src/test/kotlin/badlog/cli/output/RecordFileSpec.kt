@@ -4,8 +4,8 @@ import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.wpilog
+import badlog.files.inFolder
 import badlog.formats.wpilog.record.RecordEntry
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled

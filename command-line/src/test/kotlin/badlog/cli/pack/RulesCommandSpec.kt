@@ -5,11 +5,11 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
 import badlog.cli.wpilog
 import badlog.exporter.additionsIn
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

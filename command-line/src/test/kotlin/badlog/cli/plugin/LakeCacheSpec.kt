@@ -1,8 +1,8 @@
 package badlog.cli.plugin
 
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe

@@ -7,8 +7,8 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
-import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly

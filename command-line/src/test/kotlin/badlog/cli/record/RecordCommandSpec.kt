@@ -8,11 +8,11 @@ import badlog.cli.badlog
 import badlog.cli.badlogBeside
 import badlog.cli.besideRobot
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.interrupt
 import badlog.cli.plugin.javaCommand
 import badlog.cli.with
 import badlog.core.analysis.LogView
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.replay.ReplayOptions

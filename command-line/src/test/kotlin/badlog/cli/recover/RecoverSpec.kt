@@ -8,9 +8,9 @@ import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.gzip
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.with
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec

@@ -3,9 +3,9 @@ package badlog.cli.report
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.cli.wpilog
+import badlog.files.inFolder
 import badlog.formats.driverstation.STATION_START
 import badlog.formats.driverstation.Status
 import badlog.formats.driverstation.TestDslog

@@ -9,12 +9,12 @@ import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.console.Console
-import badlog.cli.inFolder
 import badlog.cli.names
 import badlog.cli.plugin.ChartService
 import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
 import badlog.cli.with
+import badlog.files.inFolder
 import badlog.report.Report
 import badlog.report.page.ReportFolder
 import badlog.rules.RuleSet

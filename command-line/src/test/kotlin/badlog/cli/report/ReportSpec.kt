@@ -6,10 +6,10 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.core.python.HAS_PYTHON
 import badlog.exporter.additionsIn
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan

@@ -6,11 +6,11 @@ import badlog.cli.Ended
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
-import badlog.cli.inFolder
 import badlog.cli.plugin.LakeCache
 import badlog.cli.plugin.SeasonService
 import badlog.cli.with
 import badlog.files.UserFolders
+import badlog.files.inFolder
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -2,8 +2,8 @@ package badlog.cli.table
 
 import badlog.cli.badlog
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

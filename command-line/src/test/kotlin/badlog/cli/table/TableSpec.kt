@@ -8,9 +8,9 @@ import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.console.ResultStream
-import badlog.cli.inFolder
 import badlog.cli.with
 import badlog.core.python.HAS_PYTHON
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

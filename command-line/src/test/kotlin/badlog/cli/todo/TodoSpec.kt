@@ -6,8 +6,8 @@ import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
-import badlog.cli.inFolder
 import badlog.cli.with
+import badlog.files.inFolder
 import badlog.viewer.todo.Check
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.OwnTask

@@ -92,16 +92,6 @@ internal fun asking(folder: Path, talk: suspend Conversation.() -> Unit) {
     caches.toFile().deleteRecursively()
 }
 
-/** A folder of logs that is removed afterwards. */
-internal fun inFolder(work: (Path) -> Unit) {
-    val folder = Files.createTempDirectory("badlog-assistant")
-    try {
-        work(folder)
-    } finally {
-        folder.toFile().deleteRecursively()
-    }
-}
-
 /** A file [name] in this folder, with [content]. */
 internal fun Path.with(name: String, content: String): Path = resolve(name).apply {
     Files.createDirectories(parent)

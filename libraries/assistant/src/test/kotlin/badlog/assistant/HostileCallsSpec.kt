@@ -1,6 +1,7 @@
 package badlog.assistant
 
 import badlog.assistant.call.AnswerText
+import badlog.files.inFolder
 import badlog.rules.RulesFile
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled

@@ -6,6 +6,7 @@ import badlog.assistant.call.ToolException
 import badlog.assistant.log.LogFolder
 import badlog.assistant.log.LogLake
 import badlog.assistant.tool.SqlOverLogs
+import badlog.files.inFolder
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec

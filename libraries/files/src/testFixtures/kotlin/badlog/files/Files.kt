@@ -12,7 +12,7 @@ internal fun gzip(bytes: ByteArray): ByteArray {
 }
 
 /** Does [work] in a folder that is removed afterwards. */
-internal fun <T> inFolder(work: (Path) -> T): T {
+internal inline fun <T> inFolder(work: (Path) -> T): T {
     val folder = Files.createTempDirectory("badlog")
     try {
         return work(folder)

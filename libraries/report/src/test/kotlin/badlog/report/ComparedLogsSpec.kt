@@ -3,6 +3,7 @@ package badlog.report
 import badlog.exporter.HtmlExporter
 import badlog.exporter.PageParts
 import badlog.exporter.additionsIn
+import badlog.files.inFolder
 import badlog.report.page.ReportFolder
 import badlog.report.page.reportPage
 import badlog.rules.BUILT_IN

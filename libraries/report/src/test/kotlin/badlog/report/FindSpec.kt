@@ -2,6 +2,7 @@ package badlog.report
 
 import badlog.expression.Outcome
 import badlog.expression.syntax.ExpressionErrorKind
+import badlog.files.inFolder
 import badlog.terminal.displayWidth
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec

@@ -10,18 +10,7 @@ import kotlinx.serialization.json.jsonObject
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
-import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
-
-/** Does [work] with an empty folder, which is deleted afterwards. */
-internal fun <T> inFolder(work: (Path) -> T): T {
-    val folder = createTempDirectory("badlog-report-test")
-    try {
-        return work(folder)
-    } finally {
-        folder.toFile().deleteRecursively()
-    }
-}
 
 /** A bag of the columns [topics], names with units, with one row for each of [rows]. */
 internal fun bag(topics: Map<String, String>, rows: List<String>, values: Map<String, String> = emptyMap()): String {

@@ -3,6 +3,7 @@ package badlog.report
 import badlog.core.analysis.Span
 import badlog.core.python.HAS_PYTHON
 import badlog.core.recording.Severity
+import badlog.files.inFolder
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN

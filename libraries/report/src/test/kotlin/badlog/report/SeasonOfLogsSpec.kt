@@ -1,5 +1,6 @@
 package badlog.report
 
+import badlog.files.inFolder
 import badlog.report.page.reportPage
 import badlog.viewer.shown.battery.BatterySeason
 import io.kotest.core.spec.style.FunSpec

@@ -1,5 +1,6 @@
 package badlog.season
 
+import badlog.files.inFolder
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
 import badlog.season.sql.LakeDatabase

@@ -1,6 +1,7 @@
 package badlog.season
 
 import badlog.core.bag.VARIED_BAG
+import badlog.files.inFolder
 import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet

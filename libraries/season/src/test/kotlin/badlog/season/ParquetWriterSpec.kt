@@ -2,6 +2,7 @@ package badlog.season
 
 import badlog.core.analysis.LogView
 import badlog.core.python.TestPython
+import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.TestLog

@@ -1,6 +1,7 @@
 package badlog.season
 
 import badlog.core.python.TestPython
+import badlog.files.inFolder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlinx.serialization.json.Json

@@ -1,5 +1,6 @@
 package badlog.season
 
+import badlog.files.inFolder
 import badlog.season.engine.Engine
 import badlog.season.engine.NumberColumn
 import badlog.season.engine.Table

@@ -12,23 +12,12 @@ import kotlinx.serialization.json.JsonElement
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
-import kotlin.io.path.createTempDirectory
 import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
 /** The project's samples. */
 internal val SAMPLE_LOGS: Path = generateSequence(Path.of("").toAbsolutePath()) { it.parent }.map { it.resolve("samples") }.first(Files::isDirectory)
-
-/** Does [work] with an empty folder that goes afterwards. */
-internal fun <T> inFolder(work: (Path) -> T): T {
-    val folder = createTempDirectory("badlog-season-test")
-    try {
-        return work(folder)
-    } finally {
-        folder.toFile().deleteRecursively()
-    }
-}
 
 internal fun Path.put(name: String, bytes: ByteArray): Path = resolve(name).also {
     it.parent.createDirectories()

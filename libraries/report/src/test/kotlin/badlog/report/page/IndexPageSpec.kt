@@ -1,5 +1,6 @@
 package badlog.report.page
 
+import badlog.files.inFolder
 import badlog.page.Chromium
 import badlog.page.OpenPage
 import badlog.page.Screen
@@ -7,7 +8,6 @@ import badlog.page.seriousForReaders
 import badlog.report.Report
 import badlog.report.SAMPLES
 import badlog.report.batteryBag
-import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
 import io.kotest.core.spec.style.FunSpec

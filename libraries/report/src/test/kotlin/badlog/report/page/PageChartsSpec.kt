@@ -2,13 +2,13 @@ package badlog.report.page
 
 import badlog.exporter.HtmlExporter
 import badlog.exporter.PageParts
+import badlog.files.inFolder
 import badlog.page.Chromium
 import badlog.page.OpenPage
 import badlog.page.Screen
 import badlog.page.seriousForReaders
 import badlog.report.Report
 import badlog.report.batteryBag
-import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
 import badlog.rules.RuleSet

@@ -4,10 +4,10 @@ import badlog.exporter.ExportException
 import badlog.exporter.HtmlExporter
 import badlog.exporter.PageParts
 import badlog.files.LogFile
+import badlog.files.inFolder
 import badlog.report.Report
 import badlog.report.bag
 import badlog.report.batteryBag
-import badlog.report.inFolder
 import badlog.report.logsIn
 import badlog.report.put
 import badlog.rules.RuleSet

@@ -1,6 +1,6 @@
 package badlog.spark.cluster
 
-import badlog.season.inFolder
+import badlog.files.inFolder
 import badlog.season.matchBag
 import badlog.season.put
 import badlog.season.refresh

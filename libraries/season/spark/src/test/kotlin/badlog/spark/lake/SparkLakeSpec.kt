@@ -1,12 +1,12 @@
 package badlog.spark.lake
 
 import badlog.core.bag.VARIED_BAG
+import badlog.files.inFolder
 import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.SAMPLE_LOGS
 import badlog.season.answerOf
-import badlog.season.inFolder
 import badlog.season.lake.LakeException
 import badlog.season.matchBag
 import badlog.season.put

@@ -1,10 +1,10 @@
 package badlog.spark.sql
 
+import badlog.files.inFolder
 import badlog.formats.wpilog.TestLog
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.season.answerOf
-import badlog.season.inFolder
 import badlog.season.lake.LakeException
 import badlog.season.matchBag
 import badlog.season.put
