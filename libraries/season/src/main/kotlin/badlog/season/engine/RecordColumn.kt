@@ -42,6 +42,16 @@ internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
         DuckDBColumnType.VARCHAR,
         "STRUCT(severity VARCHAR, message VARCHAR, line INTEGER, topic VARCHAR, count INTEGER)[]",
     ),
+    ;
+
+    /** Returns whether a field of this type can hold [value]. */
+    fun fits(value: Any?): Boolean = value == null || when (given) {
+        DuckDBColumnType.DOUBLE -> value is Double
+        DuckDBColumnType.BIGINT -> value is Long
+        DuckDBColumnType.INTEGER -> value is Int
+        DuckDBColumnType.BOOLEAN -> value is Boolean
+        else -> value is String
+    }
 }
 
 /** The values of one field of records, of a [FieldType]; [valueOf] returns that of each record. */

@@ -14,7 +14,7 @@ class LakeEntry internal constructor(
     internal val partition: Partition,
     val files: List<String>,
     val isSalvaged: Boolean,
-    internal val records: Map<LakeTable, List<List<Any?>>>,
+    internal val records: Map<LakeTable, List<LakeRecord>>,
 ) : Serializable {
     /** Where its records are in each table: the folders of season and event, with a slash between. */
     val place: String get() = partition.path

@@ -25,10 +25,10 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
     private val obsolete = ArrayList<String>()
     private var waiting = Waiting()
 
-    /** Records that are inserted into DuckDB together, with season and event before each record. */
+    /** Records that are inserted into DuckDB together. */
     private class Waiting {
         val logs = ArrayList<String>()
-        val records = LakeTable.entries.associateWith { ArrayList<List<Any?>>() }
+        val records = LakeTable.entries.associateWith { ArrayList<PlacedRecord>() }
     }
 
     /** The number of collected logs, including those to be removed. */
@@ -48,8 +48,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
     /** Adds [entry], where the lake had [former] of the same log. */
     fun add(entry: LakeEntry, former: RegisteredLog?) = lock.read {
         val partition = entry.partition
-        note(entry.log, entry.records.mapValues { (_, rows) -> rows.map { listOf(partition.season, partition.event) + it } })
-            ?.let(::insert)
+        note(entry.log, entry.records.mapValues { (_, records) -> records.map { PlacedRecord(partition, it) } })?.let(::insert)
         touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - entry.files.toSet())
     }
 
@@ -60,7 +59,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
 
     /** Returns what to insert, if it is worth a statement for each table; otherwise null. */
     @Synchronized
-    private fun note(log: String, records: Map<LakeTable, List<List<Any?>>>): Waiting? {
+    private fun note(log: String, records: Map<LakeTable, List<PlacedRecord>>): Waiting? {
         waiting.logs += log
         for ((table, rows) in records) waiting.records.getValue(table).addAll(rows)
         size++

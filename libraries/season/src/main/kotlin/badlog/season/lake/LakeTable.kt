@@ -64,11 +64,30 @@ internal enum class LakeTable(val order: String, vararg val fields: Pair<String,
     /** Its columns as SQL declares them. */
     val declared: String get() = fields.joinToString { (name, type) -> "${quoted(name)} ${type.type}" }
 
-    /** Returns [records], each with season, event, and a value for each field in order, as a table. */
-    fun staged(records: List<List<Any?>>): Table =
-        Table((PARTITION + fields).mapIndexed { i, (name, type) -> RecordColumn(name, type) { records[it][i] } }, records.size)
+    /**
+     * Returns a record of [values], one for each field, by its name.
+     *
+     * @throws IllegalArgumentException if one is missing, is in another order, or does not have the type of its field.
+     */
+    fun record(vararg values: Pair<String, Any?>): LakeRecord {
+        require(values.map { it.first } == fields.map { it.first }) {
+            "The fields of $table are ${fields.joinToString { it.first }}, not ${values.joinToString { it.first }}."
+        }
+        return LakeRecord(
+            values.mapIndexed { i, (name, value) ->
+                require(fields[i].second.fits(value)) { "The field $name of $table cannot hold $value." }
+                value
+            },
+        )
+    }
 
-    private companion object {
-        val PARTITION = arrayOf("season" to WHOLE, "event" to TEXT)
+    /** Returns [records], each with its season and event before its own fields, as a table. */
+    fun staged(records: List<PlacedRecord>): Table {
+        val places = listOf(
+            RecordColumn("season", WHOLE) { records[it].partition.season },
+            RecordColumn("event", TEXT) { records[it].partition.event },
+        )
+        val own = fields.mapIndexed { i, (name, type) -> RecordColumn(name, type) { records[it].record[i] } }
+        return Table(places + own, records.size)
     }
 }

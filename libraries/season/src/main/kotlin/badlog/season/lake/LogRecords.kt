@@ -34,11 +34,13 @@ internal class LogRecords(
     private val recording = view.recording
     private val secondsPerX = Units.secondsIn(view.xAxis.unit) ?: 1.0
     private val events = recording.topics.filter { holdsEvents(it) }.flatMap { topic ->
-        view.eventsOf(topic).events.map { listOf(log, topic.name, it.x, momentOf(it.x), it.text) }
+        view.eventsOf(topic).events.map {
+            LakeTable.EVENTS.record("log" to log, "topic" to topic.name, "t" to it.x, "timestamp" to momentOf(it.x), "text" to it.text)
+        }
     }
 
     /** The records of each table. */
-    val all: Map<LakeTable, List<List<Any?>>> by lazy {
+    val all: Map<LakeTable, List<LakeRecord>> by lazy {
         mapOf(
             LakeTable.TOPICS to recording.topics.map(::topicRecord),
             LakeTable.STATISTICS to recording.topics.mapNotNull(::statisticsRecord),
@@ -53,7 +55,7 @@ internal class LogRecords(
     /** Texts among numbers have no other place in a lake. */
     private fun holdsEvents(topic: Topic) = topic.texts.size > 0 && (topic.kind != TopicKind.STATE || "log" in topic.attributes)
 
-    private fun topicRecord(topic: Topic): List<Any?> {
+    private fun topicRecord(topic: Topic): LakeRecord {
         val positions = topic.times ?: if (topic.size == recording.rowCount) view.xAxis.positions else DoubleArray(0)
         val first = positions.firstOrNull { it.isFinite() }
         val last = positions.lastOrNull { it.isFinite() }
@@ -63,40 +65,88 @@ internal class LogRecords(
             topic.times != null && topic.size > 0 && files.isNotEmpty() -> LakeLayout.SERIES
             else -> null
         }
-        return listOf(
-            log, topic.name, stored, column, unitOf(topic), textsJson(topic.attributes), topic.kind.name.lowercase(),
-            topic.type.ifEmpty { null }, topic.size.toLong(), topic.counts.empty.toLong() + topic.counts.notFinite,
-            view.sampleRateOf(topic), first, last,
+        return LakeTable.TOPICS.record(
+            "log" to log,
+            "topic" to topic.name,
+            "stored" to stored,
+            "column_name" to column,
+            "unit" to unitOf(topic),
+            "attributes" to textsJson(topic.attributes),
+            "kind" to topic.kind.name.lowercase(),
+            "type" to topic.type.ifEmpty { null },
+            "samples" to topic.size.toLong(),
+            "gaps" to topic.counts.empty.toLong() + topic.counts.notFinite,
+            "rate" to view.sampleRateOf(topic),
+            "first_t" to first,
+            "last_t" to last,
         )
     }
 
-    private fun statisticsRecord(topic: Topic): List<Any?>? {
+    private fun statisticsRecord(topic: Topic): LakeRecord? {
         if (isOfTexts(topic) || topic.samples.isEmpty()) return null
         return view.seriesOf(topic).statistics().run {
-            listOf(
-                log, topic.name, unitOf(topic), count.toLong(), gaps.toLong(), min, max, mean, standardDeviation, percentile5, median,
-                percentile95, first, last,
+            LakeTable.STATISTICS.record(
+                "log" to log,
+                "topic" to topic.name,
+                "unit" to unitOf(topic),
+                "count" to count.toLong(),
+                "gaps" to gaps.toLong(),
+                "min" to min,
+                "max" to max,
+                "mean" to mean,
+                "standard_deviation" to standardDeviation,
+                "p5" to percentile5,
+                "median" to median,
+                "p95" to percentile95,
+                "first" to first,
+                "last" to last,
             )
         }
     }
 
-    private fun findingRecord(finding: Finding): List<Any?> = finding.run {
+    private fun findingRecord(finding: Finding): LakeRecord = finding.run {
         val json = JsonArray(spans.map { JsonObject(mapOf("from" to number(it.from), "to" to number(it.to))) })
-        listOf(
-            log, rule, severity.name.lowercase(), topic, time, momentOf(time), text, next.ifEmpty { null }, textsJson(evidence), "$json",
-            spanCount,
+        LakeTable.FINDINGS.record(
+            "log" to log,
+            "rule" to rule,
+            "severity" to severity.name.lowercase(),
+            "topic" to topic,
+            "t" to time,
+            "timestamp" to momentOf(time),
+            "text" to text,
+            "next" to next.ifEmpty { null },
+            "evidence" to textsJson(evidence),
+            "spans" to "$json",
+            "span_count" to spanCount,
         )
     }
 
-    private fun matchRecord(): List<Any?> {
+    private fun matchRecord(): LakeRecord {
         val range = view.xAxis.range
-        return listOf(
-            log, identity.match.title, identity.match.type, identity.number, identity.match.alliance, identity.start?.let(::microsOf),
-            range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex }, view.xAxis.name,
-            view.xAxis.unit.takeUnless(Units::isNone), recording.format.id, recording.rowCount.toLong(),
-            recording.sampleCount, recording.topics.size.toLong(), events.size.toLong(), findings.size.toLong(), recording.isSalvaged,
-            problemsJson(), headerJson(), source.path, source.size, source.modified * 1000,
-            textsJson(files), maker,
+        return LakeTable.MATCHES.record(
+            "log" to log,
+            "title" to identity.match.title,
+            "type" to identity.match.type,
+            "number" to identity.number,
+            "alliance" to identity.match.alliance,
+            "start" to identity.start?.let(::microsOf),
+            "duration" to range?.let { (it.endInclusive - it.start) * secondsPerX }?.takeIf { !view.xAxis.isIndex },
+            "x_name" to view.xAxis.name,
+            "x_unit" to view.xAxis.unit.takeUnless(Units::isNone),
+            "format" to recording.format.id,
+            "rows" to recording.rowCount.toLong(),
+            "samples" to recording.sampleCount,
+            "topics" to recording.topics.size.toLong(),
+            "events" to events.size.toLong(),
+            "findings" to findings.size.toLong(),
+            "salvaged" to recording.isSalvaged,
+            "problems" to problemsJson(),
+            "header" to headerJson(),
+            "path" to source.path,
+            "size" to source.size,
+            "modified" to source.modified * 1000,
+            "files" to textsJson(files),
+            "made_by" to maker,
         )
     }
 

@@ -1,0 +1,16 @@
+package badlog.season.lake
+
+import java.io.Serializable
+
+/** A record of a [LakeTable], which makes it: a value for each of its fields, in their order and of their types. */
+internal class LakeRecord(private val values: List<Any?>) : Serializable {
+    /** Returns the value of the field at [index]. */
+    operator fun get(index: Int): Any? = values[index]
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
+}
+
+/** A record, and where it is in its table. */
+internal class PlacedRecord(val partition: Partition, val record: LakeRecord)
