@@ -55,8 +55,8 @@ internal class ConvertCommand(private val parts: PluginLoader) :
         }
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
-        val rows = Rows(period, rowsAt)
-        return ConvertTask(paths, format, output.plan(paths), isGzip, xTopic, virtual.definitions, only.choice, rows, isChangesOnly, isJson)
+        val conversion = Conversion(format, isGzip, xTopic, Rows(period, rowsAt), isChangesOnly)
+        return ConvertTask(paths, output.plan(paths), conversion, virtual.definitions, only.choice, isJson)
     }
 
     private fun isParquet() =

@@ -7,7 +7,6 @@ import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
-import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.changesOf
@@ -40,23 +39,15 @@ import java.nio.file.Path
 /**
  * Writes logs in another format.
  *
- * @param isGzip whether to compress results although their logs were not.
- * @param xTopic the topic to make the x axis, or null.
  * @param virtualTopics definitions of topics to add.
  * @param only which topics to write.
- * @param rows the times of rows for a log without rows, if the format needs them.
- * @param isChangesOnly whether to skip samples that equal the previous ones.
  */
 internal class ConvertTask(
     private val paths: List<Path>,
-    private val format: LogFormat,
     private val plan: OutputPlan,
-    private val isGzip: Boolean,
-    private val xTopic: String?,
+    private val conversion: Conversion,
     private val virtualTopics: List<String>,
     private val only: TopicChoice,
-    private val rows: Rows,
-    private val isChangesOnly: Boolean,
     private val isJson: Boolean,
 ) : Task {
     private class WithRows(val recording: Recording, val leftOut: Omissions)
@@ -64,15 +55,15 @@ internal class ConvertTask(
     override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: Progress): Outcome {
-        val log = LogToConvert(input, virtualTopics, only, needed = listOfNotNull(xTopic, rows.topic), progress)
-        val fit = if (format.hasRows) withRows(log.wanted, input.file) else WithRows(log.wanted, Omissions())
+        val log = LogToConvert(input, virtualTopics, only, needed = listOfNotNull(conversion.xTopic, conversion.rows.topic), progress)
+        val fit = if (conversion.format.hasRows) withRows(log.wanted, input.file) else WithRows(log.wanted, Omissions())
         val recording = fit.recording
         val name = FileName.of(input.file)
-        val converted = name.with(format.ending, isGzip || name.isGzip)
+        val converted = name.with(conversion.format.ending, conversion.isGzip || name.isGzip)
         val target = plan.place(input, converted, converted)
         val calculated = recording.copy(values = emptyList(), topics = recording.topics.filter { it.name in log.added })
         val leftOut = fit.leftOut + write(input.file, recording, calculated, target, progress)
-        val count = if (format.hasRows) {
+        val count = if (conversion.format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
         } else {
             "${counted(recording.sampleCount, "sample")} of ${counted(recording.topics.size.toLong(), "topic")}"
@@ -82,7 +73,7 @@ internal class ConvertTask(
             lossLines(recording.problems)
         val json = ConvertJson(
             target.toString(),
-            format.option,
+            conversion.format.option,
             recording.rowCount,
             recording.sampleCount,
             leftOut.all,
@@ -92,22 +83,22 @@ internal class ConvertTask(
     }
 
     private fun write(file: Path, recording: Recording, calculated: Recording, target: Path, progress: Progress): Omissions {
-        if (!recording.format.hasRecords || format.hasRows) {
-            return writeLog(recording, format, target, changesOnly = isChangesOnly, progress = progress)
+        if (!recording.format.hasRecords || conversion.format.hasRows) {
+            return writeLog(recording, conversion.format, target, changesOnly = conversion.isChangesOnly, progress = progress)
         }
         val lostBytes = Damage(recording).bytesAtEnd
-        val isWhole = !isChangesOnly && virtualTopics.isEmpty() && only.isAll
+        val isWhole = !conversion.isChangesOnly && virtualTopics.isEmpty() && only.isAll
         if (isWhole && lostBytes != null) {
             copyBeginning(file, lostBytes, target, progress)
             return Omissions()
         }
         val records = recordsOf(file)
         if (virtualTopics.isEmpty() && only.isAll) {
-            if (isChangesOnly) return omissionOf(copyRecords(records, target, progress) { changes(recording::isEvent) })
+            if (conversion.isChangesOnly) return omissionOf(copyRecords(records, target, progress) { changes(recording::isEvent) })
             copyRecords(records, target, progress) { all() }
             return Omissions()
         }
-        val kept = if (isChangesOnly) changesOf(records, recording::isEvent) else records
+        val kept = if (conversion.isChangesOnly) changesOf(records, recording::isEvent) else records
         val repeats = records.entries.sumOf { it.size } - kept.entries.sumOf { it.size }
         val wanted = kept.entries.filter { it.isWanted(recording) }
         return omissionOf(repeats) + writeWith(calculated, wanted, target, progress)
@@ -122,7 +113,7 @@ internal class ConvertTask(
 
     /** Writes [records] and [calculated], the topics that were not logged. */
     private fun writeWith(calculated: Recording, records: List<RecordEntry>, target: Path, progress: Progress): Omissions {
-        val (more, leftOut) = recordsOf(calculated, isChangesOnly)
+        val (more, leftOut) = recordsOf(calculated, conversion.isChangesOnly)
         val lanes = (records + more.entries).map { MergedEntry(it.name, listOf(RecordPiece(it))) }
         newLog(target) { stream -> RecordMerge(lanes).write(progress::advanced) { bytes, size -> stream.write(bytes, 0, size) } }
         return leftOut
@@ -133,14 +124,14 @@ internal class ConvertTask(
 
     private fun withRows(read: Recording, file: Path): WithRows {
         val hasRows = read.format.hasRows
-        val times = if (hasRows) null else rows.timesIn(read, file)
+        val times = if (hasRows) null else conversion.rows.timesIn(read, file)
         val recording = if (times == null) withRowsOnly(read) else resampled(read, times)
         val leftOut = if (times == null) {
             Omissions(listOfNotNull(Omissions.thing(read.topics.size - recording.topics.size, "calculated topic")))
         } else {
             rowOmissions(read, times)
         }
-        return WithRows(if (xTopic == null) recording else recording.withX(xTopic, file), leftOut)
+        return WithRows(if (conversion.xTopic == null) recording else recording.withX(conversion.xTopic, file), leftOut)
     }
 
     /** Without calculated topics that have no value in each row. */

@@ -66,7 +66,10 @@ internal class ReplayCommand :
 
     override fun makeTask(): Task {
         val file = paths.singleOrNull() ?: throw UsageError("name one log to replay")
-        return ReplayTask(file, port, speed, isLooping, prefix, from, to, xTopic, virtual.definitions, isJson)
+        val optionsFor = { range: ClosedFloatingPointRange<Double>? ->
+            ReplayOptions(port, speed = speed, isLooping = isLooping, range = range, prefix = prefix)
+        }
+        return ReplayTask(file, optionsFor, from, to, xTopic, virtual.definitions, isJson)
     }
 
     private companion object {
@@ -75,16 +78,14 @@ internal class ReplayCommand :
 }
 
 /**
- * Serves [file] with [virtualTopics] to dashboards until its end, or, if [isLooping], until the program is ended.
+ * Serves [file] with [virtualTopics] to dashboards until its end, or, if it is looping, until the program is ended.
  *
+ * @param optionsFor returns how a range of the log is replayed; null for all of it.
  * @param xTopic the topic to use as x axis, or null.
  */
 internal class ReplayTask(
     private val file: Path,
-    private val port: Int,
-    private val speed: Double,
-    private val isLooping: Boolean,
-    private val prefix: String,
+    private val optionsFor: (ClosedFloatingPointRange<Double>?) -> ReplayOptions,
     private val from: Position?,
     private val to: Position?,
     private val xTopic: String?,
@@ -98,8 +99,7 @@ internal class ReplayTask(
             val signals = signalsBeside(file)
             val with = LogView.of(recording).withSignals(signals, file.fileName.toString()).withVirtualTopics(virtualTopics, signals)
             if (!isJson) undefinedLines(with.errors).forEach(console::warn)
-            val options = ReplayOptions(port = port, speed = speed, isLooping = isLooping, range = rangeOn(with.view), prefix = prefix)
-            ReplayServer(with.view, options, loggedTopics(recording)).use { server ->
+            ReplayServer(with.view, optionsFor(rangeOn(with.view)), loggedTopics(recording)).use { server ->
                 server.start()
                 val json = jsonOf(ReplayJson(server.port, with.errors.map(::UndefinedJson)))
                 outcomes.done(file, Outcome(recording.isSalvaged, text(server.port), json))
@@ -151,7 +151,7 @@ internal class ReplayTask(
         var known = emptyList<String>()
         var note: String? = null
         var refusal: String? = null
-        while (isLooping || !server.isAtEnd) {
+        while (server.options.isLooping || !server.isAtEnd) {
             Thread.sleep(LOOK_MILLIS)
             // Once, not for each further message.
             if (note == null) note = server.note?.also(console::warn)
