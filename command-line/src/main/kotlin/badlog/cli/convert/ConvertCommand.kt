@@ -55,7 +55,7 @@ internal class ConvertCommand(private val parts: PluginLoader) :
         }
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
-        val conversion = Conversion(format, isGzip, xTopic, Rows(period, rowsAt), isChangesOnly)
+        val conversion = LogConversion(format, isGzip, xTopic, Rows(period, rowsAt), isChangesOnly)
         return ConvertTask(paths, output.plan(paths), conversion, virtual.definitions, only.choice, isJson)
     }
 

@@ -45,7 +45,7 @@ import java.nio.file.Path
 internal class ConvertTask(
     private val paths: List<Path>,
     private val plan: OutputPlan,
-    private val conversion: Conversion,
+    private val conversion: LogConversion,
     private val virtualTopics: List<String>,
     private val only: TopicChoice,
     private val isJson: Boolean,
