@@ -6,8 +6,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class LakeTableSpec : FunSpec({
-    fun event(t: Any?, text: String = "text") =
-        LakeTable.EVENTS.record("log" to "1.bag", "topic" to "Log", "t" to t, "timestamp" to null, text to "go")
+    fun event(t: Any?, text: String = "text") = LakeTable.EVENTS.record("log" to "1.bag", "topic" to "Log", "t" to t, "timestamp" to null, text to "go")
 
     test("a record has the values of its fields, in the order of the table") {
         List(5) { event(0.5)[it] } shouldBe listOf("1.bag", "Log", 0.5, null, "go")
