@@ -200,8 +200,8 @@ internal class ServedPageSpec : PageSpec({
     browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
         val options = LogServerOptions()
         val folder = folder("broken/logs") {
-            // Three seconds, as the server sends it.
-            val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 300_000) { row, column -> if (column == 0) row / 10.0 else row }
+            // Some seconds, as the server sends it.
+            val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 600_000) { row, column -> if (column == 0) row / 10.0 else row }
             (it / "long.bag").writeBytes(long)
         }
         withRobot(folder, options) { address ->
