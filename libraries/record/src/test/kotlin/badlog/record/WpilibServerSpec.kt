@@ -40,7 +40,7 @@ private class WpilibServer(val port: Int, vararg arguments: String) : AutoClosea
     }
 }
 
-/** Returns a free port, of those that systems give to nobody who asks for just any: it is free still when a server takes it, or takes it again. */
+/** Returns a free port, of those that systems give to nobody who asks for just any: it is free still when a server takes it (again). */
 private fun freePort() = generateSequence { Random.nextInt(20_000, 32_000) }.first { port ->
     try {
         ServerSocket(port).close()
