@@ -153,7 +153,9 @@ internal class ServedPageSpec : PageSpec({
                 awaitState("ready")
                 click("#go-back")
                 awaitList()
-                await("all of them to be read") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
+                await("all of them to be read, and rules to have run over them") {
+                    column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size && "read" !in texts(".log-tools [role=status]").single()
+                }
                 awaitKept()
                 driver.navigate().refresh()
                 awaitState("empty")
@@ -161,6 +163,7 @@ internal class ServedPageSpec : PageSpec({
                 await("what was in them") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
                 click("[data-column='FILE'] button") { it.text == "Q8.bag" }
                 awaitLog("Qualification 8")
+                await("how it is unlike those before") { elements(".changes button").isNotEmpty() }
                 click(".changes button")
                 await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
             }
@@ -191,8 +194,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitLog("Qualification 42")
                 click("#go-back")
                 awaitList()
-                column("FILE").size shouldBe 2
-                column("BATTERY") shouldContain "6.73 V"
+                await("what is known of both") { column("FILE").size == 2 && "6.73 V" in column("BATTERY") }
             }
         }
     }
