@@ -21,12 +21,15 @@ import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.minutes
 
-/** More than are written before the tables are written for the first time. */
-private const val LOGS = 1_200
+/** So many that a program is still at work when it has written the tables for the first time, which it does after 500 logs. */
+private const val MANY = 800
+
+/** So many that a program is still at work when it has written some. */
+private const val SOME = 200
 
 class KilledLakeSpec : FunSpec({
-    fun makeLogs(folder: Path) {
-        for (number in 1..LOGS) {
+    fun makeLogs(folder: Path, count: Int) {
+        for (number in 1..count) {
             val event = """{"name":"Event Name","value":"Event ${number % 3}"},"""
             (folder / "logs").with("q$number.bag", BAG.replace(""""values":[""", """"values":[$event""").replace("\"42\"", "\"$number\""))
         }
@@ -83,12 +86,12 @@ class KilledLakeSpec : FunSpec({
 
     test("a lake whose making is killed again and again can be read, and becomes what it would have been") {
         inFolder { folder ->
-            makeLogs(folder)
+            makeLogs(folder, MANY)
             untilInTheMiddle(folder) {
                 isStopped(folder, { filesIn(it / "samples") >= 30 }) { it.destroyForcibly() } &&
-                    readable(folder / "lake") < LOGS &&
+                    readable(folder / "lake") < MANY &&
                     isStopped(folder, { filesIn(it / "matches") >= 1 }) { it.destroyForcibly() } &&
-                    readable(folder / "lake") < LOGS
+                    readable(folder / "lake") < MANY
             }
             isUndisturbed(folder)
         }
@@ -97,7 +100,7 @@ class KilledLakeSpec : FunSpec({
     test("a lake whose making is canceled by Ctrl+C keeps what is done, without half files, and the next run does the rest")
         .config(enabledOrReasonIf = { IF_ENDED_GENTLY }) {
             inFolder { folder ->
-                makeLogs(folder)
+                makeLogs(folder, SOME)
                 untilInTheMiddle(folder) {
                     isStopped(folder, { filesIn(it / "samples") >= 30 }, ::endGently)
                 }

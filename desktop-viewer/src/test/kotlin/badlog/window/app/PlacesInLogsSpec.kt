@@ -54,15 +54,13 @@ class PlacesInLogsSpec : FunSpec({
             scroll(viewer.graphs.list, 10, 5)
             runOnUiThread { viewer.show(small) }
             awaitTopic("Topic 0")
-            at(viewer.topics.list) shouldBe (0 to 0)
-            at(viewer.graphs.list) shouldBe (0 to 0)
+            waitFor { at(viewer.topics.list) == 0 to 0 && at(viewer.graphs.list) == 0 to 0 }
             onNodeWithContentDescription("Search topics").performTextInput("topic 5")
             waitFor { viewer.topics.state.query == "topic 5" }
             runOnUiThread { viewer.show(large) }
             awaitTopic("Topic 150")
             viewer.topics.state.query shouldBe ""
-            at(viewer.topics.list) shouldBe (150 to 7)
-            at(viewer.graphs.list) shouldBe (10 to 5)
+            waitFor { at(viewer.topics.list) == 150 to 7 && at(viewer.graphs.list) == 10 to 5 }
             runOnUiThread { viewer.show(small) }
             awaitTopic("Topic 5")
             viewer.topics.state.query shouldBe "topic 5"

@@ -181,7 +181,7 @@ class LibrarySpec : FunSpec({
         folder.put("build.gradle", "")
         folder.put("build/built.bag", bag())
         if (Path.of("/usr/bin/mkfifo").let(Files::exists)) {
-            ProcessBuilder("mkfifo", folder.resolve("pipe.bag").toString()).start().waitFor(5, TimeUnit.SECONDS)
+            ProcessBuilder("mkfifo", folder.resolve("pipe.bag").toString()).start().waitFor(60, TimeUnit.SECONDS) shouldBe true
         }
         watching(folder) { viewer ->
             eventually(longest) {

@@ -118,7 +118,7 @@ class LogNotesSpec : FunSpec({
         viewer.notes.write(1.0)
         viewer.notes.type("brownout")
         viewer.notes.keep()
-        eventually(10.seconds) { viewer.notices.all.single().text shouldContain "cannot be written" }
+        eventually(60.seconds) { viewer.notices.all.single().text shouldContain "cannot be written" }
         viewer.notes.draft?.text shouldBe "brownout"
         viewer.notes.all shouldBe emptyList()
         scope.coroutineContext[Job]?.cancel()

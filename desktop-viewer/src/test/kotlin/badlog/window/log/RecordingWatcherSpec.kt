@@ -40,7 +40,7 @@ class RecordingWatcherSpec : FunSpec({
             var hasEnded = false
             val watcher =
                 RecordingWatcher(viewer.notices, { _, _ -> throw failure }, { read, _ -> viewer.current.replace(read) }, { hasEnded = true })
-            withTimeout(20.seconds) { withContext(Dispatchers.Main) { watcher.watch(shown, before) } }
+            withTimeout(60.seconds) { withContext(Dispatchers.Main) { watcher.watch(shown, before) } }
             val text = viewer.notices.all.single().text
             text shouldContain "${shown.file} does not fit into"
             text shouldContain "The data read so far stays open."

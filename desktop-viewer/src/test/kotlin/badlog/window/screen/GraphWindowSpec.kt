@@ -137,6 +137,7 @@ class GraphWindowSpec : FunSpec({
             val event = window.look { it.events.matching.textOf(it.events.matching.size / 2) }
             window.click("Search events")
             window.type(event.take(4).lowercase())
+            window.awaitState("the search") { it.events.state.text == event.take(4).lowercase() }
             window.click(event)
             window.awaitState("the cursor at an event") { viewer ->
                 viewer.view.cursor?.let { cursor -> viewer.events.matching.x.any { it == cursor } } == true

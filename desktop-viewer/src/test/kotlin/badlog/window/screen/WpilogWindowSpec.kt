@@ -31,6 +31,7 @@ class WpilogWindowSpec : FunSpec({
             window.awaitText("Folder Chassis")
             window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
             window.type("frontleft speed")
+            window.awaitState("the search") { it.topics.state.query == "frontleft speed" }
             window.click("Topic ${speeds[0]}")
             window.awaitState("both in one graph, in sight") { viewer ->
                 viewer.board.state.graphs.find { it.lines == speeds }?.let { it.id in viewer.board.inSight.orEmpty() } == true

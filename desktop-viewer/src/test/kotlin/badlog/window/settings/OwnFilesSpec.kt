@@ -60,15 +60,15 @@ class OwnFilesSpec : FunSpec({
     test("what of it can be written is not mentioned") {
         val folder = tempdir().toPath()
         val cache = Files.createFile(folder.resolve("cache"))
-        saidWith(UserFolders(folder.resolve("config/badlog"), cache)) shouldContainExactly
+        val settings = SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME))
+        saidWith(UserFolders(folder.resolve("config/badlog"), cache)) { waitFor { settings.read().theme == Theme.DARK } } shouldContainExactly
             listOf("What badlog knows of logs cannot be kept for the next start; rename the file $cache, which is in the place of a folder.")
-        SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME)).read().theme shouldBe Theme.DARK
     }
 
     test("a file that cannot be replaced in a folder that can be written is said once, too") {
         val home = tempdir().toPath()
         Files.createDirectories(home.resolve("${SettingsFile.NAME}/in the way"))
-        val said = saidWith(UserFolders(home, home))
+        val said = saidWith(UserFolders(home, home)) { viewer -> waitFor { viewer.notices.all.isNotEmpty() } }
         said.size shouldBe 1
         said.single().startsWith("Settings and layouts cannot be saved: ${home.resolve(SettingsFile.NAME)} cannot be") shouldBe true
     }

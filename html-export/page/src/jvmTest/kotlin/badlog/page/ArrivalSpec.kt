@@ -26,7 +26,7 @@ internal class ArrivalSpec : PageSpec({
     val after = before + samples("qualification-42.bag")
 
     fun OpenPage.openFolder() {
-        element("#open-folder").click()
+        click("#open-folder")
         await("all logs") { texts(".log-tools [role=status]").singleOrNull()?.let { "read" !in it } == true }
     }
 
@@ -70,7 +70,7 @@ internal class ArrivalSpec : PageSpec({
             awaitLog("Qualification 42")
             await("its evidence") { elements(".evidence").any { it.isDisplayed } }
             news() shouldBe ""
-            element("#go-back").click()
+            click("#go-back")
             await("the list") { texts("[data-column='FILE']").size == 3 }
         }
     }
@@ -80,7 +80,7 @@ internal class ArrivalSpec : PageSpec({
             openFolder()
             script(putIntoFolder(after))
             await("the news") { news() != "" }
-            element("#leave-arrival").click()
+            click("#leave-arrival")
             news() shouldBe ""
             focused() shouldBe "go-back"
             texts("[data-column='FILE']").size shouldBe 3
@@ -90,9 +90,9 @@ internal class ArrivalSpec : PageSpec({
             await("the log") { texts(".page-title h1").size == 1 }
             awaitState("ready")
             news() shouldBe ""
-            element("#go-back").click()
+            click("#go-back")
             await("the list") { elements(".log-table").isNotEmpty() }
-            element("#go-back").click()
+            click("#go-back")
             await("the start") { elements(".start-drop").isNotEmpty() }
             elements(".arrival").shouldBeEmpty()
         }
@@ -108,9 +108,11 @@ internal class ArrivalSpec : PageSpec({
             texts("[data-column='FILE']").size shouldBe 2
             script(putIntoFolder(after))
             await("the news") { news() != "" }
-            element("#only-errors").click()
-            number("return parseFloat(getComputedStyle(document.documentElement).scrollPaddingBottom)") shouldBe
-                number("return document.querySelector('.arrival').offsetHeight")
+            click("#only-errors")
+            await("the page to leave room for the news") {
+                number("return parseFloat(getComputedStyle(document.documentElement).scrollPaddingBottom)") ==
+                    number("return document.querySelector('.arrival').offsetHeight")
+            }
             focused() shouldBe "only-errors"
             press("a")
             awaitLog("Qualification 42")
@@ -146,10 +148,10 @@ internal class ArrivalSpec : PageSpec({
             isWithinScreen() shouldBe true
             keepScreenshot("phone-pit")
             show(laptop)
-            element("#pit-last").click()
+            click("#pit-last")
             awaitLog("Qualification 42")
             await("its evidence") { elements(".evidence").any { it.isDisplayed } }
-            element("#go-back").click()
+            click("#go-back")
             await("the pit view") { elements(".pit").any { it.isDisplayed } }
             focused() shouldBe "pit-last"
             press("i")
@@ -163,14 +165,14 @@ internal class ArrivalSpec : PageSpec({
             openListed("Q7")
             awaitLog("Qualification 7")
             elements(".changes").shouldBeEmpty()
-            element("#go-back").click()
+            click("#go-back")
             await("the list") { elements(".log-table").isNotEmpty() }
             openListed("Q8")
             awaitLog("Qualification 8")
             texts(".changes li") shouldContainExactly listOf("Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A).")
             seriousForReaders().shouldBeEmpty()
             keepScreenshot("changes")
-            element(".changes button").click()
+            click(".changes button")
             await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
             texts(".board .graph-title") shouldContain "Current"
         }
@@ -179,8 +181,7 @@ internal class ArrivalSpec : PageSpec({
     browserTest("the list shows only logs with an error, if asked to") {
         onPage(page, state = "empty", script = watchedFolder(after)) {
             openFolder()
-            element("#only-errors").click()
-            settle()
+            click("#only-errors")
             texts("[data-column='FILE']").joinToString() shouldContain "qualification-42.bag"
             elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
             script(putIntoFolder(mapOf("Q1.bag" to matchBag(1, 10.0))))

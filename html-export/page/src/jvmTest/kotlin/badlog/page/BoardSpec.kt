@@ -46,8 +46,7 @@ internal class BoardSpec : PageSpec({
     fun OpenPage.choose(graph: Int, entry: String) {
         elements("#board .graph-menu")[graph].click()
         settle()
-        elements("#board .menu button").first { entry in it.text }.click()
-        settle()
+        click("#board .menu button") { entry in it.text }
     }
 
     /** Drags the title of a graph of the board to the share [down] of another one's height. */
@@ -248,13 +247,14 @@ internal class BoardSpec : PageSpec({
         onPage(page) {
             press("f")
             press("Sum [V] = Volt + Other", Keys.ENTER)
+            await("the formula’s graph") { "Sum" in graphNames }
             pin("Sum")
             titles() shouldBe listOf("Sum")
             press("f")
-            elements(".formula-list .text-button").first().click()
+            click(".formula-list .text-button")
             act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
             press("Total [V] = Volt + Other", Keys.ENTER)
-            titles() shouldBe listOf("Total")
+            await("its other name on the board") { titles() == listOf("Total") }
             press("f")
             click(".formula-remove")
             press(Keys.ESCAPE)
@@ -320,7 +320,6 @@ internal class BoardSpec : PageSpec({
                 press(Keys.ESCAPE)
                 val before = titles().size
                 click(".incident .pin")
-                settle()
                 titles().size shouldBeGreaterThan before
                 keepScreenshot("board-pinned-${screen.width}")
                 // A notice about what was added is over the lower edge for some seconds.

@@ -101,7 +101,6 @@ internal class CursorPanelSpec : PageSpec({
     browserTest("on a phone the values are a sheet over the foot of the page") {
         onPage(page, Screen.PHONE) {
             click("#values-button")
-            settle()
             val box = "const b = document.querySelector('#cursor-values').getBoundingClientRect(); return "
             number(box + "b.bottom") shouldBe 844.0
             number(box + "b.top") shouldBeGreaterThan 400.0

@@ -155,8 +155,7 @@ internal class CursorSpec : PageSpec({
     browserTest("the histogram of a line is opened from its statistics, and closed again") {
         onPage(page) {
             script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
-            elements(".statistics tbody .icon-button").first().click()
-            settle()
+            click(".statistics tbody .icon-button")
             val painted = "const c = document.querySelector('.histogram'); const d = c.getContext('2d')" +
                 ".getImageData(0, 0, c.width, c.height).data; return d.reduce((n, v, i) => n + (i % 4 == 3 && v > 0 ? 1 : 0), 0)"
             number(painted) shouldBeGreaterThan 1000.0
@@ -165,8 +164,7 @@ internal class CursorSpec : PageSpec({
             keepScreenshot("histogram")
             // The table stays, and the keyboard on its button, also when the statistics are those of another range.
             script("document.querySelector('.statistics table').dataset.mark = 'same'")
-            elements(".statistics tbody .icon-button").first().click()
-            settle()
+            click(".statistics tbody .icon-button")
             elements(".histogram").size shouldBe 0
             script("return document.querySelector('.statistics table').dataset.mark") shouldBe "same"
             val isFocused = "return document.activeElement === document.querySelector('.statistics tbody .icon-button')"

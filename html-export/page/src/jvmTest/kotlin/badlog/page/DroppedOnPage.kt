@@ -19,8 +19,7 @@ internal fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
 /** Presses the button [label] of the question that the page asks. */
 internal fun OpenPage.choose(label: String) {
     await("the choice $label") { label in texts(".notice button") }
-    elements(".notice button").first { it.text == label }.click()
-    settle()
+    click(".notice button") { it.text == label }
 }
 
 /** Drops files with these names and bytes on the page, to compare them with its log. */

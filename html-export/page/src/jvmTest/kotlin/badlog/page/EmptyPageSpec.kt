@@ -55,7 +55,7 @@ internal class EmptyPageSpec : PageSpec({
                 (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
                 keepScreenshot("empty-${screen.width}-${if (screen.isDark) "dark" else "light"}")
                 if (screen !== dark) return@onEmptyPage
-                element("#try-sample").click()
+                click("#try-sample")
                 await("the sample") { texts(".page-title h1").isNotEmpty() }
                 awaitState("ready")
                 text shouldContain "Likely cause: the robot drew more than its battery gives."
@@ -68,8 +68,8 @@ internal class EmptyPageSpec : PageSpec({
             drop("first.bag" to bag)
             awaitLog("first.bag")
             number("return document.querySelectorAll('.graph[data-name=\"Volts\"]').length") shouldBe 1.0
-            withClue("the very bytes") { saved("first.bag") { element("#download").click() } shouldBe bag }
-            element("#go-back").click()
+            withClue("the very bytes") { saved("first.bag") { click("#download") } shouldBe bag }
+            click("#go-back")
             awaitState("empty")
             drop("second.csv" to "Time,Amps\n0,1\n1,2\n".encodeToByteArray())
             awaitLog("second.csv")
@@ -87,7 +87,7 @@ internal class EmptyPageSpec : PageSpec({
             drop("own.bag" to bag)
             choose("Compare with this log")
             await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
-            element("#go-back").click()
+            click("#go-back")
             awaitLog("own.bag")
         }
     }
@@ -107,7 +107,7 @@ internal class EmptyPageSpec : PageSpec({
             file.writeBytes(copy)
             onPage(file) {
                 texts(".page-title h1") shouldContainExactly listOf(name)
-                saved(name) { element("#download").click() } shouldBe bytes
+                saved(name) { click("#download") } shouldBe bytes
                 if (name.startsWith("cut")) text shouldContain "cut off or damaged"
                 (elements("#go-back").isEmpty()) shouldBe true
                 shown.size shouldBe 1
@@ -128,8 +128,8 @@ internal class EmptyPageSpec : PageSpec({
         val file = folder / "station.html"
         file.writeBytes(copy)
         onPage(file) {
-            saved(log) { element("#download").click() } shouldBe files.getValue(log)
-            saved(events) { element("#download-second").click() } shouldBe files.getValue(events)
+            saved(log) { click("#download") } shouldBe files.getValue(log)
+            saved(events) { click("#download-second") } shouldBe files.getValue(events)
         }
     }
 
@@ -141,13 +141,13 @@ internal class EmptyPageSpec : PageSpec({
         onEmptyPage {
             drop("page.html" to whole)
             awaitLog(name)
-            saved(name) { element("#download").click() } shouldBe bag
+            saved(name) { click("#download") } shouldBe bag
             for ((what, bytes, sentence) in listOf(
                 Triple("damaged.html", damaged, "damaged in copying"),
                 Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a page of badlog"),
                 Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
             )) {
-                element("#go-back").click()
+                click("#go-back")
                 awaitState("empty")
                 drop(what to bytes)
                 awaitState("failed")
@@ -205,7 +205,7 @@ internal class EmptyPageSpec : PageSpec({
                 awaitState("failed")
                 text shouldContain "This page cannot read $name"
                 text shouldContain advice
-                element("#go-back").click()
+                click("#go-back")
                 awaitState("empty")
             }
         }
@@ -232,7 +232,7 @@ internal class EmptyPageSpec : PageSpec({
             drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
             awaitState("failed")
             text shouldContain "There is nothing to show of pit.jpg"
-            element("#go-back").click()
+            click("#go-back")
             awaitState("empty")
         }
     }

@@ -43,15 +43,12 @@ internal class EvidenceSpec : PageSpec({
             onPage(match, screen) {
                 awaitRules()
                 elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
-                settle()
-                settle()
+                await("four graphs in sight") { elements("#evidence .graph").size == 4 && outOfSight() == 0 }
                 keepScreenshot("evidence-${screen.width}")
                 cursor() shouldBe (93.7 plusOrMinus 0.1)
                 (93.7 in visibleRange) shouldBe true
                 visibleRange.endInclusive - visibleRange.start shouldBeLessThan 20.0
                 for (name in listOf("Battery Voltage", "Total Current", "Left Output", "Right Output")) inSight() shouldContain name
-                elements("#evidence .graph").size shouldBe 4
-                outOfSight() shouldBe 0
                 element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
                 element("#evidence .incident-next").text shouldStartWith "Next: "
                 element(".incident[aria-current]").text shouldContain "browned out"
@@ -85,7 +82,7 @@ internal class EvidenceSpec : PageSpec({
             script(focused) as String shouldContain "browned out"
             script(focused) as String shouldStartWith "incident|"
             // The evidence is on the screen: the focus scrolls nothing.
-            outOfSight() shouldBe 0
+            await("the evidence in sight") { outOfSight() == 0 }
             press(Keys.ENTER)
             cursor() shouldBe (93.7 plusOrMinus 0.1)
             // Somebody who began a search while the rules ran goes on with it.
@@ -137,9 +134,7 @@ internal class EvidenceSpec : PageSpec({
             settle()
             sentence() shouldBe "first of two"
             script("location.hash = '#t=3&finding=Second'")
-            settle()
-            settle()
-            sentence() shouldBe "second of two"
+            await("the sentence of the other") { sentence() == "second of two" }
             address() shouldBe "#t=3&finding=Second"
             texts(".event-readout").single() shouldContain "second of two"
             click("#close-evidence")

@@ -152,12 +152,10 @@ internal class FindingSpec : PageSpec({
             elements(".finding").size shouldBe 5
             texts(".finding .severity").first() shouldBe "error"
             val folded = element("#findings").size.height
-            elements(".findings-more button").first { it.isDisplayed }.click()
-            settle()
+            click(".findings-more button") { it.isDisplayed }
             elements(".finding").size shouldBe 60
             element("#findings").size.height shouldBeLessThan 600
-            elements(".findings-more button").first { it.isDisplayed }.click()
-            settle()
+            click(".findings-more button") { it.isDisplayed }
             element("#findings").size.height shouldBe folded
         }
     }

@@ -45,14 +45,13 @@ internal class FolderToolsSpec : PageSpec({
         await("all logs") { texts(".log-tools [role=status]").single().let { "read" !in it } }
     }
 
-    fun OpenPage.check(name: String) = element("[aria-label='Compare $name']").click()
+    fun OpenPage.check(name: String) = click("[aria-label='Compare $name']")
 
     browserTest("logs are grouped by event, each with the number of its logs, if there are several events") {
         onPage(page, state = "empty") {
             choose(season())
-            element("#sort-FILE").click()
-            element("#group-events").click()
-            settle()
+            click("#sort-FILE")
+            click("#group-events")
             texts(".event-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
             texts("[data-column='FILE']") shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
             seriousForReaders() shouldBe emptyList()
@@ -94,6 +93,7 @@ internal class FolderToolsSpec : PageSpec({
             choose(folder)
             number("return window.started").toInt() shouldBeGreaterThan 0
             val before = texts("[data-column='FINDINGS'], [data-column='NUMBER']")
+            awaitKept()
             Chromium.driver.navigate().refresh()
             awaitState("empty")
             choose(folder)
@@ -117,7 +117,7 @@ internal class FolderToolsSpec : PageSpec({
 
     browserTest("a folder that the browser lets the page look into again shows new logs, those that grew, and none that is gone") {
         onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
-            element("#open-folder").click()
+            click("#open-folder")
             await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
             texts(".page-head h1") shouldContainExactly listOf("pit")
             script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
@@ -132,8 +132,7 @@ internal class FolderToolsSpec : PageSpec({
     browserTest("a person who closes the folder dialog without choosing is where they were") {
         val picker = "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
         onPage(page, state = "empty", script = picker) {
-            element("#open-folder").click()
-            settle()
+            click("#open-folder")
             text shouldContain "Open a robot’s log"
             consoleMessages() shouldBe emptyList()
         }

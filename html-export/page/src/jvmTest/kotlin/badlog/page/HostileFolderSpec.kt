@@ -41,7 +41,7 @@ internal class HostileFolderSpec : PageSpec({
             // Rows are made anew while logs are read.
             script("document.querySelector(\"[data-column='FILE'] button\").click()")
             awaitState("ready")
-            element("#go-back").click()
+            click("#go-back")
             awaitState("empty")
         }
     }
@@ -55,7 +55,7 @@ internal class HostileFolderSpec : PageSpec({
             elements("[data-column='FILE'] button").last().click()
             awaitState("failed")
             text shouldContain "cannot be read"
-            element("#go-back").click()
+            click("#go-back")
             awaitState("empty")
             status() shouldBe "40 logs"
         }
@@ -66,7 +66,7 @@ internal class HostileFolderSpec : PageSpec({
         onPage(page, state = "empty") {
             element("input[type=file]").sendKeys("$file")
             awaitState("ready")
-            element("#go-back").click()
+            click("#go-back")
             awaitState("empty")
             // The dialog gives the page the file as it is; it becomes shorter before it is read.
             script(
@@ -78,7 +78,7 @@ internal class HostileFolderSpec : PageSpec({
             script("window.waits = false")
             awaitState("failed")
             text shouldContain "shrinks.bag cannot be read"
-            element("#go-back").click()
+            click("#go-back")
             awaitState("empty")
         }
     }

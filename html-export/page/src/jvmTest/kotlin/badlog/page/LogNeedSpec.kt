@@ -56,16 +56,16 @@ internal class LogNeedSpec : PageSpec({
                 awaitState("failed")
                 text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
                 keepScreenshot("large-log-asks")
-                element("#open-few").click()
+                click("#open-few")
                 awaitState("ready")
                 text shouldContain "Battery Voltage"
                 text shouldContain "Low battery"
                 text shouldNotContain "Joint"
-                element("#go-back").click()
+                click("#go-back")
                 awaitState("empty")
                 choose(file())
                 awaitState("failed")
-                element("#open-all").click()
+                click("#open-all")
                 awaitState("ready")
                 text shouldContain "40 topics"
             }

@@ -32,7 +32,7 @@ internal class ModulesPanelSpec : PageSpec({
     browserTest("W opens the modules: the worst one is named, its largest error is one click away, and the picture follows the cursor") {
         onPage(page) {
             press("w")
-            settle()
+            await("the errors") { texts(".module-error").size == 4 }
             element(".modules-worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
             texts(".module-error b") shouldBe List(4) { "Module $it" }
             val before = picture()
@@ -63,7 +63,7 @@ internal class ModulesPanelSpec : PageSpec({
     browserTest("moving the cursor leaves the list alone, a picture that gets another size is drawn again, and links open the modules") {
         onPage(page) {
             script("location.hash = '#open=modules'")
-            settle()
+            await("the errors") { texts(".module-error").size == 4 }
             element("#modules").isDisplayed shouldBe true
             element("#modules canvas").getAttribute("role") shouldBe "img"
             element("#modules canvas").getAttribute("aria-label") shouldBe "Modules at the cursor"
@@ -92,7 +92,6 @@ internal class ModulesPanelSpec : PageSpec({
     browserTest("on a phone the modules are a sheet over the foot of the page") {
         onPage(page, Screen.PHONE) {
             click("#modules-button")
-            settle()
             number("return document.querySelector('#modules').getBoundingClientRect().bottom") shouldBe 844.0
             number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
             keepScreenshot("phone-modules")

@@ -4,14 +4,13 @@ import badlog.web.LogServer
 import badlog.web.LogServerOptions
 import java.net.ConnectException
 import java.net.HttpURLConnection
-import java.net.ServerSocket
 import java.net.URI
 import java.nio.file.Path
 
 /** Starts the robot's server of [folder], and does [test] with the address of its page. */
 internal fun withRobot(folder: Path, options: LogServerOptions = LogServerOptions(), test: (String) -> Unit) {
     options.folders = listOf(folder.toFile())
-    val port = ServerSocket(0).use { it.localPort }
+    val port = freePort()
     LogServer.start(port, options).use {
         val address = "http://127.0.0.1:$port/"
         val end = System.nanoTime() + 60_000_000_000

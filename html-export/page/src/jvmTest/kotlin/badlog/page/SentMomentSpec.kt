@@ -16,7 +16,7 @@ internal class SentMomentSpec : PageSpec({
     fun onIncident(has: String, test: OpenPage.() -> Unit) = onPage(page, script = has) {
         press("n")
         await("the evidence") { element("#evidence").isDisplayed }
-        element("#send-moment").click()
+        click("#send-moment")
         test()
     }
 
@@ -51,7 +51,7 @@ internal class SentMomentSpec : PageSpec({
         onPage(page, script = "navigator.canShare = undefined; navigator.clipboard.write = () => Promise.reject(new Error('no'))") {
             press("n")
             await("the evidence") { element("#evidence").isDisplayed }
-            saved("qualification-42 moment.png") { element("#send-moment").click() }.size shouldBeGreaterThan 10_000
+            saved("qualification-42 moment.png") { click("#send-moment") }.size shouldBeGreaterThan 10_000
         }
     }
 })

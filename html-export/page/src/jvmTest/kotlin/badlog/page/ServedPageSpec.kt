@@ -86,8 +86,8 @@ internal class ServedPageSpec : PageSpec({
                     openRow(1)
                     awaitLog("Qualification 42")
                     text shouldContain "Likely cause: the robot drew more than its battery gives."
-                    saved("FRC_20260307_140212_OHCL_Q42.bag") { element("#download").click() } shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
-                    element("#go-back").click()
+                    saved("FRC_20260307_140212_OHCL_Q42.bag") { click("#download") } shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
+                    click("#go-back")
                     awaitList()
                     await("what was opened to be read") { "6.73 V" in column("BATTERY") }
                     // Rows are made anew while logs are read.
@@ -102,8 +102,7 @@ internal class ServedPageSpec : PageSpec({
         withRobot(logs("compared")) { address ->
             onServedPage(address) {
                 awaitList()
-                element("#sort-SIZE").click()
-                settle()
+                click("#sort-SIZE")
                 column("FILE").first() shouldContain "Q42"
                 element("#search").sendKeys("q57")
                 settle()
@@ -111,8 +110,8 @@ internal class ServedPageSpec : PageSpec({
                 element("#search").clear()
                 element("#search").sendKeys("ohcl")
                 settle()
-                for (name in column("FILE")) element("[aria-label='Compare $name']").click()
-                element("#compare-logs").click()
+                for (name in column("FILE")) click("[aria-label='Compare $name']")
+                click("#compare-logs")
                 awaitLog("Qualification 42")
                 await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
             }
@@ -130,12 +129,12 @@ internal class ServedPageSpec : PageSpec({
                 text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
                 text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
                 options.isEnabled = BooleanSupplier { false }
-                element("#go-back").click()
+                click("#go-back")
                 awaitList()
-                element("#go-back").click()
+                click("#go-back")
                 awaitState("empty")
                 text shouldContain "Open a robot’s log"
-                element("#open-server").click()
+                click("#open-server")
                 awaitList()
             }
         }
@@ -149,18 +148,23 @@ internal class ServedPageSpec : PageSpec({
                 press("i")
                 texts("#pit-last strong") shouldContainExactly listOf("Not read yet")
                 press("i")
-                for (name in UNLIKE_MATCHES.keys) element("[aria-label='Compare $name']").click()
-                element("#compare-logs").click()
+                for (name in UNLIKE_MATCHES.keys) click("[aria-label='Compare $name']")
+                click("#compare-logs")
                 awaitState("ready")
-                element("#go-back").click()
+                click("#go-back")
                 awaitList()
-                await("all of them to be read") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
-                script("location.reload()")
+                await("all of them to be read, and rules to have run over them") {
+                    column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size && "read" !in texts(".log-tools [role=status]").single()
+                }
+                awaitKept()
+                driver.navigate().refresh()
+                awaitState("empty")
                 awaitList()
                 await("what was in them") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
-                elements("[data-column='FILE'] button").first { it.text == "Q8.bag" }.click()
+                click("[data-column='FILE'] button") { it.text == "Q8.bag" }
                 awaitLog("Qualification 8")
-                element(".changes button").click()
+                await("how it is unlike those before") { elements(".changes button").isNotEmpty() }
+                click(".changes button")
                 await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
             }
         }
@@ -177,7 +181,7 @@ internal class ServedPageSpec : PageSpec({
                     openRow(0)
                     awaitLog("bench.bag")
                     if (isShown) continue
-                    element("#go-back").click()
+                    click("#go-back")
                     awaitList()
                 }
                 SAMPLES.resolve("qualification-42.bag").copyTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
@@ -186,12 +190,11 @@ internal class ServedPageSpec : PageSpec({
                 texts(".arrival p").single() shouldContain "Browned out at 1:3"
                 texts(".page-title h1") shouldContainExactly listOf("bench.bag")
                 keepScreenshot("served-arrival-phone")
-                element("#show-arrival").click()
+                click("#show-arrival")
                 awaitLog("Qualification 42")
-                element("#go-back").click()
+                click("#go-back")
                 awaitList()
-                column("FILE").size shouldBe 2
-                column("BATTERY") shouldContain "6.73 V"
+                await("what is known of both") { column("FILE").size == 2 && "6.73 V" in column("BATTERY") }
             }
         }
     }
@@ -199,8 +202,8 @@ internal class ServedPageSpec : PageSpec({
     browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
         val options = LogServerOptions()
         val folder = folder("broken/logs") {
-            // Three seconds, as the server sends it.
-            val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 300_000) { row, column -> if (column == 0) row / 10.0 else row }
+            // Some seconds, as the server sends it.
+            val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 600_000) { row, column -> if (column == 0) row / 10.0 else row }
             (it / "long.bag").writeBytes(long)
         }
         withRobot(folder, options) { address ->
@@ -242,7 +245,7 @@ internal class ServedPageSpec : PageSpec({
                 // Nobody knows when they were written.
                 column("DATE").drop(2) shouldContainExactly listOf("", "")
                 keepScreenshot("served-wpilib-phone")
-                elements("[data-column='FILE'] button").first { "img" in it.text }.click()
+                click("[data-column='FILE'] button") { "img" in it.text }
                 awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
         }

@@ -31,7 +31,7 @@ internal class SignalChoiceSpec : PageSpec({
 
     /** Says that [signal] is [topic], as a person types it. */
     fun OpenPage.say(signal: String, topic: String) {
-        if (element(".findings-skipped").getAttribute("open") == null) element(".findings-skipped summary").click()
+        if (element(".findings-skipped").getAttribute("open") == null) click(".findings-skipped summary")
         val field = elements(".signals-lacking label").single { "“$signal”" in it.text }.findElement(By.tagName("input"))
         field.clear()
         field.sendKeys(topic, Keys.TAB)
@@ -52,7 +52,7 @@ internal class SignalChoiceSpec : PageSpec({
             reload()
             awaitRules()
             rulesFound() shouldContain "The battery voltage dropped to 6 V"
-            element(".signals-chosen button").click()
+            click(".signals-chosen button")
             awaitRules()
             rulesFound() shouldNotContain "The battery voltage dropped"
             element(".signals-chosen").isDisplayed shouldBe false
@@ -80,7 +80,7 @@ internal class SignalChoiceSpec : PageSpec({
             SignalsFile.parse(file.decodeToString()).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf("Power/My Volts")
             val copy = Files.createTempFile("badlog-copy", ".html")
             copy.writeBytes(exported("A copy of this page, with your notes and board", "test.html"))
-            element(".signals-chosen button").click()
+            click(".signals-chosen button")
             awaitRules()
             onPage(copy) {
                 awaitRules()
@@ -108,7 +108,7 @@ internal class SignalChoiceSpec : PageSpec({
     browserTest("the fields offer the topics of the log") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()
-            element(".findings-skipped summary").click()
+            click(".findings-skipped summary")
             elements("#signal-topics option").map { it.getAttribute("value") } shouldContain "Power/My Volts"
         }
     }

@@ -67,13 +67,12 @@ internal class WebPageSpec : PageSpec({
                     seriousForReaders().shouldBeEmpty()
                     host.asked.shouldBeEmpty()
                     script("document.cookie = 'secret=1'")
-                    element("#accept-offer").click()
+                    click("#accept-offer")
                     awaitState("ready")
                     text shouldContain "match.bag"
                     texts(".notice p").single() shouldBe ""
                     script("navigator.clipboard.writeText = async text => { window.copied = text }")
-                    element("#copy-link").click()
-                    settle()
+                    click("#copy-link")
                     (script("return window.copied") as String) shouldContain "#url=https%3A%2F%2F"
                     host.asked.map { Triple(it.path, it.cookies, it.referrer) } shouldContainExactly listOf(Triple("/day 1/match.bag", null, null))
                     val copy = temporary / "copy.html"
@@ -95,10 +94,10 @@ internal class WebPageSpec : PageSpec({
                 logs().also { it.close() } to "does not answer",
             )) {
                 onWeb(site, linkTo("https://${host.host}/match.bag")) {
-                    element("#accept-offer").click()
+                    click("#accept-offer")
                     awaitState("failed")
                     text shouldContain said
-                    element("#go-back").click()
+                    click("#go-back")
                     awaitState("empty")
                 }
                 host.close()
@@ -146,7 +145,7 @@ internal class WebPageSpec : PageSpec({
                 offers() shouldContainExactly listOf("https://scout.example wants to open “q1.bag” here.")
                 hand("{badlog: {buffer: $bytes, fileName: 'other.bag'}}", "https://evil.example")
                 offers() shouldContainExactly listOf("https://scout.example wants to open “q1.bag” here.")
-                element("#accept-offer").click()
+                click("#accept-offer")
                 awaitState("ready")
                 text shouldContain "q1.bag"
                 // A page with a log does not answer.

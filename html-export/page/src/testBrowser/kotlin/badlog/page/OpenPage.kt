@@ -5,6 +5,7 @@ import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import org.openqa.selenium.OutputType
+import org.openqa.selenium.StaleElementReferenceException
 import org.openqa.selenium.WebElement
 import org.openqa.selenium.WindowType
 import org.openqa.selenium.chrome.ChromeDriver
@@ -87,13 +88,19 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         )
     }
 
-    /** Waits for [what]; the limit only serves to end a failed test. */
+    /** Waits for [what], also while the page makes anew what [isSo] looks at; the limit only serves to end a failed test. */
     fun await(what: String, isSo: () -> Boolean) {
         val end = System.nanoTime() + PATIENCE_NANOSECONDS
-        while (!isSo()) {
+        while (!isNow(isSo)) {
             check(System.nanoTime() < end) { "Waited in vain for $what. The page shows:\n${text.take(MAX_TEXT)}" }
             Thread.sleep(POLL_MILLISECONDS)
         }
+    }
+
+    private fun isNow(isSo: () -> Boolean): Boolean = try {
+        isSo()
+    } catch (_: StaleElementReferenceException) {
+        false
     }
 
     /** Performs mouse and key actions with the browser's own driver. */
@@ -105,9 +112,16 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Types [keys] where the focus is. */
     fun press(vararg keys: CharSequence) = act { sendKeys(*keys) }
 
-    /** Clicks the element that [selector] finds. */
-    fun click(selector: String) {
-        element(selector).click()
+    /**
+     * Clicks the first element that [selector] finds and that [isMeant]; the one in its place, where the page made it anew before the click
+     * came there.
+     */
+    fun click(selector: String, isMeant: (WebElement) -> Boolean = { true }) {
+        await("a click on $selector") {
+            val found = elements(selector)
+            checkNotNull(found.firstOrNull(isMeant)) { "None of the ${found.size} elements that $selector finds is to be clicked." }.click()
+            true
+        }
         settle()
     }
 
@@ -118,6 +132,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun show(screen: Screen) {
         emulate(screen)
         await("the width of ${screen.width}") { number("return innerWidth").toInt() == screen.width }
+        await("its colors") { script("return matchMedia('(prefers-color-scheme: dark)').matches") == screen.isDark }
         settle()
     }
 

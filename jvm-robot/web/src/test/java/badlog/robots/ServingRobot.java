@@ -3,9 +3,11 @@ package badlog.robots;
 import badlog.web.LogServer;
 import badlog.web.LogServerOptions;
 import java.io.File;
+import java.io.IOException;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 
-/** Robots that show their logs, as in docs/web.md; and one whose program ends meanwhile. */
+/** Robots that show their logs, as in docs/web.md; and one whose program ends meanwhile: when it is sent a byte, or after so many ms. */
 public final class ServingRobot {
     private ServingRobot() {
     }
@@ -21,8 +23,12 @@ public final class ServingRobot {
         LogServer.start(5806, options);
     }
 
-    public static void main(String[] args) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException, IOException {
         LogServer.start(Integer.parseInt(args[0]));
-        Thread.sleep(Long.parseLong(args[1]));
+        long begin = System.nanoTime();
+        long longest = TimeUnit.MILLISECONDS.toNanos(Long.parseLong(args[1]));
+        while (System.in.available() == 0 && System.nanoTime() - begin < longest) {
+            Thread.sleep(5);
+        }
     }
 }

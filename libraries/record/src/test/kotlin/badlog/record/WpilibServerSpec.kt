@@ -8,9 +8,11 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.maps.shouldContainAll
 import io.kotest.matchers.shouldBe
 import java.io.BufferedReader
+import java.net.BindException
 import java.net.ServerSocket
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
+import kotlin.random.Random
 
 private val PYTHON = TestPython("ntcore, wpiutil.log", "pyntcore")
 
@@ -38,7 +40,15 @@ private class WpilibServer(val port: Int, vararg arguments: String) : AutoClosea
     }
 }
 
-private fun freePort() = ServerSocket(0).use { it.localPort }
+/** Returns a free port, of those that systems give to nobody who asks for just any: it is free still when a server takes it (again). */
+private fun freePort() = generateSequence { Random.nextInt(20_000, 32_000) }.first { port ->
+    try {
+        ServerSocket(port).close()
+        true
+    } catch (_: BindException) {
+        false
+    }
+}
 
 /** What WPILib's own reader prints about [log], line by line. */
 private fun read(log: Path): List<List<String>> {

@@ -1,11 +1,11 @@
 package badlog.page.browser
 
+import badlog.page.freePort
 import org.openqa.selenium.Dimension
 import org.openqa.selenium.ImmutableCapabilities
 import org.openqa.selenium.remote.RemoteWebDriver
 import java.io.IOException
 import java.net.InetAddress
-import java.net.ServerSocket
 import java.net.Socket
 import java.net.URI
 import java.nio.file.Path
@@ -15,7 +15,7 @@ internal const val WEBKIT_PROGRAM = "WebKitWebDriver"
 
 /** Starts the browser that comes with WebKitGTK, on the screen that DISPLAY names. */
 internal fun webKitTab(downloads: Path): BrowserTab {
-    val port = ServerSocket(0).use { it.localPort }
+    val port = freePort()
     val service = program(WEBKIT_PROGRAM, "--port=$port").redirectError(ProcessBuilder.Redirect.DISCARD)
         .apply {
             // Where nobody says which folder downloads go to, they go to this one.
