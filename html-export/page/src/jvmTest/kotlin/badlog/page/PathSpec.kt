@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -137,6 +138,19 @@ internal class PathSpec : PageSpec({
             pathPixels(1) shouldBeLessThan planned - 150
             reload()
             pathPixels(1) shouldBeLessThan planned - 150
+        }
+    }
+
+    browserTest("of a graph that has states, too, the path is drawn once, and the states are lanes") {
+        val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
+        val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
+        onPage(TestPages.of(log)) {
+            script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
+            reload()
+            texts("#board .graph-title").size shouldBe 2
+            // Its cursors have a canvas of their own.
+            elements("#board .xy").size shouldBe 2
+            elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
         }
     }
 

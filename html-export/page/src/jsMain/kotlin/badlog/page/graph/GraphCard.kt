@@ -71,7 +71,7 @@ internal class GraphCard(
     private var drawn = CardLines(graph, lines, scene, ::toggle)
     private val statistics get() = drawn.statistics
     private val legend get() = drawn.legend
-    private val xy = if (look.isXy) XyGraph(scene, { this.look }, ::toggle, ::showPlane) else null
+    private val xy = if (look.isXy && !graph.showsStates) XyGraph(scene, { this.look }, ::toggle, ::showPlane) else null
     private lateinit var heading: HTMLElement
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
