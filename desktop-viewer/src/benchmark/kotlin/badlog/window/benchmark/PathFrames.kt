@@ -19,7 +19,7 @@ internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
         val viewer = window.viewer
         val random = Random(1)
         val planes = viewer.graphs.planes
-        val whole = checkNotNull(viewer.current.recording?.xyPlot(lines)).full
+        val whole = checkNotNull(viewer.current.recording?.paths?.plotOf(lines)).full
 
         fun zoom(): Double = window.measure({
             val plane = planes[1] ?: whole

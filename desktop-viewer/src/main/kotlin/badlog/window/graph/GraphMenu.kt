@@ -20,7 +20,7 @@ import badlog.viewer.draw.path.xyLabelOf
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.xy.drawnXys
+import badlog.window.graph.xy.xyPictureOf
 import badlog.window.log.GraphBoard
 import badlog.window.menu.MenuBox
 import badlog.window.menu.MenuLine
@@ -55,15 +55,15 @@ internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphA
         ).takeUnless { spec.isXy }.orEmpty(),
         listOfNotNull(
             GraphAction("Add topics…") { scene.addTopics(spec.id) },
-            GraphAction(xyLabelOf(spec.lines, scene.current.recording?.poses.orEmpty()), spec.isXy) {
+            GraphAction(xyLabelOf(spec.lines, scene.current.recording?.paths?.poses.orEmpty()), spec.isXy) {
                 board.change { withXy(spec.id, !spec.isXy) }
             }
                 .takeIf { spec.lines.size > 1 },
             GraphAction("Swap axes") { board.change { withSwappedAxes(spec.id) } }
-                .takeIf { spec.canSwapAxes(scene.current.recording?.poses.orEmpty()) },
+                .takeIf { spec.canSwapAxes(scene.current.recording?.paths?.poses.orEmpty()) },
             GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
         ),
-        if (spec.isXy && drawnXys(spec, scene.recordings).any { it.plot.isField }) fieldActions(scene, spec) else emptyList(),
+        if (spec.isXy && xyPictureOf(spec, scene.recordings).isField) fieldActions(scene, spec) else emptyList(),
         additionsOf(board, spec),
     ).filter { it.isNotEmpty() }
 }

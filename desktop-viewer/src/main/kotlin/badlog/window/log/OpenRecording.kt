@@ -14,20 +14,15 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
 import badlog.signals.clock.FoundStation
-import badlog.signals.clock.secondsPerX
 import badlog.signals.match.MatchOfLog
 import badlog.signals.match.matchOf
 import badlog.signals.over
 import badlog.signals.overItsTime
-import badlog.signals.pose.Pose
-import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
-import badlog.signals.swerve.swerveModulesOf
 import badlog.signals.timeColumn
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.board.identifiedByLines
 import badlog.viewer.choices.board.orAlso
@@ -38,9 +33,7 @@ import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.FieldFile
-import badlog.viewer.draw.path.XyPlot
-import badlog.viewer.draw.path.flipIn
-import badlog.viewer.draw.path.xyPlotOf
+import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.window.pen.SkiaImage
@@ -150,13 +143,11 @@ internal class OpenRecording(
     /** Its name for people: the match, or else the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
-    /** The poses in its topics. */
-    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
+    /** What graphs of y over x can draw of it. */
+    val paths: LogPaths by lazy { LogPaths(view, field.field) { signal(it)?.line } }
 
     /** Its swerve drive; null for none. */
     val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
-
-    private val modules by lazy { swerveModulesOf(view.recording.topics) }
 
     /** The picture of its field; null for none, or where it cannot be drawn. */
     val fieldPicture: SkiaImage? by lazy {
@@ -164,12 +155,6 @@ internal class OpenRecording(
         // Skia rejects data that only begins like a picture.
         runCatching { field.picture?.let { SkiaImage(Image.makeFromEncoded(it), source) } }.getOrNull()
     }
-
-    /**
-     * Returns what a graph that draws [lines] shows of y over x, where poses are measured from [origin]; null where it has none of them.
-     */
-    fun xyPlot(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
-        xyPlotOf(lines, poses, modules, origin.flipIn(view, field.field), field.field, view.secondsPerX) { signal(it)?.line }
 
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): DrawableTopic? = byName[name]
@@ -211,8 +196,7 @@ internal class OpenRecording(
         standardGraphs
         timeColumn
         signalTopics
-        poses
-        modules
+        paths
         drive
         match
         fieldPicture

@@ -135,7 +135,7 @@ private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRow
     empty,
     found,
     // Paths and XY plots are graphs of their own.
-    if (list.target == null) poses else emptyList(),
+    if (list.target == null) paths.poses else emptyList(),
     offersXy = list.target == null,
 )
 

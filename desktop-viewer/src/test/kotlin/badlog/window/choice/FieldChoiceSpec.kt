@@ -36,7 +36,7 @@ class FieldChoiceSpec : FunSpec({
 
     fun log(folder: Path = tempdir().toPath()): Path = Files.copy(Path.of("..", "samples", "wrong-turn.bag"), folder.resolve("a.bag"))
 
-    fun Viewer.fieldLength() = checkNotNull(current.recording?.xyPlot(board.state.graphs[0].lines)).field.length
+    fun Viewer.fieldLength() = checkNotNull(current.recording?.paths?.plotOf(board.state.graphs[0].lines)).field.length
 
     fun Viewer.menu() = graphActions(graphs, board.state.graphs[0]).flatten().filter { "field file" in it.label }
 

@@ -1,6 +1,5 @@
 package badlog.page
 
-import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
 import badlog.formats.driverstation.TestDslog
@@ -33,39 +32,6 @@ internal class LiveSpec : PageSpec({
 
     fun logs(name: String): Path = (temporary / name / "logs").createDirectories()
 
-    /** Rows of 50 topics at 50 Hz, whose first one counts them, and whose second one is the battery's voltage. */
-    class Robot(val file: Path) {
-        private val topics = listOf(TIME, BagTopic("Count", "ul"), BagTopic("Battery Voltage", "V"), BagTopic("Enabled", "ul")) +
-            List(46) { BagTopic("Motor ${it + 1}/Current", "A") }
-        var rows = 0
-            private set
-        var volts = 12.4
-        private val times = LongArray(100_000)
-
-        /** When [row] was on the disk, in ns. */
-        fun writtenAt(row: Int) = times[row]
-
-        init {
-            file.writeBytes(bagOf(topics, 0) { _, _ -> null })
-        }
-
-        fun write(count: Int) {
-            val header = bagOf(topics, 0) { _, _ -> null }.size
-            val bytes = bagOf(topics, count) { row, column ->
-                when (column) {
-                    0 -> (rows + row) / 50.0
-                    1 -> rows + row
-                    2 -> volts
-                    3 -> 1
-                    else -> ((rows + row) * 7 + column * 13) % 40 / 3.0
-                }
-            }
-            file.appendBytes(bytes.copyOfRange(header, bytes.size))
-            times.fill(System.nanoTime(), rows, rows + count)
-            rows += count
-        }
-    }
-
     /** Waits until the page has asked for what is new in the log, and got something, since [clearAsked]; and has asked [more] times since then. */
     fun OpenPage.awaitFetched(more: Int) = await("what is new to be fetched") {
         val sizes = "performance.getEntriesByType('resource').map(e => e.decodedBodySize)"
@@ -87,125 +53,146 @@ internal class LiveSpec : PageSpec({
         awaitReady()
     }
 
+    /** Opens the log “running” in [folder], as a robot serves it, and does [test]. */
+    fun onLogIn(
+        folder: Path,
+        options: LogServerOptions = LogServerOptions(),
+        screen: Screen = Screen.WIDE,
+        says: List<String> = emptyList(),
+        test: OpenPage.() -> Unit,
+    ) = withRobot(folder, options) { address ->
+        onServedPage(address, screen, says = says) {
+            openRunning()
+            test()
+        }
+    }
+
+    /** The same with a log of 10 s in the folder [name], to which its robot goes on writing when it is told to. */
+    fun onRunningLog(
+        name: String,
+        options: LogServerOptions = LogServerOptions(),
+        screen: Screen = Screen.WIDE,
+        says: List<String> = emptyList(),
+        test: OpenPage.(WritingRobot) -> Unit,
+    ) {
+        val robot = WritingRobot(logs(name) / "running.bag").apply { write(500) }
+        onLogIn(robot.file.parent, options, screen, says) { test(robot) }
+    }
+
+    /** The same; the page follows the log. */
+    fun onFollowedLog(
+        name: String,
+        options: LogServerOptions = LogServerOptions(),
+        says: List<String> = emptyList(),
+        test: OpenPage.(WritingRobot) -> Unit,
+    ) = onRunningLog(name, options, says = says) { robot ->
+        element("#live").click()
+        test(robot)
+    }
+
     browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
-        val robot = Robot(logs("follow") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address, Screen.PHONE) {
-                openRunning()
-                visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
-                element("#live").click()
-                robot.write(250)
-                await("15 s") { visibleRange.endInclusive > 14.9 }
-                awaitReady()
-                graph("Count").value("Count") shouldBe "749"
-                keepScreenshot("live-phone")
-                isLive() shouldBe true
-                // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
-                for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
-                graph("Count").scrollTo().hover(0.5)
-                script("scrollTo(0, 0)")
-                settle()
-                element("#values-button").click()
-                robot.write(50)
-                await("16 s") { visibleRange.endInclusive > 15.9 }
-                awaitReady()
-                isLive() shouldBe true
-                element("#cursor-values").isDisplayed shouldBe true
-                element("#values-button").click()
-                press(Keys.ARROW_LEFT)
-                isLive() shouldBe false
-                robot.write(250)
-                settle()
-                visibleRange.endInclusive shouldBe (15.98 plusOrMinus 0.02)
-                graph("Count").scrollTo()
-                press("+")
-                element("#live").click()
-                await("21 s") { visibleRange.endInclusive > 20.9 }
-                awaitReady()
-                // As far in as before.
-                visibleRange.start shouldBeGreaterThan 5.0
-            }
+        onRunningLog("follow", screen = Screen.PHONE) { robot ->
+            visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
+            element("#live").click()
+            robot.write(250)
+            await("15 s") { visibleRange.endInclusive > 14.9 }
+            awaitReady()
+            graph("Count").value("Count") shouldBe "749"
+            keepScreenshot("live-phone")
+            isLive() shouldBe true
+            // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
+            for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
+            graph("Count").scrollTo().hover(0.5)
+            script("scrollTo(0, 0)")
+            settle()
+            element("#values-button").click()
+            robot.write(50)
+            await("16 s") { visibleRange.endInclusive > 15.9 }
+            awaitReady()
+            isLive() shouldBe true
+            element("#cursor-values").isDisplayed shouldBe true
+            element("#values-button").click()
+            press(Keys.ARROW_LEFT)
+            isLive() shouldBe false
+            robot.write(250)
+            settle()
+            visibleRange.endInclusive shouldBe (15.98 plusOrMinus 0.02)
+            graph("Count").scrollTo()
+            press("+")
+            element("#live").click()
+            await("21 s") { visibleRange.endInclusive > 20.9 }
+            awaitReady()
+            // As far in as before.
+            visibleRange.start shouldBeGreaterThan 5.0
         }
     }
 
     browserTest("whoever follows a log before its rules have run is not taken to the worst that they find") {
-        val robot = Robot(logs("worst") / "running.bag").apply { write(500) }
+        val robot = WritingRobot(logs("worst") / "running.bag").apply { write(500) }
         robot.volts = 6.1
         robot.write(100)
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#go-back").click()
-                val worst = "[data-column='FINDINGS'] button"
-                await("the worst in the list") { elements(worst).isNotEmpty() }
-                script(
-                    "new MutationObserver((_, observer) => { const live = document.querySelector('#live'); if (live) { observer.disconnect(); live.click() } })" +
-                        ".observe(document.body, {childList: true, subtree: true})",
-                )
-                element(worst).click()
-                await("the log") { elements("#live").isNotEmpty() }
-                awaitReady()
-                await("the finding") { (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } }
-                isLive() shouldBe true
-                robot.write(50)
-                await("13 s") { visibleRange.endInclusive > 12.9 }
-                isLive() shouldBe true
-            }
+        onLogIn(robot.file.parent) {
+            element("#go-back").click()
+            val worst = "[data-column='FINDINGS'] button"
+            await("the worst in the list") { elements(worst).isNotEmpty() }
+            script(
+                "new MutationObserver((_, observer) => { const live = document.querySelector('#live'); if (live) { observer.disconnect(); live.click() } })" +
+                    ".observe(document.body, {childList: true, subtree: true})",
+            )
+            element(worst).click()
+            await("the log") { elements("#live").isNotEmpty() }
+            awaitReady()
+            await("the finding") { (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } }
+            isLive() shouldBe true
+            robot.write(50)
+            await("13 s") { visibleRange.endInclusive > 12.9 }
+            isLive() shouldBe true
         }
     }
 
     browserTest("a press of the other button of a mouse, or one that ends outside of the window, does not hold up what is new") {
-        val robot = Robot(logs("menu") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#live").click()
-                fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
-                pressed(button = 2)
+        onFollowedLog("menu") { robot ->
+            fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
+            pressed(button = 2)
+            robot.write(50)
+            await("11 s") { visibleRange.endInclusive > 10.9 }
+            awaitReady()
+            for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
+                pressed(button = 0)
+                script(end)
+                val before = visibleRange.endInclusive
                 robot.write(50)
-                await("11 s") { visibleRange.endInclusive > 10.9 }
+                await("another second") { visibleRange.endInclusive > before + 0.9 }
                 awaitReady()
-                for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
-                    pressed(button = 0)
-                    script(end)
-                    val before = visibleRange.endInclusive
-                    robot.write(50)
-                    await("another second") { visibleRange.endInclusive > before + 0.9 }
-                    awaitReady()
-                }
-                isLive() shouldBe true
             }
+            isLive() shouldBe true
         }
     }
 
     browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
-        val robot = Robot(logs("begun") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                // What was written meanwhile makes the page anew, with other buttons.
-                fun follow() {
-                    element("#live").click()
-                    await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
-                    awaitReady()
-                }
-                for (begin in listOf("#add-formula", "#help-button")) {
-                    follow()
-                    isLive() shouldBe true
-                    element(begin).click()
-                    isLive() shouldBe false
-                    robot.write(50)
-                    settle()
-                    elements("dialog[open]").size shouldBe 1
-                    press(Keys.ESCAPE)
-                    settle()
-                }
-                follow()
-                press("f")
-                robot.write(50)
-                await("a pause") { !isLive() }
-                elements("dialog[open]").size shouldBe 1
+        onRunningLog("begun") { robot ->
+            // What was written meanwhile makes the page anew, with other buttons.
+            fun follow() {
+                element("#live").click()
+                await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
+                awaitReady()
             }
+            for (begin in listOf("#add-formula", "#help-button")) {
+                follow()
+                isLive() shouldBe true
+                element(begin).click()
+                isLive() shouldBe false
+                robot.write(50)
+                settle()
+                elements("dialog[open]").size shouldBe 1
+                press(Keys.ESCAPE)
+                settle()
+            }
+            follow()
+            press("f")
+            robot.write(50)
+            await("a pause") { !isLive() }
+            elements("dialog[open]").size shouldBe 1
         }
     }
 
@@ -213,22 +200,19 @@ internal class LiveSpec : PageSpec({
         // In a table, whose x axis is the number of the row, a last row needs no end of its line.
         val file = logs("parts") / "running.csv"
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
-        withRobot(file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#live").click()
-                for (part in listOf("10,", "12", ".4")) {
-                    clearAsked()
-                    file.appendText(part)
-                    awaitFetched(more = 2)
-                    visibleRange.endInclusive shouldBe 499.0
-                }
-                file.appendText("\n")
-                await("the row") { visibleRange.endInclusive == 500.0 }
-                awaitReady()
-                graph("Volts").value("Volts") shouldBe "12.4"
-                isLive() shouldBe true
+        onLogIn(file.parent) {
+            element("#live").click()
+            for (part in listOf("10,", "12", ".4")) {
+                clearAsked()
+                file.appendText(part)
+                awaitFetched(more = 2)
+                visibleRange.endInclusive shouldBe 499.0
             }
+            file.appendText("\n")
+            await("the row") { visibleRange.endInclusive == 500.0 }
+            awaitReady()
+            graph("Volts").value("Volts") shouldBe "12.4"
+            isLive() shouldBe true
         }
     }
 
@@ -237,66 +221,54 @@ internal class LiveSpec : PageSpec({
         val bytes = TestDslog().records(750).bytes
         val written = TestDslog().records(500).bytes.size
         file.writeBytes(bytes.copyOf(written))
-        withRobot(file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                val end = visibleRange.endInclusive
-                element("#live").click()
-                file.appendBytes(bytes.copyOfRange(written, bytes.size))
-                await("5 s more") { visibleRange.endInclusive > end + 4.9 }
-                isLive() shouldBe true
-            }
+        onLogIn(file.parent) {
+            val end = visibleRange.endInclusive
+            element("#live").click()
+            file.appendBytes(bytes.copyOfRange(written, bytes.size))
+            await("5 s more") { visibleRange.endInclusive > end + 4.9 }
+            isLive() shouldBe true
         }
     }
 
     browserTest("Live is stopped by a click that is as slow as a person's, while the log grows") {
-        val robot = Robot(logs("click") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#live").click()
-                awaitReady()
-                val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
-                clearAsked()
-                act { mouseTo(x, y).mouseDown() }
-                robot.write(250)
-                awaitFetched(more = 0)
-                // What is not shown cannot be waited for.
-                Thread.sleep(300)
-                settle()
-                act { mouseUp() }
-                isLive() shouldBe false
-            }
+        onFollowedLog("click") { robot ->
+            awaitReady()
+            val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
+            clearAsked()
+            act { mouseTo(x, y).mouseDown() }
+            robot.write(250)
+            awaitFetched(more = 0)
+            // What is not shown cannot be waited for.
+            Thread.sleep(300)
+            settle()
+            act { mouseUp() }
+            isLive() shouldBe false
         }
     }
 
     browserTest("what the rules find in a log that is followed is shown when it happens, and the board stays") {
-        val robot = Robot(logs("rules") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
-                script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
+        onRunningLog("rules") { robot ->
+            (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
+            script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
+            settle()
+            texts("#board .graph-title") shouldBe listOf("Battery Voltage")
+            element("#live").click()
+            robot.volts = 6.1
+            robot.write(100)
+            await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
+            // It stays while the page follows.
+            repeat(5) {
+                robot.write(20)
                 settle()
+                (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
                 texts("#board .graph-title") shouldBe listOf("Battery Voltage")
-                element("#live").click()
-                robot.volts = 6.1
-                robot.write(100)
-                await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
-                // It stays while the page follows.
-                repeat(5) {
-                    robot.write(20)
-                    settle()
-                    (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
-                    texts("#board .graph-title") shouldBe listOf("Battery Voltage")
-                }
-                (visibleRange.endInclusive > 10.0) shouldBe true
             }
+            (visibleRange.endInclusive > 10.0) shouldBe true
         }
     }
 
     browserTest("where a server sends logs whole, they are asked for as seldom as their size allows, and followed all the same") {
-        val robot = Robot(logs("whole") / "running.bag").apply { write(500) }
+        val robot = WritingRobot(logs("whole") / "running.bag").apply { write(500) }
         EmptyPage().write(robot.file.parent / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
         WpilibServer(robot.file.parent).use { server ->
             onServedPage(server.addressOf(EmptyPage.SERVED_NAME)) {
@@ -313,61 +285,47 @@ internal class LiveSpec : PageSpec({
     }
 
     browserTest("an enabled robot is followed on; the end of following is said where it was asked for: the robot is on the field") {
-        val robot = Robot(logs("end") / "running.bag").apply { write(500) }
         val options = LogServerOptions()
-        withRobot(robot.file.parent, options) { address ->
-            onServedPage(address, says = listOf("503", "ERR_")) {
-                openRunning()
-                element("#live").click()
-                options.isEnabled = BooleanSupplier { true }
-                robot.write(250)
-                await("15 s") { visibleRange.endInclusive > 14.9 }
-                awaitReady()
-                options.isFieldAttached = BooleanSupplier { true }
-                await("the reason") { "connected to the field" in texts("#live").single() }
-                isLive() shouldBe false
-            }
+        onFollowedLog("end", options, says = listOf("503", "ERR_")) { robot ->
+            options.isEnabled = BooleanSupplier { true }
+            robot.write(250)
+            await("15 s") { visibleRange.endInclusive > 14.9 }
+            awaitReady()
+            options.isFieldAttached = BooleanSupplier { true }
+            await("the reason") { "connected to the field" in texts("#live").single() }
+            isLive() shouldBe false
         }
     }
 
     browserTest("Live that fell too far behind an enabled robot says so, and goes on at the newest moment once the robot is disabled") {
-        val robot = Robot(logs("behind") / "running.bag").apply { write(500) }
         val options = LogServerOptions()
-        withRobot(robot.file.parent, options) { address ->
-            onServedPage(address, says = listOf("503")) {
-                openRunning()
-                options.isEnabled = BooleanSupplier { true }
-                robot.write(5000)
-                element("#live").click()
-                await("the reason") { "Live is more than a megabyte behind" in texts("#live").single() }
-                isLive() shouldBe false
-                options.isEnabled = BooleanSupplier { false }
-                element("#live").click()
-                // What was wrong is not said any more.
-                texts("#live") shouldBe listOf("Live")
-                await("110 s") { visibleRange.endInclusive > 109.9 }
-                isLive() shouldBe true
-            }
+        onRunningLog("behind", options, says = listOf("503")) { robot ->
+            options.isEnabled = BooleanSupplier { true }
+            robot.write(5000)
+            element("#live").click()
+            await("the reason") { "Live is more than a megabyte behind" in texts("#live").single() }
+            isLive() shouldBe false
+            options.isEnabled = BooleanSupplier { false }
+            element("#live").click()
+            // What was wrong is not said any more.
+            texts("#live") shouldBe listOf("Live")
+            await("110 s") { visibleRange.endInclusive > 109.9 }
+            isLive() shouldBe true
         }
     }
 
     browserTest("a gap in the Wi-Fi of a second is waited for") {
-        val robot = Robot(logs("gap") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#live").click()
-                val lost = "Promise.reject(new TypeError('Failed to fetch'))"
-                script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
-                robot.write(250)
-                await("15 s") { visibleRange.endInclusive > 14.9 }
-                isLive() shouldBe true
-            }
+        onFollowedLog("gap") { robot ->
+            val lost = "Promise.reject(new TypeError('Failed to fetch'))"
+            script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
+            robot.write(250)
+            await("15 s") { visibleRange.endInclusive > 14.9 }
+            isLive() shouldBe true
         }
     }
 
     browserTest("following waits for a place while others download, as long as that takes some seconds") {
-        val robot = Robot(logs("busy") / "running.bag").apply { write(500) }
+        val robot = WritingRobot(logs("busy") / "running.bag").apply { write(500) }
         (robot.file.parent / "long.bag").writeBytes(ByteArray(20_000_000))
         withRobot(robot.file.parent) { address ->
             onServedPage(address, says = listOf("503")) {
@@ -391,40 +349,35 @@ internal class LiveSpec : PageSpec({
     }
 
     browserTest("50 topics at 50 Hz: measured, and printed") {
-        val robot = Robot(logs("speed") / "running.bag").apply { write(500) }
-        withRobot(robot.file.parent) { address ->
-            onServedPage(address) {
-                openRunning()
-                element("#live").click()
-                script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
-                val began = System.nanoTime()
-                val isOver = AtomicBoolean()
-                val writing = thread {
-                    while (!isOver.get()) {
-                        robot.write(1)
-                        Thread.sleep(20)
-                    }
+        onFollowedLog("speed") { robot ->
+            script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
+            val began = System.nanoTime()
+            val isOver = AtomicBoolean()
+            val writing = thread {
+                while (!isOver.get()) {
+                    robot.write(1)
+                    Thread.sleep(20)
                 }
-                // Each row's time from the disk to the screen.
-                val late = ArrayList<Double>()
-                var shown = robot.rows - 1
-                while (System.nanoTime() - began < 15_000_000_000) {
-                    val last = script("const m = document.querySelector('.range-readout')?.textContent.match(/– (-?[\\d.]+)/); return m ? Number(m[1]) : null")
-                        ?.let { Math.round((it as Number).toDouble() * 50).toInt() } ?: continue
-                    val now = System.nanoTime()
-                    while (shown < last) late += (now - robot.writtenAt(++shown)) / 1e9
-                }
-                isOver.set(true)
-                writing.join()
-                val seconds = (System.nanoTime() - began) / 1e9
-                // With all headers.
-                val bits = number("return performance.getEntriesByType('resource').reduce((sum, e) => sum + e.transferSize, 0)") * 8 / seconds / 1e6
-                late.sort()
-                println("Live: ${late.size} rows, median %.2f s, 90th percentile %.2f s, worst %.2f s; %.2f Mbit/s".format(late[late.size / 2], late[late.size * 9 / 10], late.last(), bits))
-                bits shouldBeLessThan 0.3
-                // On a quiet machine half a second; tests run beside others.
-                late[late.size / 2] shouldBeLessThan 3.0
             }
+            // Each row's time from the disk to the screen.
+            val late = ArrayList<Double>()
+            var shown = robot.rows - 1
+            while (System.nanoTime() - began < 15_000_000_000) {
+                val last = script("const m = document.querySelector('.range-readout')?.textContent.match(/– (-?[\\d.]+)/); return m ? Number(m[1]) : null")
+                    ?.let { Math.round((it as Number).toDouble() * 50).toInt() } ?: continue
+                val now = System.nanoTime()
+                while (shown < last) late += (now - robot.writtenAt(++shown)) / 1e9
+            }
+            isOver.set(true)
+            writing.join()
+            val seconds = (System.nanoTime() - began) / 1e9
+            // With all headers.
+            val bits = number("return performance.getEntriesByType('resource').reduce((sum, e) => sum + e.transferSize, 0)") * 8 / seconds / 1e6
+            late.sort()
+            println("Live: ${late.size} rows, median %.2f s, 90th percentile %.2f s, worst %.2f s; %.2f Mbit/s".format(late[late.size / 2], late[late.size * 9 / 10], late.last(), bits))
+            bits shouldBeLessThan 0.3
+            // On a quiet machine half a second; tests run beside others.
+            late[late.size / 2] shouldBeLessThan 3.0
         }
     }
 })

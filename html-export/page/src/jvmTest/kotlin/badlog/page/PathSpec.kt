@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -18,52 +19,16 @@ import javax.imageio.ImageIO
 internal class PathSpec : PageSpec({
     val page by lazy { TestPages.ofSample("wrong-turn.bag") }
 
-    /** How many pixels of canvas [layer] of the first path have the color of line [index]. */
-    fun OpenPage.pixels(index: Int, layer: Int = 0): Int {
-        val color = color("--line-$index")
-        return number(
-            """
-            const canvas = document.querySelectorAll('.xy')[arguments[0]]
-            const copy = document.createElement('canvas')
-            copy.width = canvas.width
-            copy.height = canvas.height
-            const context = copy.getContext('2d', {willReadFrequently: true})
-            context.drawImage(canvas, 0, 0)
-            const data = context.getImageData(0, 0, copy.width, copy.height).data
-            let count = 0
-            for (let i = 0; i < data.length; i += 4) {
-                if (data[i + 3] > 120 && Math.abs(data[i] - arguments[1]) + Math.abs(data[i + 1] - arguments[2]) + Math.abs(data[i + 2] - arguments[3]) < 60) count++
-            }
-            return count
-            """.trimIndent(),
-            layer,
-            color shr 16 and 255,
-            color shr 8 and 255,
-            color and 255,
-        ).toInt()
-    }
-
-    fun OpenPage.values() = texts("#board .legend-entry .value")
-
-    fun OpenPage.box(): List<Double> = (
-        script("const b = document.querySelector('.xy').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]") as List<*>
-        ).map { (it as Number).toDouble() }
-
-    fun OpenPage.hover(across: Double, down: Double) {
-        val (x, y, width, height) = box()
-        act { mouseTo((x + width * across).toInt(), (y + height * down).toInt() + 3).mouseTo((x + width * across).toInt(), (y + height * down).toInt()) }
-    }
-
     browserTest("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
         for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
             onPage(page, screen) {
                 texts("#board .graph-title") shouldContainExactly listOf("Path")
                 texts("#board .legend-name") shouldContainExactly listOf("Drive/Pose", "Target Pose", "Vision/Pose")
-                for (line in 0..2) pixels(line) shouldBeGreaterThan 60
-                pixels(0, layer = 1) shouldBe 0
-                hover(0.47, 0.45)
-                values()[0] shouldContain "m · "
-                pixels(0, layer = 1) shouldBeGreaterThan 60
+                for (line in 0..2) pathPixels(line) shouldBeGreaterThan 60
+                pathPixels(0, layer = 1) shouldBe 0
+                hoverPath(0.47, 0.45)
+                pathValues()[0] shouldContain "m · "
+                pathPixels(0, layer = 1) shouldBeGreaterThan 60
                 keepScreenshot("path-${screen.width}")
             }
         }
@@ -71,8 +36,8 @@ internal class PathSpec : PageSpec({
 
     browserTest("a click on the path pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
         onPage(page) {
-            hover(0.47, 0.45)
-            val (x, y, width, height) = box()
+            hoverPath(0.47, 0.45)
+            val (x, y, width, height) = pathBox()
             act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
             elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
             val before = script("return document.querySelector('.xy').toDataURL()")
@@ -90,7 +55,7 @@ internal class PathSpec : PageSpec({
 
     browserTest("Escape gives up a drag over a path, a frame as well as a move") {
         onPage(page) {
-            val (x, y, width, height) = box()
+            val (x, y, width, height) = pathBox()
             fun picture() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
             val before = picture()
             for (key in listOf("", Keys.SHIFT)) {
@@ -109,14 +74,14 @@ internal class PathSpec : PageSpec({
 
     browserTest("Shift+click on the path sets the second cursor, where a ring is, and the legend says both places") {
         onPage(page) {
-            val (x, y, width, height) = box()
+            val (x, y, width, height) = pathBox()
             fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
             at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
-            val one = pixels(0, layer = 1)
+            val one = pathPixels(0, layer = 1)
             at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
             texts(".second-readout").single() shouldContain "B "
             texts("#board .legend-entry .value").first() shouldContain " → "
-            pixels(0, layer = 1) shouldBeGreaterThan one
+            pathPixels(0, layer = 1) shouldBeGreaterThan one
         }
     }
 
@@ -133,7 +98,7 @@ internal class PathSpec : PageSpec({
             settle()
             val flipped = picture()
             flipped shouldNotBe zoomed
-            val (x, y, width, height) = box()
+            val (x, y, width, height) = pathBox()
             doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
             picture() shouldNotBe flipped
             keepScreenshot("path-red-origin")
@@ -167,12 +132,25 @@ internal class PathSpec : PageSpec({
     browserTest("a trace is hidden by its legend, and that is remembered") {
         onPage(page) {
             // The red alliance's wall is of nearly the same color.
-            val planned = pixels(1)
+            val planned = pathPixels(1)
             elements("#board .legend-entry")[1].click()
             settle()
-            pixels(1) shouldBeLessThan planned - 150
+            pathPixels(1) shouldBeLessThan planned - 150
             reload()
-            pixels(1) shouldBeLessThan planned - 150
+            pathPixels(1) shouldBeLessThan planned - 150
+        }
+    }
+
+    browserTest("of a graph that has states, too, the path is drawn once, and the states are lanes") {
+        val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
+        val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
+        onPage(TestPages.of(log)) {
+            script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
+            reload()
+            texts("#board .graph-title").size shouldBe 2
+            // Its cursors have a canvas of their own.
+            elements("#board .xy").size shouldBe 2
+            elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
         }
     }
 
@@ -181,7 +159,7 @@ internal class PathSpec : PageSpec({
             script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
             reload()
             texts("#board .graph-title") shouldContainExactly listOf("Total Current")
-            pixels(0) shouldBeGreaterThan 500
+            pathPixels(0) shouldBeGreaterThan 500
             keepScreenshot("resistance")
             click("#board .graph-menu")
             elements("#board .menu button").first { "XY plot" in it.text }.click()

@@ -15,6 +15,7 @@ import badlog.viewer.draw.figure.xTitle
 import badlog.viewer.draw.lane.LaneLook
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.draw.path.XyFrame
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.draw.plot.PlotMarks
@@ -32,11 +33,8 @@ import badlog.window.graph.plot.PlotPicture
 import badlog.window.graph.plot.PlotRequest
 import badlog.window.graph.plot.drawnLines
 import badlog.window.graph.plot.makePicture
-import badlog.window.graph.xy.drawXyCursors
-import badlog.window.graph.xy.drawXys
-import badlog.window.graph.xy.drawnXys
-import badlog.window.graph.xy.isField
-import badlog.window.graph.xy.seenOf
+import badlog.window.graph.xy.groundOf
+import badlog.window.graph.xy.xyPictureOf
 import badlog.window.theme.Palette
 
 /**
@@ -68,7 +66,7 @@ internal class LogFigure(
 
     /** Returns those of [graphs] that have a line in any of the recordings. */
     fun drawable(graphs: List<BoardGraph>): List<BoardGraph> = graphs.filter { graph ->
-        if (graph.isXy) drawnXys(graph, recordings).isNotEmpty() else drawnLines(graph, recordings).any { it.signal.name !in graph.hidden }
+        if (graph.isXy) !xyPictureOf(graph, recordings).isEmpty else drawnLines(graph, recordings).any { it.signal.name !in graph.hidden }
     }
 
     /**
@@ -129,25 +127,18 @@ internal class LogFigure(
 
     private fun drawXy(sheet: Sheet, graph: BoardGraph) {
         if (Thread.interrupted()) throw InterruptedException()
-        val xys = drawnXys(graph, recordings)
-        val plot = xys[0].plot
-        val height = if (isField(xys)) PlotMargins.heightOf(plot.full, sheet.width) else sheet.width / 2
+        val picture = xyPictureOf(graph, recordings)
+        val field = picture.full.takeIf { picture.isField }
+        val height = if (field == null) sheet.width / 2 else PlotMargins.heightOf(field, sheet.width)
         val density = sheet.pen.density
         val frame = PlotMargins.frameOf(sheet.width, height, x, density)
-        val plane = seenOf(graph.plane, xys, frame.width.toFloat(), frame.height.toFloat()) ?: return
-        val legend = xys.flatMap { xy ->
-            xy.shown(graph).asReversed().map { trace ->
-                val place = cursors.x?.let { trace.textAt(it - xy.drawn.offset, plot.isField) }.orEmpty()
-                val name = if (xys.size > 1) "${trace.name}, ${xy.drawn.name}" else trace.name
-                LegendEntry("$name $place".trim(), xy.colorOf(trace))
-            }
-        }
-        sheet.graphHead(Board(board).titleOf(graph), unit = "", legend)
+        val plane = picture.seen(graph.plane, frame.width, frame.height) ?: return
+        sheet.graphHead(Board(board).titleOf(graph), unit = "", picture.legend(graph.hidden, Cursors(pinned = cursors.x)))
         sheet.part(height.toDouble()) { pen ->
             pen.moved(frame.left, frame.top) {
-                val (wide, high) = frame.width.toFloat() to frame.height.toFloat()
-                drawXys(pen, xys, graph, plane, x, wide, high, colors, axesFrom = frame.left)
-                drawXyCursors(pen, xys, graph, plane, cursors, wide, high, colors)
+                val seen = XyFrame(pen, plane, frame.width, frame.height, colors)
+                picture.draw(seen, graph.hidden, x, picture.groundOf(recordings), axesFrom = frame.left)
+                picture.drawCursors(seen, graph.hidden, cursors)
             }
         }
     }

@@ -4,16 +4,14 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.viewer.choices.board.Plane
-import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyTarget
 import badlog.window.graph.scene.GraphScene
 
-/** What gestures over graph [id], which draws [xys], change. The first recording is the one whose times the pointer selects. */
-internal class PaneTarget(private val scene: GraphScene, private val id: Int, private val xys: List<DrawnXy>) : XyTarget {
-    override val plot: XyPlot? get() = xys.firstOrNull()?.plot
-    override val offset: Double get() = xys.firstOrNull()?.drawn?.offset ?: 0.0
+/** What gestures over graph [id], which shows [picture], change. */
+internal class PaneTarget(private val scene: GraphScene, private val id: Int, override val picture: XyPicture) : XyTarget {
     override val place: Place get() = scene.view.place
     override val isCursorLed: Boolean get() = scene.player.state.isPlaying
     override var drag: XyDrag? by mutableStateOf(null)
@@ -22,8 +20,6 @@ internal class PaneTarget(private val scene: GraphScene, private val id: Int, pr
         set(value) {
             if (value == null) scene.planes.remove(id) else scene.planes[id] = value
         }
-
-    override fun seen(width: Double, height: Double): Plane? = seenOf(plane, xys, width.toFloat(), height.toFloat())
 
     override fun go(step: Place.() -> Place) = scene.view.go(step)
 }

@@ -25,8 +25,9 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.draw.path.XyTrace
+import badlog.viewer.draw.path.XyEntry
 import badlog.viewer.shown.comparison.shortLabel
+import badlog.viewer.shown.cursor.Cursors
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LineColor
 import badlog.window.theme.LineName
@@ -36,40 +37,36 @@ import badlog.window.theme.LocalPalette
 @Composable
 internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
     val recordings = scene.recordings
-    val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
-    if (xys.isEmpty()) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
-    for (xy in xys) for (trace in xy.plot.traces.asReversed().take(MAX_ENTRIES)) XyEntry(scene, spec, xy, trace, recordings.size > 1)
+    val picture = remember(spec.lines, spec.origin, recordings) { xyPictureOf(spec, recordings) }
+    if (picture.isEmpty) Text("not in this log", color = LocalPalette.current.muted, fontSize = 12.sp)
+    for (part in picture.parts) for (entry in part.entries.take(MAX_ENTRIES)) EntryOfTrace(scene, spec, entry)
 }
 
 @Composable
-private fun XyEntry(scene: GraphScene, spec: BoardGraph, xy: DrawnXy, trace: XyTrace, isCompared: Boolean) {
-    val isHidden = trace.lines.any { it in spec.hidden }
-    val toggle = { scene.board.change { trace.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
+private fun EntryOfTrace(scene: GraphScene, spec: BoardGraph, entry: XyEntry) {
+    val isHidden = !entry.isShown(spec.hidden)
+    val toggle = { scene.board.change { entry.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
     Row(
         Modifier.clickable(role = Role.Button, onClick = toggle)
-            .semantics { contentDescription = if (isHidden) "Show ${trace.name}" else "Hide ${trace.name}" },
+            .semantics { contentDescription = if (isHidden) "Show ${entry.name}" else "Hide ${entry.name}" },
         horizontalArrangement = Arrangement.spacedBy(5.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        LineColor(xy.colorOf(trace), isHidden)
-        LineName(
-            listOfNotNull(trace.name, if (isCompared) shortLabel(xy.drawn.name, LABEL_LETTERS) else null).joinToString(" · "),
-            isHidden,
-        )
-        XyValue(scene, xy, trace)
+        LineColor(entry.color, isHidden)
+        LineName(listOfNotNull(entry.name, entry.log?.let { shortLabel(it, LABEL_LETTERS) }).joinToString(" · "), isHidden)
+        XyValue(scene, entry)
     }
 }
 
-/** The place of [trace] at the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */
+/** The place of [entry] at the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */
 @Composable
-private fun XyValue(scene: GraphScene, xy: DrawnXy, trace: XyTrace) {
+private fun XyValue(scene: GraphScene, entry: XyEntry) {
     val palette = LocalPalette.current
     val letters = rememberTextMeasurer()
     val style = remember(palette) { TextStyle(color = palette.text, fontSize = 12.sp, fontWeight = FontWeight.Medium) }
     Spacer(
         Modifier.width(VALUE_WIDTH).height(17.dp).drawBehind {
-            val cursor = scene.view.cursor ?: return@drawBehind
-            val text = trace.textAt(cursor - xy.drawn.offset, xy.plot.isField)
+            val text = entry.textAt(Cursors(pinned = scene.view.cursor))
             val room = Constraints(maxWidth = size.width.toInt())
             drawText(letters.measure(text, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = room))
         },

@@ -16,6 +16,7 @@ import androidx.compose.ui.draw.drawWithCache
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
@@ -23,8 +24,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.draw.path.XyDrawing
-import badlog.viewer.draw.plot.Plot
+import badlog.viewer.draw.path.XyFrame
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.session.gesture.XyGestures
@@ -44,8 +44,8 @@ import kotlin.time.Duration.Companion.milliseconds
 internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val palette = LocalPalette.current
     val recordings = scene.recordings
-    val xys = remember(spec.lines, spec.origin, recordings) { drawnXys(spec, recordings) }
-    val target = remember(scene, spec.id, xys) { PaneTarget(scene, spec.id, xys) }
+    val picture = remember(spec.lines, spec.origin, recordings) { xyPictureOf(spec, recordings) }
+    val target = remember(scene, spec.id, picture) { PaneTarget(scene, spec.id, picture) }
     val gestures = remember(target) { XyGestures(target) }
     val kept = remember(spec.id) { KeptPicture() }
     ClosesByEscape(target.drag != null) { gestures.giveUp() }
@@ -53,7 +53,10 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
         scene.plots.show(spec.id, true, needsPicture = false)
         onDispose { scene.plots.show(spec.id, false) }
     }
-    fun planeOn(width: Float, height: Float) = seenOf(scene.planes[spec.id], xys, width, height)
+    fun DrawScope.frameOn(width: Float, height: Float): XyFrame? {
+        val plane = target.seen(width.toDouble(), height.toDouble()) ?: return null
+        return XyFrame(pen(), plane, width.toDouble(), height.toDouble(), palette.pen)
+    }
     KeptPlane(scene, spec)
     Box(modifier) {
         val frame = Modifier.fillMaxSize().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter, bottom = BELOW)
@@ -62,11 +65,8 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
                 val left = GraphScene.LEFT_GUTTER.toPx()
                 val width = size.width - left - scene.rightGutter.toPx()
                 val height = size.height - BELOW.toPx()
-                val plane = planeOn(width, height).takeIf { width > 0 && height > 0 } ?: return@drawBehind
-                val pen = pen()
-                pen.moved(left.toDouble(), 0.0) {
-                    XyDrawing(pen, xys[0].plot, plane, width.toDouble(), height.toDouble(), palette.pen).axes(left.toDouble())
-                }
+                if (width <= 0 || height <= 0) return@drawBehind
+                translate(left) { frameOn(width, height)?.let { picture.drawAxes(it, left.toDouble()) } }
             },
         )
         Box(
@@ -77,20 +77,18 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
         ) {
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawWithCache {
-                    val plane = planeOn(size.width, size.height)
-                    val picture = plane?.let {
-                        kept.of(this) {
-                            drawXys(pen(), xys, spec, plane, scene.view.viewport.visible, size.width, size.height, palette.pen)
-                        }
+                    val image = kept.of(this) {
+                        val visible = scene.view.viewport.visible
+                        frameOn(size.width, size.height)?.let { picture.draw(it, spec.hidden, visible, picture.groundOf(recordings)) }
                     }
-                    onDrawBehind { picture?.let { drawImage(it) } }
+                    onDrawBehind { image?.let { drawImage(it) } }
                 },
             )
             Spacer(
                 Modifier.fillMaxSize().clipToBounds().graphicsLayer().drawBehind {
-                    val plane = planeOn(size.width, size.height) ?: return@drawBehind
+                    val seen = frameOn(size.width, size.height) ?: return@drawBehind
                     target.drag?.takeIf { it.kind == DragKind.ZOOM }?.let { drawCovered(it.start, it.at, palette) }
-                    drawXyCursors(pen(), xys, spec, plane, scene.view.cursors, size.width, size.height, palette.pen)
+                    picture.drawCursors(seen, spec.hidden, scene.view.cursors)
                 },
             )
         }

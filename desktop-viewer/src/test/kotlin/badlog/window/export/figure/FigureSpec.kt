@@ -96,7 +96,7 @@ class FigureSpec : FunSpec({
         fun filled(svg: String) = elements(svg, "path").count { it.getAttribute("fill-opacity") == "0.25" }
         val plain = svgOf(figure(Cursors()), graphs)
         val drawn = svgOf(figure(Cursors(pinned = 9.4, second = 3.0)), graphs)
-        val driven = path.xyPlot(graphs[0].lines)!!.driven!!
+        val driven = path.paths.plotOf(graphs[0].lines)!!.driven!!
         textsIn(drawn) shouldContain "Drive/Pose ${driven.textAt(9.4, isField = true)}"
         textsIn(drawn).count { it.startsWith("Left the plan at") } shouldBe 1
         // The robot at the first cursor alone is filled.

@@ -89,7 +89,7 @@ class XyPaneSpec : FunSpec({
 
     test("the pointer over the path moves the cursor to when the robot was there, a click pins it") {
         path { viewer ->
-            val trail = recording.xyPlot(viewer.board.state.graphs[0].lines)!!.driven!!.trail
+            val trail = recording.paths.plotOf(viewer.board.state.graphs[0].lines)!!.driven!!.trail
             val index = trail.indexAt(9.0)
             plot().performMouseInput { moveTo(placeOf(viewer, trail.x[index], trail.y[index], width, height)) }
             viewer.view.cursor.shouldNotBeNull() shouldBe (9.0 plusOrMinus 0.3)
@@ -157,7 +157,7 @@ class XyPaneSpec : FunSpec({
     test("two fingers zoom into the field around what is between them") {
         path { viewer ->
             val id = viewer.board.state.graphs[0].id
-            val whole = wholeOf(drawnXys(viewer.board.state.graphs[0], viewer.compared.drawn), 1000f, 400f)!!
+            val whole = pictureOf(viewer).seen(null, 1000.0, 400.0)!!
             plot().performTouchInput {
                 down(0, center - Offset(40f, 0f))
                 down(1, center + Offset(40f, 0f))
@@ -194,7 +194,7 @@ class XyPaneSpec : FunSpec({
     test("the red origin lays the path onto the other half of the field") {
         path { viewer ->
             val graph = viewer.board.state.graphs[0]
-            fun startX() = drawnXys(viewer.board.state.graphs[0], viewer.compared.drawn)[0].plot.driven!!.trail.x[0]
+            fun startX() = pictureOf(viewer).parts[0].plot.driven!!.trail.x[0]
             val blue = startX()
             val menu = graphActions(viewer.graphs, graph).flatten().filter { "origin" in it.label }
             menu.map { it.label to it.isOn } shouldBe listOf("Blue origin" to true, "Red origin" to false, "Auto origin" to false, "Center origin" to false)
@@ -247,9 +247,11 @@ class XyPaneSpec : FunSpec({
     }
 })
 
+/** What the first graph shows. */
+private fun pictureOf(viewer: Viewer) = xyPictureOf(viewer.board.state.graphs[0], viewer.compared.drawn)
+
 /** Where a place on the field is on a plot of [width] by [height] pixels that shows all of it. */
 private fun placeOf(viewer: Viewer, x: Double, y: Double, width: Int, height: Int): Offset {
-    val xys = drawnXys(viewer.board.state.graphs[0], viewer.compared.drawn)
-    val plane = wholeOf(xys, width.toFloat(), height.toFloat())!!
+    val plane = pictureOf(viewer).seen(null, width.toDouble(), height.toDouble())!!
     return Offset(plane.xScale(width.toDouble()).placeOf(x).toFloat(), plane.yScale(height.toDouble()).placeOf(y).toFloat())
 }

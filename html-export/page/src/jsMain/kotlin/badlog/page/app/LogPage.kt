@@ -229,6 +229,7 @@ internal class LogPage(
         board.onChange(comparison::followFormulas)
         comparison.onChange {
             scene.compared = comparison.drawn
+            scene.openName = comparison.openName
             graphs.renew()
             search.again()
             values.refresh()

@@ -146,5 +146,5 @@ internal class BoardSection(
     }
 
     private fun openMenu(item: BoardItem, button: HTMLElement) =
-        openMenu(button, item.element, boardMenu(board, item.spec, item, topics, scene.poses))
+        openMenu(button, item.element, boardMenu(board, item.spec, item, topics, scene.paths.poses))
 }

@@ -65,7 +65,7 @@ internal class TopicDialog(private val scene: Scene) {
         }
         list.textContent = ""
         // Paths and XY plots are graphs of their own.
-        val graphs = if (graph == null) pathGraphs(scene.poses, query) + xyGraphs(numbers(), input.value) else emptyList()
+        val graphs = if (graph == null) pathGraphs(scene.paths.poses, query) + xyGraphs(numbers(), input.value) else emptyList()
         graphs.forEach(::addGraph)
         for (name in found.take(MOST)) {
             list.add("li") {

@@ -21,6 +21,7 @@ import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.Plane
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
 import badlog.viewer.choices.board.shortTitles
@@ -70,13 +71,7 @@ internal class GraphCard(
     private var drawn = CardLines(graph, lines, scene, ::toggle)
     private val statistics get() = drawn.statistics
     private val legend get() = drawn.legend
-    private val xy = if (look.isXy) {
-        XyGraph(scene, {
-            this.look
-        }, ::toggle) { plane -> change(this.look.copy(xRange = plane?.x, yRange = plane?.y)) }
-    } else {
-        null
-    }
+    private val xy = if (look.isXy && !graph.showsStates) XyGraph(scene, { this.look }, ::toggle, ::showPlane) else null
     private lateinit var heading: HTMLElement
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
@@ -183,6 +178,8 @@ internal class GraphCard(
         }
     }
 
+    private fun showPlane(plane: Plane?) = change(look.copy(xRange = plane?.x, yRange = plane?.y))
+
     /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
     fun filter(query: Query): Boolean {
         if (drawn.search(query)) show(look)
@@ -193,7 +190,7 @@ internal class GraphCard(
     fun renew() {
         val before = drawn
         drawn = CardLines(graph, lines, scene, ::toggle)
-        if (xy == null) before.legend.element.replaceWith(drawn.legend.element)
+        if (xy == null) before.legend.element.replaceWith(drawn.legend.element) else xy.renew()
         drawn.statistics.element.isHidden = before.statistics.element.isHidden
         before.statistics.element.replaceWith(drawn.statistics.element)
         if (hasStatistics) statistics.update()
@@ -247,8 +244,8 @@ internal class GraphCard(
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
-        val paths = xy?.takeIf { !it.isEmpty }?.apply { list() }
-        sheet.graphHead(title, graph.titleUnit, paths?.entries ?: legend.shown(hasColors = !graph.showsStates))
+        val paths = xy?.takeIf { !it.isEmpty }
+        sheet.graphHead(title, graph.titleUnit, paths?.legendOnSheet ?: legend.shown(hasColors = !graph.showsStates))
         if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, newContent(), scene)
     }
 

@@ -8,8 +8,6 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
 import badlog.rules.Finding
-import badlog.signals.pose.Pose
-import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.note.Note
@@ -20,6 +18,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.Field
+import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.comparison.ComparedLog
@@ -75,6 +74,9 @@ internal class Scene(
     /** The logs that every graph draws besides this one. */
     var compared: List<ComparedLog> = emptyList()
 
+    /** The name of this log beside those. */
+    var openName: String = ""
+
     /** The field that paths are drawn on. */
     var field: Field = Field.PLAIN
 
@@ -87,8 +89,8 @@ internal class Scene(
     val visited: FindingPlace<Finding>? get() = place.now.visited
     val sharedY: SharedY = SharedY(board, range) { compared }
 
-    /** The poses in its topics. */
-    val poses: List<Pose> by lazy { posesOf(view.recording.topics) }
+    /** What graphs of y over x can draw of it. */
+    val paths: LogPaths by lazy { LogPaths(view, field) { board.lines[it] } }
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }

@@ -8,8 +8,6 @@ import badlog.page.dom.showText
 import badlog.page.input.PointerListener
 import badlog.page.pen.PageImage
 import badlog.page.view.Scene
-import badlog.signals.clock.secondsPerX
-import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.Plane
@@ -17,14 +15,12 @@ import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.faded
-import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.figure.LegendEntry
 import badlog.viewer.draw.figure.Sheet
-import badlog.viewer.draw.path.XyDrawing
-import badlog.viewer.draw.path.XyPlot
-import badlog.viewer.draw.path.flipIn
-import badlog.viewer.draw.path.shown
-import badlog.viewer.draw.path.xyPlotOf
+import badlog.viewer.draw.path.LogPaths
+import badlog.viewer.draw.path.XyFrame
+import badlog.viewer.draw.path.XyLog
+import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
@@ -54,23 +50,17 @@ internal class XyGraph(
     /** Its traces, each with its place at the cursor. */
     val legend: HTMLElement = element("div", "legend")
 
-    private val plot: XyPlot? by lazy {
-        val flip = look().origin.flipIn(scene.view, scene.field)
-        xyPlotOf(look().lines, scene.poses, swerveModulesOf(scene.view.recording.topics), flip, scene.field, scene.view.secondsPerX) {
-            scene.board.lines[it]
-        }
-    }
-    private val departure by lazy { plot?.departure(scene.view) }
+    private var picture = lazy(::newPicture)
+    private val entries get() = picture.value.parts.flatMap { it.entries }
     private val values = ArrayList<HTMLElement>()
-    private val strokes = Strokes()
 
     /** The picture of the field, once it has been read. */
-    private var picture: PageImage? = null
+    private var field: PageImage? = null
     private val reading by lazy {
         scene.field.image?.let { image ->
             window.document.createElement("img").unsafeCast<HTMLImageElement>().apply {
                 onload = {
-                    picture = PageImage(this, image.source)
+                    field = PageImage(this, image.source)
                     draw()
                 }
                 src = image.source
@@ -93,13 +83,26 @@ internal class XyGraph(
     val canvas: HTMLCanvasElement? get() = ground?.canvas
 
     /** Whether there is anything to draw. */
-    val isEmpty: Boolean get() = plot == null
+    val isEmpty: Boolean get() = picture.value.isEmpty
+
+    /** Shows the logs that are compared now, when it is drawn again. */
+    fun renew() {
+        val isListed = legend.childElementCount > 0
+        picture = lazy(::newPicture)
+        legend.textContent = ""
+        values.clear()
+        if (isListed) list()
+    }
+
+    private fun newPicture(): XyPicture {
+        val others = scene.compared.map { log -> XyLog(LogPaths(log.lines.view, scene.field) { log.lines[it] }, log.name, log.offset) }
+        return XyPicture(look().lines, look().origin, listOf(XyLog(scene.paths, scene.openName)) + others)
+    }
 
     /** Draws it in [host]. */
     fun start(host: HTMLElement) {
-        val plot = plot ?: return
         host.textContent = ""
-        host.style.height = "${heightOf(plot, host.clientWidth)}px"
+        host.style.height = "${heightAt(host.clientWidth)}px"
         list()
         ground = XyCanvas(host)
         overlay = XyCanvas(host).also { PointerListener(it.canvas, XyGestures(target), it::box) }
@@ -107,20 +110,20 @@ internal class XyGraph(
         draw()
     }
 
-    private fun heightOf(plot: XyPlot, width: Int): Int {
+    private fun heightAt(width: Int): Int {
         val most = GraphHeight.LARGE.pixels
-        return look().height ?: if (plot.isField) minOf(most, PlotMargins.heightOf(plot.full, width)) else most
+        val field = picture.value.full.takeIf { picture.value.isField }
+        return look().height ?: if (field == null) most else minOf(most, PlotMargins.heightOf(field, width))
     }
 
     /** Draws it on [sheet] with everything at the cursors. */
     fun drawOn(sheet: Sheet) {
-        val plot = plot ?: return
-        val high = heightOf(plot, sheet.width)
+        val high = heightAt(sheet.width)
         sheet.part(high.toDouble()) { pen ->
             val frame = PlotMargins.frameOf(sheet.width, high, scene.range.now, pen.density)
             pen.moved(frame.left, frame.top) {
-                drawOn(pen, plot, frame, PenColors.LIGHT)
-                drawPlaces(pen, plot, frame, PenColors.LIGHT)
+                drawOn(pen, frame, PenColors.LIGHT)
+                drawPlaces(pen, frame, PenColors.LIGHT)
             }
         }
     }
@@ -138,32 +141,29 @@ internal class XyGraph(
         val wanted = look().plane?.takeIf { it.isDrawable }
         if (wanted != kept) plane = wanted
         kept = wanted
-        canvas.draw { pen -> plot?.let { drawOn(pen, it, canvas.frame, scene.palette.colors) } }
+        canvas.draw { pen -> drawOn(pen, canvas.frame, scene.palette.colors) }
         updateCursor()
     }
 
-    private fun drawOn(pen: Pen, plot: XyPlot, frame: PlotFrame, colors: PenColors) = with(drawing(pen, plot, frame, colors)) {
-        ground(picture)
-        axes(PlotMargins.LEFT * pen.density)
-        traces(shown(plot), scene.range.now, isAll = !scene.range.isZoomed, strokes) { it.color }
-        notes(scene.range.now, departure) { it.text(scene.xText(it.time)) }
+    private fun drawOn(pen: Pen, frame: PlotFrame, colors: PenColors) {
+        val seen = seenIn(frame, pen, colors) ?: return
+        picture.value.draw(seen, look().hidden, scene.range.now, field, axesFrom = PlotMargins.LEFT * pen.density)
     }
 
-    private fun drawing(pen: Pen, plot: XyPlot, frame: PlotFrame, colors: PenColors) =
-        XyDrawing(pen, plot, seen(frame.width, frame.height), frame.width, frame.height, colors)
+    private fun seenIn(frame: PlotFrame, pen: Pen, colors: PenColors) =
+        target.seen(frame.width, frame.height)?.let { XyFrame(pen, it, frame.width, frame.height, colors) }
 
     /** Shows everything at its place at the cursor. */
     fun updateCursor() {
-        plot?.takeIf { overlay != null }?.let(::showValues)
+        if (overlay != null) showValues()
         drawOverlay()
     }
 
     private fun drawOverlay() {
         val canvas = overlay ?: return
-        val plot = plot ?: return
         canvas.draw {
             target.drag?.let { drag -> it.drawCovered(drag, canvas.frame) }
-            drawPlaces(it, plot, canvas.frame, scene.palette.colors)
+            drawPlaces(it, canvas.frame, scene.palette.colors)
         }
     }
 
@@ -175,20 +175,10 @@ internal class XyGraph(
         rectangle(start.shareX * frame.width, start.shareY * frame.height, wide, high, color)
     }
 
-    private fun showValues(plot: XyPlot) = plot.traces.asReversed().forEachIndexed { i, trace ->
-        values[i].showText(listOfNotNull(scene.cursor.x, scene.cursor.now.second).joinToString(" → ") { trace.textAt(it, plot.isField) })
-    }
+    private fun showValues() = entries.forEachIndexed { i, entry -> values[i].showText(entry.textAt(scene.cursor.now)) }
 
-    private fun drawPlaces(pen: Pen, plot: XyPlot, frame: PlotFrame, colors: PenColors) = with(drawing(pen, plot, frame, colors)) {
-        scene.cursor.now.second?.let { marks(it, look().hidden, isSecond = true) { color -> color } }
-        marks(scene.cursor.x, look().hidden, isSecond = false) { it }
-    }
-
-    private fun shown(plot: XyPlot) = plot.shown(look().hidden)
-
-    private fun seen(width: Double, height: Double): Plane {
-        val wanted = plane ?: checkNotNull(plot).full
-        return if (plot?.isField == true) wanted.fitted(width, height) else wanted
+    private fun drawPlaces(pen: Pen, frame: PlotFrame, colors: PenColors) {
+        seenIn(frame, pen, colors)?.let { picture.value.drawCursors(it, look().hidden, scene.cursor.now) }
     }
 
     private fun show(wanted: Plane?) {
@@ -199,43 +189,32 @@ internal class XyGraph(
     }
 
     /** Fills [legend]; the most important trace comes first. */
-    fun list() {
-        val plot = plot ?: return
-        if (legend.childElementCount > 0) return showValues(plot)
-        for (trace in plot.traces.asReversed()) {
-            legend.addButton("legend-entry", "", "${trace.name} – press to hide or show this line") {
-                onToggle(trace.lines)
-                mark(plot)
+    private fun list() {
+        if (legend.childElementCount > 0) return showValues()
+        for (entry in entries) {
+            legend.addButton("legend-entry", "", "${entry.title} – press to hide or show this line") {
+                onToggle(entry.lines)
+                mark()
             }.apply {
-                add("span", "swatch line-${trace.color % LINE_COLORS}")
-                addName(trace.name, "legend-name")
+                add("span", "swatch line-${entry.color % LINE_COLORS}")
+                addName(entry.title, "legend-name")
                 values += add("span", "value")
             }
         }
-        showValues(plot)
-        mark(plot)
+        showValues()
+        mark()
     }
 
-    private fun mark(plot: XyPlot) {
-        val shown = shown(plot)
-        plot.traces.asReversed().forEachIndexed { i, trace ->
-            legend.children.item(i)?.setAttribute("aria-pressed", (trace in shown).toString())
-        }
+    private fun mark() = entries.forEachIndexed { i, entry ->
+        legend.children.item(i)?.setAttribute("aria-pressed", entry.isShown(look().hidden).toString())
     }
 
-    /** What the legend says about the drawn traces, with their colors. */
-    val entries: List<LegendEntry>
-        get() {
-            val plot = plot ?: return emptyList()
-            val shown = shown(plot)
-            return plot.traces.asReversed().withIndex().filter { it.value in shown }.map { (i, trace) ->
-                LegendEntry("${trace.name} ${values[i].textContent}".trim(), trace.color)
-            }
-        }
+    /** What a figure's legend says of the drawn traces. */
+    val legendOnSheet: List<LegendEntry> get() = picture.value.legend(look().hidden, scene.cursor.now)
 
     private inner class Target : XyTarget {
         override val place: Place get() = scene.place.now
-        override val plot: XyPlot? get() = this@XyGraph.plot
+        override val picture: XyPicture get() = this@XyGraph.picture.value
         override var plane: Plane?
             get() = this@XyGraph.plane
             set(value) = show(value)
@@ -244,8 +223,6 @@ internal class XyGraph(
                 field = value
                 drawOverlay()
             }
-
-        override fun seen(width: Double, height: Double): Plane = this@XyGraph.seen(width, height)
 
         override fun go(step: Place.() -> Place) = scene.place.change(step)
     }

@@ -9,9 +9,10 @@ import badlog.core.recording.TopicKind
 /**
  * Finds the lines of a board by their names: those of topics, and of graphs that are derived from topics.
  *
+ * @property view the log that they are of.
  * @param others graphs of other lines that can be drawn, such as those that a hook calculated.
  */
-class BoardLines(private val view: LogView, others: List<Graph> = emptyList()) {
+class BoardLines(val view: LogView, others: List<Graph> = emptyList()) {
     private val topics = view.recording.topics.associateBy { it.name }
     private val derived = (view.folders.flatMap { it.graphs } + others)
         .flatMap { graph -> graph.lineNames.zip(graph.series) }

@@ -12,11 +12,11 @@ import badlog.viewer.text.fixedText
  * @property index the index of the sample of the driven path.
  * @property farthest the largest distance before it came back, or the plan ended; in meters.
  */
-class Departure internal constructor(val time: Double, val index: Int, val farthest: Double) {
+internal class Departure(val time: Double, val index: Int, val farthest: Double) {
     /** Returns a sentence about it, with its time as the text [moment]. */
     fun text(moment: String): String = "Left the plan at $moment, by up to ${fixedText(farthest, 2)} m"
 
-    internal companion object {
+    companion object {
         /**
          * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null
          * for none.

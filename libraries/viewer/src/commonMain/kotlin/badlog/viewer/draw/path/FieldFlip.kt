@@ -8,7 +8,7 @@ import badlog.viewer.choices.board.FieldOrigin
 import kotlin.math.PI
 
 /** Returns the flip that maps the poses of [view] from this origin onto [field] with blue origin; null if they already have that. */
-fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
+internal fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
     if (this == FieldOrigin.CENTER) return FieldFlip(isMirrored = false, field, isFromCenter = true)
     val values = view.recording.values
     val isRed = this == FieldOrigin.RED || (this == FieldOrigin.AUTO && allianceIn(values) == MatchOfLog.RED)
@@ -22,24 +22,20 @@ fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
  *
  * @param isFromCenter whether (0, 0) is the center of the field for the poses that it gets.
  */
-class FieldFlip internal constructor(
-    private val isMirrored: Boolean,
-    private val field: Field = Field.PLAIN,
-    isFromCenter: Boolean = false,
-) {
+internal class FieldFlip(private val isMirrored: Boolean, private val field: Field = Field.PLAIN, isFromCenter: Boolean = false) {
     private val share = if (isFromCenter) 0.5 else 1.0
 
-    internal fun x(x: Double): Double = field.length * share - x
+    fun x(x: Double): Double = field.length * share - x
 
-    internal fun y(y: Double): Double = if (isMirrored) y else field.width * share - y
+    fun y(y: Double): Double = if (isMirrored) y else field.width * share - y
 
     /** Returns the flipped [heading], in radians. */
-    internal fun heading(heading: Double): Double {
+    fun heading(heading: Double): Double {
         val turned = if (isMirrored) PI - heading else heading + PI
         return if (turned > PI) turned - 2 * PI else turned
     }
 
-    internal fun trail(trail: Trail): Trail =
+    fun trail(trail: Trail): Trail =
         Trail(trail.times, DoubleArray(trail.size) { x(trail.x[it]) }, DoubleArray(trail.size) { y(trail.y[it]) })
 }
 

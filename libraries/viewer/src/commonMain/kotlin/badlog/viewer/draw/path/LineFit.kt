@@ -16,7 +16,7 @@ import kotlin.math.log10
  * @property offset the y at x = 0.
  * @property inverseSlope the increase of x per y, fitted the other way round: scattered samples have two such lines.
  */
-class LineFit private constructor(val slope: Double, val offset: Double, private val inverseSlope: Double) {
+internal class LineFit private constructor(val slope: Double, val offset: Double, private val inverseSlope: Double) {
     /** Returns the result as text: for volts and amperes, the resistance that causes the drop, on whichever axes; otherwise the slope. */
     fun text(xUnit: String, yUnit: String): String = when {
         xUnit == "A" && yUnit == "V" -> resistanceText(-slope)

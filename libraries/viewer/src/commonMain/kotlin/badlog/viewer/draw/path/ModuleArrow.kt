@@ -13,8 +13,8 @@ import kotlin.math.sin
  *
  * @property places an arrow from the wheel, as long as its travel in a quarter of a second: alternating x and y.
  */
-class ModuleArrow internal constructor(val places: DoubleArray, val isTarget: Boolean) {
-    internal fun flipped(flip: FieldFlip): ModuleArrow =
+internal class ModuleArrow(val places: DoubleArray, val isTarget: Boolean) {
+    fun flipped(flip: FieldFlip): ModuleArrow =
         ModuleArrow(DoubleArray(places.size) { if (it % 2 == 0) flip.x(places[it]) else flip.y(places[it]) }, isTarget)
 }
 

@@ -2,30 +2,21 @@ package badlog.viewer.draw.path
 
 import badlog.core.analysis.Span
 import badlog.signals.pose.PoseRole
-import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.axis.Ticks
-import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.faded
 import badlog.viewer.draw.curve.Strokes
-import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.PenImage
 import badlog.viewer.draw.pen.Points
 import badlog.viewer.draw.pen.TextSide
 
-/**
- * Draws an [XyPlot] with [pen] in a frame of [width] by [height] physical pixels, whose top left corner is the pen's origin.
- *
- * @param seen the visible part of the plane.
- */
-class XyDrawing(
-    private val pen: Pen,
-    private val plot: XyPlot,
-    private val seen: Plane,
-    private val width: Double,
-    private val height: Double,
-    private val colors: PenColors,
-) {
+/** Draws [plot] in [frame]. */
+internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
+    private val pen = frame.pen
+    private val seen = frame.seen
+    private val width = frame.width
+    private val height = frame.height
+    private val colors = frame.colors
     private val density = pen.density
     private val x = seen.xScale(width)
     private val y = seen.yScale(height)
@@ -108,33 +99,30 @@ class XyDrawing(
         }
     }
 
-    /** Draws rings where the pose was reset; and the result: where the robot left its plan with the text of [departed], or the fitted line through the samples with its values. */
-    fun notes(visible: Span, departure: Departure?, departed: (Departure) -> String) = clipped {
-        plot.lineFit(visible)?.let { fit ->
-            fun at(value: Double) = fit.offset + fit.slope * value
-            val ends = doubleArrayOf(seen.x.from, at(seen.x.from), seen.x.to, at(seen.x.to))
-            pen.segments(placed(ends), colors[Shade.MUTED], LINE * density)
-            note(plot.textOf(fit), width, 0.0, colors[Shade.TEXT])
+    /** Draws the line [fit] through the samples, with its values as [text] in the corner, below those of [others]. */
+    fun fit(fit: LineFit, text: String, others: Int) = clipped {
+        fun at(value: Double) = fit.offset + fit.slope * value
+        val ends = doubleArrayOf(seen.x.from, at(seen.x.from), seen.x.to, at(seen.x.to))
+        pen.segments(placed(ends), colors[Shade.MUTED], LINE * density)
+        note(text, width, others * NOTE * density, colors[Shade.TEXT])
+    }
+
+    /** Draws rings where the pose was reset in [visible]. */
+    fun resets(visible: Span) = clipped {
+        val trail = plot.driven?.trail ?: return@clipped
+        val ends = placed(trail.resetsIn(visible))
+        for (i in 0 until ends.size step 2) {
+            pen.ring(ends.values[i], ends.values[i + 1], RESET * density, colors[Shade.MUTED], LINE * density)
         }
-        val trail = plot.driven?.trail
-        if (trail != null && plot.isField) {
-            val ends = placed(trail.resetsIn(visible))
-            for (i in 0 until ends.size step 2) {
-                pen.ring(
-                    ends.values[i],
-                    ends.values[i + 1],
-                    RESET * density,
-                    colors[Shade.MUTED],
-                    LINE * density,
-                )
-            }
-        }
-        if (trail != null && departure != null) {
-            val left = x.placeOf(trail.x[departure.index])
-            val top = y.placeOf(trail.y[departure.index])
-            pen.ring(left, top, RING * density, colors[Shade.WARNING], LINE * density)
-            note(departed(departure), left + RING * density, top + RING * density, colors[Shade.WARNING])
-        }
+    }
+
+    /** Draws where the robot left its plan, with [text]. */
+    fun departure(departure: Departure, text: String) = clipped {
+        val trail = plot.driven?.trail ?: return@clipped
+        val left = x.placeOf(trail.x[departure.index])
+        val top = y.placeOf(trail.y[departure.index])
+        pen.ring(left, top, RING * density, colors[Shade.WARNING], LINE * density)
+        note(text, left + RING * density, top + RING * density, colors[Shade.WARNING])
     }
 
     private fun note(text: String, atX: Double, atY: Double, color: Int) {

@@ -11,7 +11,7 @@ import badlog.signals.pose.PoseRole
  * @property isFilled whether it is filled: the robot itself, but not its planned place.
  * @property isTarget for an arrow, whether it is a target rather than a measured value.
  */
-class XyMark internal constructor(
+internal class XyMark(
     val places: DoubleArray,
     val color: Int?,
     val isClosed: Boolean = false,
@@ -23,13 +23,13 @@ class XyMark internal constructor(
 }
 
 /** Returns the traces that have no line in [hidden]. */
-fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { trace -> trace.lines.none { it in hidden } }
+internal fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { trace -> trace.lines.none { it in hidden } }
 
 /**
  * Returns the marks of everything that is not [hidden] at [time], in drawing order: robots as outlines with a dot at their center, other
  * places as dots, the plan in an array as a line, then the arrows of the driven robot's modules.
  */
-fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
+internal fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
     val index = trace.indexAt(time)
     when {
         trace.followers.isNotEmpty() -> listOfNotNull(XyMark(trace.chainAt(time), trace.color).takeIf { it.places.size > 2 })

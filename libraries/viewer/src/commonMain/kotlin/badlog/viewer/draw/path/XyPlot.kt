@@ -26,10 +26,10 @@ import badlog.viewer.text.shortNames
  * @property field the field, if [isField].
  */
 class XyPlot internal constructor(
-    val traces: List<XyTrace>,
-    val isField: Boolean,
-    val xTitle: String,
-    val yTitle: String,
+    internal val traces: List<XyTrace>,
+    internal val isField: Boolean,
+    internal val xTitle: String,
+    internal val yTitle: String,
     private val xUnit: String = "",
     private val yUnit: String = "",
     private val modules: List<ModuleLines> = emptyList(),
@@ -62,7 +62,7 @@ class XyPlot internal constructor(
     private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
 
     /** Returns where the robot of [view] left its plan, according to [planDistance]; null for nowhere, and if there is no plan. */
-    fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
+    internal fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
 
     /** Returns the same during [spans], on an x axis on which [second] is one second. */
     internal fun departure(spans: List<Span>, second: Double): Departure? {
@@ -73,7 +73,7 @@ class XyPlot internal constructor(
     }
 
     /** Returns the target and measured arrows of the driven robot's modules at [time], targets first. */
-    fun arrowsAt(time: Double): List<ModuleArrow> {
+    internal fun arrowsAt(time: Double): List<ModuleArrow> {
         val robot = driven ?: return emptyList()
         val index = robot.indexAt(time)
         if (index < 0) return emptyList()
@@ -88,7 +88,7 @@ class XyPlot internal constructor(
     }
 
     /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or there is no fit. */
-    fun lineFit(visible: Span): LineFit? {
+    internal fun lineFit(visible: Span): LineFit? {
         fitted?.let { (span, fit) -> if (span == visible) return fit }
         val fit = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
         fitted = visible to fit
@@ -96,7 +96,7 @@ class XyPlot internal constructor(
     }
 
     /** Returns the text of [fit], with the units of x and y. */
-    fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
+    internal fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
 
     /**
      * Returns when a trace passed nearest to ([x], [y]), at most [reach] away, within [visible]; NaN for never. If it passed more than
@@ -104,7 +104,7 @@ class XyPlot internal constructor(
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */
-    fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double =
+    internal fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double =
         (driven ?: traces.lastOrNull())?.let { timeOfNearest(it.pyramid, x, y, pixelX, pixelY, reach, visible, before) } ?: Double.NaN
 
     private fun wholeOf(spans: List<Span>): Span =
@@ -120,7 +120,7 @@ class XyPlot internal constructor(
  * @param secondsPerX the length of the unit of x, in s: a robot that is faster than robots are has had its pose reset.
  * @param line finds a line by its name.
  */
-fun xyPlotOf(
+internal fun xyPlotOf(
     lines: List<String>,
     poses: List<Pose>,
     modules: List<SwerveModules> = emptyList(),

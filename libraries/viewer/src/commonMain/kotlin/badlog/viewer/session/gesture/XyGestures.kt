@@ -1,8 +1,7 @@
 package badlog.viewer.session.gesture
 
-import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Plane
-import badlog.viewer.draw.path.XyPlot
+import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.input.PointerButton
@@ -18,11 +17,8 @@ data class XyDrag(val kind: DragKind, val start: PlotPointer, val seen: Plane, v
 
 /** What gestures over a graph of y over x change. */
 interface XyTarget : GestureTarget {
-    /** The graph of the log whose times a click selects; null if there is nothing to draw. */
-    val plot: XyPlot?
-
-    /** What is added to the x of that log. */
-    val offset: Double get() = 0.0
+    /** What the graph shows. */
+    val picture: XyPicture
 
     /** The part of the plane that a person has selected; null for all of it. */
     var plane: Plane?
@@ -31,7 +27,7 @@ interface XyTarget : GestureTarget {
     var drag: XyDrag?
 
     /** Returns what is visible of the plane in a frame of [width] by [height]; null for nothing. */
-    fun seen(width: Double, height: Double): Plane?
+    fun seen(width: Double, height: Double): Plane? = picture.seen(plane, width, height)
 }
 
 /**
@@ -93,17 +89,15 @@ class XyGestures(private val target: XyTarget) : Gestures(target) {
     /** Returns when the path passed the place of [at]; null if it is not near. */
     override fun placeAt(at: PlotPointer): Double? {
         val plane = seen(at) ?: return null
-        val range = target.place.range.visible
-        val time = target.plot?.timeAt(
+        return target.picture.timeAt(
             x = plane.xAt(at.shareX),
             y = plane.yAt(at.shareY),
             pixelX = plane.x.width / at.width,
             pixelY = plane.y.width / at.height,
             reach = REACH,
-            visible = Span(range.from - target.offset, range.to - target.offset),
-            before = target.place.cursors.x?.let { it - target.offset },
+            visible = target.place.range.visible,
+            before = target.place.cursors.x,
         )
-        return time?.takeUnless { it.isNaN() }?.let { it + target.offset }
     }
 
     private companion object {

@@ -8,10 +8,10 @@ import badlog.viewer.choices.board.BoardLines
  * A log that is drawn over the open one.
  *
  * @property name its name beside the others.
- * @param lines its lines.
+ * @property lines its lines, where they were logged.
  * @property offset what is added to its x.
  */
-class ComparedLog(val name: String, private val lines: BoardLines, val offset: Double) {
+class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
     private val moved = HashMap<String, GraphSeries?>()
 
     /** Returns its line [line] where it is drawn, with the log's name behind its own; null if it has none. */

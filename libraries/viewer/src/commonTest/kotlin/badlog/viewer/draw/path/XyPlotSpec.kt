@@ -21,16 +21,10 @@ class XyPlotSpec : FunSpec({
         recording.topics.find { it.name == name }?.let(::seriesOf)
     }
 
-    fun path(name: String, vararg places: Triple<Double, Double, Double>): List<Topic> = listOf(
-        timedTopic("$name/translation/x", *places.map { it.first to it.second }.toTypedArray()),
-        timedTopic("$name/translation/y", *places.map { it.first to it.third }.toTypedArray()),
-        timedTopic("$name/rotation/value", *places.map { it.first to PI / 2 }.toTypedArray()),
-    ).map { it.copy(type = "struct:Pose2d", unit = "") }
-
     fun timed(topics: List<Topic>) = timedView(*topics.toTypedArray())
 
     test("a graph of a pose's x and y is its path on the field, with the robot where it was") {
-        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(1.0, 4.0, 3.0)))
+        val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0), Triple(1.0, 4.0, 3.0)))
         val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
         plot.isField shouldBe true
         plot.full.x.run { from <= 0 && to >= Field.LENGTH } shouldBe true
@@ -48,7 +42,7 @@ class XyPlotSpec : FunSpec({
     }
 
     test("a reset of the pose is a gap in the path, not a drive across the field, and a correction is none") {
-        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0), Triple(0.02, 2.1, 3.0), Triple(0.04, 9.0, 5.0), Triple(0.06, 9.1, 5.0), Triple(0.08, 9.5, 5.0)))
+        val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0), Triple(0.02, 2.1, 3.0), Triple(0.04, 9.0, 5.0), Triple(0.06, 9.1, 5.0), Triple(0.08, 9.5, 5.0)))
         val driven = view.plot("Pose/translation/x", "Pose/translation/y")!!.driven!!
         driven.trail.x.map { "$it" } shouldBe listOf(2.0, 2.1, Double.NaN, 9.0, 9.1, 9.5).map { "$it" }
         driven.trail.resetsIn(Span(0.0, 1.0)).toList() shouldBe listOf(2.1, 3.0, 9.0, 5.0)
@@ -60,14 +54,14 @@ class XyPlotSpec : FunSpec({
 
     test("poses from vision are drawn first, and the driven path last") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
-        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 1.0)) })
+        val view = timed(names.flatMap { pathTopics(it, Triple(0.0, 1.0, 1.0)) })
         val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
         plot.traces.map { it.role } shouldBe listOf(PoseRole.SEEN, PoseRole.PLANNED, PoseRole.DRIVEN)
         plot.traces.map { it.color } shouldBe listOf(2, 1, 0)
     }
 
     test("a plan that is an array is drawn where its elements are at the moment") {
-        val view = timed(path("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + path("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
+        val view = timed(pathTopics("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + pathTopics("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
         val plan = view.plot("Trajectory[0]/translation/x", "Trajectory[0]/translation/y")!!.traces.single()
         plan.chainAt(0.5).toList() shouldBe listOf(1.0, 1.0, 2.0, 2.0)
         plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
@@ -75,7 +69,7 @@ class XyPlotSpec : FunSpec({
 
     test("before and after a log, nothing of it has a place, also where another one goes on; until its end, the last place counts") {
         val names = listOf("Pose", "Target Pose", "Trajectory[0]", "Trajectory[1]")
-        val paths = names.flatMap { path(it, Triple(0.0, 1.0, 2.0), Triple(1.0, 3.0, 2.0)) }
+        val paths = names.flatMap { pathTopics(it, Triple(0.0, 1.0, 2.0), Triple(1.0, 3.0, 2.0)) }
         val view = timed(paths + timedTopic("Voltage", 0.0 to 12.0, 5.0 to 11.0))
         val plot = view.plot(*names.dropLast(1).flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
         plot.driven!!.run {
@@ -95,7 +89,7 @@ class XyPlotSpec : FunSpec({
         fun states(name: String, speed: Double) = List(4) { i ->
             listOf(timedTopic("$name[$i]/speed", 0.0 to speed), timedTopic("$name[$i]/angle/value", 0.0 to 0.0))
         }.flatten().map { it.copy(type = "struct:SwerveModuleState[]") }
-        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0)) + states("Measured", 2.0) + states("Target", 4.0) + states("Rest", 0.0))
+        val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0)) + states("Measured", 2.0) + states("Target", 4.0) + states("Rest", 0.0))
         val modules = swerveModulesOf(view.recording.topics)
         modules.map { it.isTarget } shouldBe listOf(false, true, false)
         val plot = xyPlotOf(listOf("Pose/translation/x", "Pose/translation/y"), posesOf(view.recording.topics), modules) { name ->
@@ -110,7 +104,7 @@ class XyPlotSpec : FunSpec({
 
     test("three modules are arrows too: two in front, one behind") {
         val states = List(3) { i -> listOf(timedTopic("Measured[$i]/speed", 0.0 to 4.0), timedTopic("Measured[$i]/angle/value", 0.0 to 0.0)) }
-        val view = timed(path("Pose", Triple(0.0, 2.0, 3.0)) + states.flatten())
+        val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0)) + states.flatten())
         val modules = swerveModulesOf(view.recording.topics)
         val plot = xyPlotOf(listOf("Pose/translation/x", "Pose/translation/y"), posesOf(view.recording.topics), modules) { name ->
             view.recording.topics.find { it.name == name }?.let(view::seriesOf)
@@ -120,7 +114,7 @@ class XyPlotSpec : FunSpec({
 
     test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
-        val view = timed(names.flatMap { path(it, Triple(0.0, 1.0, 2.0)) })
+        val view = timed(names.flatMap { pathTopics(it, Triple(0.0, 1.0, 2.0)) })
         val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
         val marks = plot.marksAt(0.5, emptySet())
         marks.map { it.color } shouldBe listOf(2, 1, 1, 0, 0)
@@ -159,7 +153,7 @@ class XyPlotSpec : FunSpec({
     test("the pointer finds the time whose place on the path is nearest to it, and at a crossing the one nearest to the cursor") {
         val there = List(11) { Triple(it.toDouble(), it.toDouble(), 2.0) }
         val back = List(11) { Triple(11.0 + it, 10.0 - it, 2.0) }
-        val view = timed(path("Pose", *(there + back).toTypedArray()))
+        val view = timed(pathTopics("Pose", *(there + back).toTypedArray()))
         val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
         fun at(x: Double, y: Double, before: Double?) = plot.timeAt(x, y, 0.1, 0.1, reach = 20.0, Span(0.0, 30.0), before)
         at(3.1, 2.2, null) shouldBe 3.0
@@ -170,7 +164,7 @@ class XyPlotSpec : FunSpec({
     test("the moment at which the robot leaves its plan is found, but staying where a plan has ended is not leaving it") {
         val plan = List(100) { Triple(it / 10.0, minOf(it, 60) / 10.0, 2.0) }
         val driven = List(100) { i -> Triple(i / 10.0, minOf(i, 60) / 10.0, if (i >= 40) 2 + (i - 40) / 10.0 else 2.0) }
-        val plot = timed(path("Pose", *driven.toTypedArray()) + path("Target", *plan.toTypedArray()))
+        val plot = timed(pathTopics("Pose", *driven.toTypedArray()) + pathTopics("Target", *plan.toTypedArray()))
             .plot("Pose/translation/x", "Pose/translation/y", "Target/translation/x", "Target/translation/y")!!
         val left = plot.departure(listOf(Span(0.0, 10.0)), second = 1.0)!!
         left.time shouldBe (4.6 plusOrMinus 1e-9)

@@ -1,10 +1,14 @@
 package badlog.viewer.session.gesture
 
 import badlog.core.analysis.Span
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.Plane
 import badlog.viewer.choices.range.Viewport
-import badlog.viewer.draw.path.XyPlot
-import badlog.viewer.draw.path.xyPlotOf
+import badlog.viewer.draw.path.Field
+import badlog.viewer.draw.path.LogPaths
+import badlog.viewer.draw.path.XyLog
+import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.input.PointerButton
 import badlog.viewer.session.Place
 import badlog.viewer.shown.cursor.Cursors
@@ -18,14 +22,13 @@ import io.kotest.matchers.shouldBe
 
 class XyGesturesSpec : FunSpec({
     /** A path along y = 5 from x = 0 to 10, a unit each second, on a plane of 10 by 10; the log is drawn [offset] later. */
-    class TestPath(override val offset: Double = 0.0) : XyTarget {
+    class TestPath(offset: Double = 0.0) : XyTarget {
         private val view = timedView(
             timedTopic("A", *Array(11) { it * 1.0 to it * 1.0 }),
             timedTopic("B", *Array(11) { it * 1.0 to 5.0 }),
         )
-        override val plot: XyPlot? = xyPlotOf(listOf("A", "B"), emptyList()) { name ->
-            view.recording.topics.find { it.name == name }?.let(view::seriesOf)
-        }
+        private val paths = LogPaths(view, Field.PLAIN, BoardLines(view)::get)
+        override val picture = XyPicture(listOf("A", "B"), FieldOrigin.BLUE, listOf(XyLog(paths, offset = offset)))
         override var place = Place(Viewport(Span(0.0, 20.0)))
         override var plane: Plane? = null
         override var drag: XyDrag? = null

@@ -1,0 +1,15 @@
+package badlog.window.graph.xy
+
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.draw.path.XyLog
+import badlog.viewer.draw.path.XyPicture
+import badlog.window.compare.DrawnRecording
+import badlog.window.pen.SkiaImage
+
+/** Returns what [graph], one of y over x, shows of [recordings], the open one first. */
+internal fun xyPictureOf(graph: BoardGraph, recordings: List<DrawnRecording>): XyPicture =
+    XyPicture(graph.lines, graph.origin, recordings.map { XyLog(it.recording.paths, it.name, it.offset) })
+
+/** Returns the picture of the field on which it shows [recordings]; null for none. */
+internal fun XyPicture.groundOf(recordings: List<DrawnRecording>): SkiaImage? =
+    parts.firstOrNull()?.let { recordings[it.index].recording.fieldPicture }

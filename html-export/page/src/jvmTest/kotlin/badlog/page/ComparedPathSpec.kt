@@ -1,0 +1,114 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import badlog.protocol.PageAdditions
+import badlog.rules.BUILT_IN
+import badlog.rules.RuleSet
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
+
+/** Paths on the field, and XY plots, of several logs on one page. */
+internal class ComparedPathSpec : PageSpec({
+    val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Pose Heading", "deg"), BagTopic("Current", "A"), BagTopic("Voltage", "V"))
+
+    /** A log that begins at [start], whose robot drives along the field for 10 s, [y] from its side, on a battery of so many [ohms]. */
+    fun log(start: Double, y: Double, ohms: Double = 0.01) = bagOf(topics, rows = 101) { row, column ->
+        when (column) {
+            0 -> start + row / 10.0
+            1 -> 3 + row / 10.0
+            2 -> y
+            3 -> 0
+            4 -> row
+            else -> 12 - row * ohms
+        }
+    }
+
+    val page by lazy { TestPages.of(log(0.0, 2.0), "own.bag", PageAdditions(rules = RuleSet.NONE.with(RuleSet.BUILT_IN.signals))) }
+
+    fun OpenPage.awaitLogs(count: Int) = await("$count logs") { number("return document.querySelectorAll('#compare:not([hidden]) .compared-log').length") == count.toDouble() }
+
+    /** Compares the page's log with [log], and waits until the path of both is drawn on the screen. */
+    fun OpenPage.compareWith(log: ByteArray) {
+        compare("other.bag" to log)
+        awaitLogs(2)
+        script("document.querySelector('#board .graph').scrollIntoView({block: 'center', behavior: 'instant'})")
+        await("the path") { elements("#board .xy").size == 2 }
+        settle()
+    }
+
+    fun OpenPage.legend() = texts("#board .graph[data-name='Path'] .legend-name")
+
+    browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it goes") {
+        for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
+            onPage(page, screen) {
+                val name = legend().single()
+                // The red alliance's wall is of nearly the same color.
+                val wall = pathPixels(1)
+                compareWith(log(100.0, 6.0))
+                legend() shouldContainExactly listOf(name, "$name (other.bag)")
+                pathPixels(1) shouldBeGreaterThan wall + 100
+                hoverPath(0.5, 0.68)
+                val (own, other) = pathValues()
+                own shouldContain ", 2.00 m · 0°"
+                // Both began at the same x, so they drive beside each other.
+                other shouldBe own.replace(", 2.00 m", ", 6.00 m")
+                for (color in 0..1) pathPixels(color, layer = 1) shouldBeGreaterThan 60
+                keepScreenshot("compare-path-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+                seriousForReaders() shouldBe emptyList()
+                element("#stop-comparing").click()
+                settle()
+                legend() shouldContainExactly listOf(name)
+                pathPixels(1) shouldBe wall
+                pathPixels(1, layer = 1) shouldBe 0
+            }
+        }
+    }
+
+    browserTest("a compared robot is where it was at its own moment, when its log is moved") {
+        onPage(page) {
+            compareWith(log(100.0, 6.0))
+            hoverPath(0.5, 0.68)
+            fun place(i: Int) = pathValues()[i].substringBefore(',').toDouble()
+            val before = place(1)
+            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-98", Keys.ENTER)
+            settle()
+            pathValues()[0].substringBefore(',').toDouble() shouldBe before
+            place(1) shouldBe before - 2
+            // Then the cursor is before its beginning.
+            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-80", Keys.ENTER)
+            settle()
+            pathValues()[1] shouldBe ""
+        }
+    }
+
+    browserTest("an XY plot has the samples and the result of each log, and its figure says which is which") {
+        onPage(page, script = NOTING_TEXTS) {
+            script("location.hash = '#board=Current,Voltage,p='")
+            reload()
+            compareWith(log(100.0, 2.0, ohms = 0.03))
+            val name = script("return document.querySelector('#board .graph').dataset.name") as String
+            drawnTexts(name).map { it.text }.filter { "Resistance" in it } shouldContainExactly
+                listOf("Resistance 10.0 mΩ (own.bag)", "Resistance 30.0 mΩ (other.bag)")
+            for (color in 0..1) pathPixels(color) shouldBeGreaterThan 100
+            keepScreenshot("compare-xy")
+            val figure = exported("Board as a drawing (SVG)", "own Board.svg").decodeToString()
+            figure shouldContain "Voltage (other.bag)"
+            figure shouldContain "Resistance 30.0 mΩ (other.bag)"
+        }
+    }
+
+    browserTest("a line that is hidden is hidden in all logs") {
+        onPage(page) {
+            compareWith(log(100.0, 6.0))
+            val drawn = pathPixels(1)
+            elements("#board .graph[data-name='Path'] .legend-entry")[1].click()
+            settle()
+            elements("#board .graph[data-name='Path'] .legend-entry").map { it.getDomAttribute("aria-pressed") } shouldContainExactly listOf("false", "false")
+            pathPixels(1) shouldBeLessThan drawn - 100
+        }
+    }
+})

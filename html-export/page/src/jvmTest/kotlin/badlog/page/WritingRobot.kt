@@ -1,0 +1,39 @@
+package badlog.page
+
+import badlog.core.bag.BagTopic
+import java.nio.file.Path
+import kotlin.io.path.appendBytes
+import kotlin.io.path.writeBytes
+
+/** A robot that writes rows of 50 topics at 50 Hz into [file]: the first topic counts them, and the second one is the battery's voltage. */
+internal class WritingRobot(val file: Path) {
+    private val topics = listOf(TIME, BagTopic("Count", "ul"), BagTopic("Battery Voltage", "V"), BagTopic("Enabled", "ul")) +
+        List(46) { BagTopic("Motor ${it + 1}/Current", "A") }
+    var rows = 0
+        private set
+    var volts = 12.4
+    private val times = LongArray(100_000)
+
+    /** When [row] was on the disk, in ns. */
+    fun writtenAt(row: Int): Long = times[row]
+
+    init {
+        file.writeBytes(bagOf(topics, 0) { _, _ -> null })
+    }
+
+    fun write(count: Int) {
+        val header = bagOf(topics, 0) { _, _ -> null }.size
+        val bytes = bagOf(topics, count) { row, column ->
+            when (column) {
+                0 -> (rows + row) / 50.0
+                1 -> rows + row
+                2 -> volts
+                3 -> 1
+                else -> ((rows + row) * 7 + column * 13) % 40 / 3.0
+            }
+        }
+        file.appendBytes(bytes.copyOfRange(header, bytes.size))
+        times.fill(System.nanoTime(), rows, rows + count)
+        rows += count
+    }
+}

@@ -1,0 +1,60 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.curve.Strokes
+import badlog.viewer.shown.comparison.colorOf
+import badlog.viewer.shown.cursor.Cursors
+
+/**
+ * What an [XyPicture] shows of one log.
+ *
+ * @property log the log.
+ * @property plot its plot, over its own x.
+ * @property index its index among the [count] drawn logs.
+ */
+class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val index: Int, private val count: Int) {
+    private val view get() = log.paths.view
+    private val departure by lazy { plot.departure(view) }
+    private val whole = Viewport.of(view.xAxis.range).full
+
+    /** What a legend says of its traces; the most important one comes first. */
+    val entries: List<XyEntry> = plot.traces.asReversed().map { XyEntry(this, it) }
+
+    /** Whether other logs are drawn beside it. */
+    internal val isCompared: Boolean get() = count > 1
+
+    /** Returns the index of what has the index [color] in a plot alone: as in other graphs, colors distinguish the logs first. */
+    internal fun colorOf(color: Int): Int = colorOf(color, index, count)
+
+    /** Returns the part of its own x that is visible if [visible] is. */
+    internal fun own(visible: Span): Span = Span(visible.from - log.offset, visible.to - log.offset)
+
+    /** Draws those of its traces that are not [hidden]: what is in [visible], and on a field faintly the rest. */
+    internal fun drawTraces(frame: XyFrame, hidden: Set<String>, visible: Span, strokes: Strokes) {
+        val own = own(visible)
+        val isAll = whole.from in own && whole.to in own
+        XyDrawing(frame, plot).traces(plot.shown(hidden), own, isAll, strokes) { colorOf(it.color) }
+    }
+
+    /**
+     * Draws where its pose was reset, and the result: the fitted line, or where the robot left its plan.
+     *
+     * @param momentOf returns the text of a time on the x that all logs share.
+     */
+    internal fun drawNotes(frame: XyFrame, visible: Span, momentOf: (Double) -> String) = with(XyDrawing(frame, plot)) {
+        val own = own(visible)
+        plot.lineFit(own)?.let { fit(it, named(plot.textOf(it)), index) }
+        resets(own)
+        departure?.let { departure(it, named(it.text(momentOf(it.time + log.offset)))) }
+    }
+
+    /** Draws everything that is not [hidden] at its place at [cursors]; for the second one, as rings. */
+    internal fun drawCursors(frame: XyFrame, hidden: Set<String>, cursors: Cursors) {
+        val drawing = XyDrawing(frame, plot)
+        cursors.second?.let { drawing.marks(it - log.offset, hidden, isSecond = true) { color -> colorOf(color) } }
+        cursors.x?.let { drawing.marks(it - log.offset, hidden, isSecond = false) { color -> colorOf(color) } }
+    }
+
+    private fun named(text: String) = if (isCompared) "$text (${log.name})" else text
+}

@@ -1,0 +1,93 @@
+package badlog.viewer.draw.path
+
+import badlog.core.analysis.Span
+import badlog.viewer.choices.board.FieldOrigin
+import badlog.viewer.choices.board.Plane
+import badlog.viewer.draw.curve.Strokes
+import badlog.viewer.draw.figure.LegendEntry
+import badlog.viewer.draw.pen.PenImage
+import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.text.placeText
+import badlog.viewer.text.withUnit
+
+/**
+ * What a graph of y over x shows: the paths of all drawn logs on one field, or else their topics over each other.
+ *
+ * @param lines the names of the graph's lines.
+ * @param origin where poses are measured from.
+ * @param logs the drawn logs. The first one is open: the visible range and the cursors are on its x.
+ */
+class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
+    private val axis = logs.firstOrNull()?.paths?.view?.xAxis
+
+    /** What it shows of each log that has any of its lines. One whose lines are no path, if others' are, is left out. */
+    val parts: List<XyPart> = logs.mapIndexedNotNull { i, log -> log.paths.plotOf(lines, origin)?.let { XyPart(log, it, i, logs.size) } }
+        .let { all -> all.filter { it.plot.isField == all[0].plot.isField } }
+
+    /** The strokes of the trace that is being drawn. They are reused: allocating arrays for a million places in each frame takes long. */
+    private val strokes = Strokes()
+
+    /** Whether there is nothing to draw. */
+    val isEmpty: Boolean get() = parts.isEmpty()
+
+    /** Whether it shows a field. */
+    val isField: Boolean get() = !isEmpty && parts[0].plot.isField
+
+    /** The whole extent of all logs; null for nothing. */
+    val full: Plane? by lazy {
+        val planes = parts.map { it.plot.full }
+        if (planes.isEmpty()) null else Plane(spanOf(planes.map { it.x }), spanOf(planes.map { it.y }))
+    }
+
+    /** Returns [selected], or else all of it, for a frame of [width] by [height] pixels; null for nothing. A field keeps its shape. */
+    fun seen(selected: Plane?, width: Double, height: Double): Plane? {
+        val wanted = selected?.takeIf { it.isDrawable && !isEmpty } ?: full
+        return if (isField) wanted?.fitted(width, height) else wanted
+    }
+
+    /**
+     * Draws it in [frame]: what is in [visible], and on a field faintly the rest.
+     *
+     * @param hidden the names of the lines whose traces are not drawn.
+     * @param ground the picture of the field; null for none.
+     * @param axesFrom the room for the axes to the left of the frame; null if they are not drawn with it.
+     */
+    fun draw(frame: XyFrame, hidden: Set<String>, visible: Span, ground: PenImage?, axesFrom: Double? = null) {
+        if (isEmpty) return
+        XyDrawing(frame, parts[0].plot).ground(ground)
+        if (axesFrom != null) drawAxes(frame, axesFrom)
+        for (part in parts) part.drawTraces(frame, hidden, visible, strokes)
+        for (part in parts) {
+            part.drawNotes(frame, visible) { time -> axis?.let { withUnit(placeText(time, it, visible.width), it.unit) }.orEmpty() }
+        }
+    }
+
+    /** Draws the numbers and the titles of both axes around [frame]; there is [left] to its left. */
+    fun drawAxes(frame: XyFrame, left: Double) {
+        if (!isEmpty) XyDrawing(frame, parts[0].plot).axes(left)
+    }
+
+    /** Draws everything that is not [hidden] at its place at [cursors]; for the second one, as rings. */
+    fun drawCursors(frame: XyFrame, hidden: Set<String>, cursors: Cursors) {
+        for (part in parts) part.drawCursors(frame, hidden, cursors)
+    }
+
+    /** Returns what a figure's legend says of everything that is not [hidden], with its places at [cursors]. */
+    fun legend(hidden: Set<String>, cursors: Cursors): List<LegendEntry> = parts.flatMap { it.entries }.filter { it.isShown(hidden) }
+        .map { LegendEntry("${it.title} ${it.textAt(cursors)}".trim(), it.color) }
+
+    /**
+     * Returns when the first of its logs passed nearest to ([x], [y]), at most [reach] away, within [visible]; null for never. If it passed
+     * more than once, the time nearest to [before].
+     *
+     * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
+     */
+    fun timeAt(x: Double, y: Double, pixelX: Double, pixelY: Double, reach: Double, visible: Span, before: Double?): Double? {
+        val part = parts.firstOrNull() ?: return null
+        val offset = part.log.offset
+        val time = part.plot.timeAt(x, y, pixelX, pixelY, reach, part.own(visible), before?.minus(offset))
+        return if (time.isNaN()) null else time + offset
+    }
+
+    private fun spanOf(spans: List<Span>) = Span(spans.minOf { it.from }, spans.maxOf { it.to })
+}
