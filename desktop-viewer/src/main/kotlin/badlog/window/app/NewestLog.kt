@@ -1,8 +1,12 @@
 package badlog.window.app
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import badlog.catalog.folder.IndexQueue
 import badlog.window.folder.Library
+import badlog.window.layout.LastOpen
 import badlog.window.log.CurrentRecording
 import badlog.window.log.RecordingLoader
 import badlog.window.task.Notices
@@ -35,11 +39,21 @@ internal class NewestLog(
     private var shown: Path? = null
 
     private var keptUntil = Long.MIN_VALUE
+    private var isBeginning by mutableStateOf(false)
 
-    /** Treats [file], the last open log, as one opened here: only a log written after [millis] since 1970 replaces it. */
-    fun keep(file: Path, millis: Long) {
-        shown = file
-        keptUntil = millis
+    /**
+     * Opens the log that [find] returns, which was open last, as one opened here, unless a person has opened another one by then: only a log
+     * written later replaces it. While [find] looks for it, nothing is opened here.
+     */
+    suspend fun beginWith(find: suspend () -> LastOpen?) {
+        isBeginning = true
+        val last = find()
+        if (last != null && current.recording == null && !loader.isReading) {
+            shown = last.file
+            keptUntil = last.millis
+            loader.open(last.file)
+        }
+        isBeginning = false
     }
 
     /** Returns whether [file] was opened here, and not by a person. */
@@ -53,14 +67,14 @@ internal class NewestLog(
             delay(PATIENCE)
             emit(Unit)
         }
-        val hindrances = snapshotFlow { Triple(loader.isReading, current.recording?.file, isInUse()) }
+        val hindrances = snapshotFlow { listOf(isBeginning, loader.isReading, current.recording?.file, isInUse()) }
         combine(library.progress.filterNotNull(), patience, hindrances) { progress, _, _ -> progress }
             .collect { update(it.queue, it.isComplete) }
     }
 
     /** Shows it, if it is known; [isComplete] says whether all logs of [queue] are. */
     fun update(queue: IndexQueue, isComplete: Boolean) {
-        if (loader.isReading) return
+        if (isBeginning || loader.isReading) return
         val newest = when {
             isComplete -> library.state.newest
             since.elapsedNow() > PATIENCE && current.recording == null -> queue.newestKnown().firstOrNull { !it.isGray }

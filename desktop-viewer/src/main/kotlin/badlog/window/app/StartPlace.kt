@@ -59,7 +59,7 @@ private fun pathNamed(name: String): Path? = try {
 }
 
 /** Opens [start] when the window appears; for a folder, the log that was last open there, until a newer one is found. */
-internal fun openFirst(
+internal suspend fun openFirst(
     start: StartPlace,
     library: Library,
     layouts: LayoutStore,
@@ -69,15 +69,14 @@ internal fun openFirst(
 ) {
     start.complaint?.let { notices.complain(it) }
     start.folder?.let { library.open(it, showsNewest = start.file == null) }
-    val last = if (start.file == null) start.folder?.let(layouts::lastOpenIn) else null
-    last?.let { newest.keep(it.file, it.millis) }
-    (start.file ?: last?.file)?.let { loader.open(it) }
+    if (start.file != null) return loader.open(start.file)
+    newest.beginWith { start.folder?.let { layouts.lastOpenIn(it) } }
 }
 
-/** Shows the pit view as soon as the folder is known: what was open there last is restored before that. */
-internal suspend fun beginWithPit(library: Library, panels: WindowPanels) {
+/** Shows the pit view as soon as the folder is known, and what was open there last is restored. */
+internal suspend fun beginWithPit(library: Library, layouts: LayoutStore, panels: WindowPanels) {
     if (library.state.folder == null) return
-    snapshotFlow { library.state.hasLooked }.first { it }
+    snapshotFlow { library.state.hasLooked && layouts.folder == library.state.folder }.first { it }
     panels.change { copy(main = MainView.PIT) }
 }
 

@@ -97,7 +97,7 @@ internal class Viewer(
     val tasks = LongTasks(scope, notices)
     val writes = FileWrites()
     private val own = OwnFiles(folders, notices)
-    val settings = SettingsStore(own, kept)
+    val settings = SettingsStore(own, writes, kept)
     val panels = WindowPanels()
     val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
@@ -123,7 +123,8 @@ internal class Viewer(
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
-    val layouts: LayoutStore = LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, shown::whenShown)
+    val layouts: LayoutStore =
+        LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, writes, shown::whenShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
     val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
@@ -159,7 +160,7 @@ internal class Viewer(
         },
         ended = { live.grows(null) },
     )
-    val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasFor, ::show)
+    val loader = RecordingLoader(scope, tasks, watcher, reader, layouts::formulasToRead, ::show)
     val opener = LogOpener(library, loader, files, notices)
     val robot = RobotLink(
         scope,

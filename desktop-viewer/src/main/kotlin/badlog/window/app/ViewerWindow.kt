@@ -73,7 +73,7 @@ internal fun ApplicationScope.ViewerWindow(
         viewer.scope.launch {
             val first = start(viewer)
             with(viewer) { openFirst(first, library, layouts, newest, loader, notices) }
-            if (first.isPit) beginWithPit(viewer.library, viewer.panels)
+            if (first.isPit) beginWithPit(viewer.library, viewer.layouts, viewer.panels)
         }
         endWhenStuck(failures, isInSight = { !place.isMinimized }) {
             saveAll()

@@ -7,9 +7,9 @@ import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatteryMatch
 import badlog.viewer.shown.battery.BatterySeason
 import badlog.window.folder.Library
-import badlog.window.log.assertOffWindow
 import badlog.window.state.StateHolder
 import badlog.window.task.Notices
+import badlog.window.task.assertOffWindow
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.MutableStateFlow

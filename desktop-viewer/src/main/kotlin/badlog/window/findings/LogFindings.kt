@@ -18,8 +18,8 @@ import badlog.viewer.shown.finding.firstStep
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.log.assertOffWindow
 import badlog.window.state.StateHolder
+import badlog.window.task.assertOffWindow
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest

@@ -9,8 +9,8 @@ import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.changesOf
 import badlog.viewer.shown.folder.earlierThan
 import badlog.window.log.CurrentRecording
-import badlog.window.log.assertOffWindow
 import badlog.window.state.StateHolder
+import badlog.window.task.assertOffWindow
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withContext

@@ -2,7 +2,7 @@ package badlog.window.layout
 
 import badlog.files.writeAtomically
 import badlog.viewer.choices.board.layoutMistake
-import badlog.window.settings.keyOf
+import badlog.window.task.assertOffWindow
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
@@ -12,11 +12,12 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
 /**
- * Reads the layout in [file].
+ * Reads the layout in [file]. Call it off the window's thread.
  *
  * @throws IOException with a sentence for the user, if it is missing, damaged, or not a layout.
  */
 internal fun readLayout(file: Path): Layout {
+    assertOffWindow()
     val name = file.fileName
     val text = try {
         if (Files.size(file) > MAX_BYTES) throw IOException("$name is too large for a layout; select a file that badlog has saved.")
@@ -36,11 +37,12 @@ internal fun readLayout(file: Path): Layout {
 }
 
 /**
- * Writes [layout] to [file] atomically.
+ * Writes [layout] to [file] atomically. Call it off the window's thread.
  *
  * @throws IOException with a sentence for the user, if it cannot be written.
  */
 internal fun writeLayout(file: Path, layout: Layout) {
+    assertOffWindow()
     val text = JSON.encodeToString(Layout.serializer(), layout)
     writeAtomically(file) { it.write(text.encodeToByteArray()) }
 }
@@ -51,28 +53,6 @@ private val JSON = Json {
     ignoreUnknownKeys = true
     prettyPrint = true
     explicitNulls = false
-}
-
-/** The last layouts of folders, in the user's own files below [place]. */
-internal class FolderLayouts(private val place: Path) {
-    /** Returns the layout for [folder]; null if there is none, or it is damaged. */
-    fun read(folder: Path): Layout? = try {
-        readLayout(fileOf(folder))
-    } catch (_: IOException) {
-        null
-    }
-
-    /**
-     * Stores [layout] for [folder].
-     *
-     * @throws IOException with a sentence for the user, if it cannot be written.
-     */
-    fun write(folder: Path, layout: Layout) = writeLayout(fileOf(folder), layout)
-
-    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 if it never was. */
-    fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
-
-    private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
 
 /** Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */

@@ -1,5 +1,8 @@
 package badlog.window.layout
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardLayout
@@ -15,12 +18,16 @@ import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.settings.OwnFiles
 import badlog.window.sidebar.WindowPanels
+import badlog.window.task.FileWrites
 import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
+import badlog.window.task.assertOffWindow
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.suspendCancellableCoroutine
 import kotlinx.coroutines.withContext
 import java.io.IOException
@@ -45,17 +52,23 @@ internal class LayoutStore(
     private val formulas: FormulaStore,
     private val panels: WindowPanels,
     private val notices: Notices,
+    private val writes: FileWrites,
     private val whenShown: (() -> Unit) -> Unit,
 ) {
     private val layouts = FolderLayouts(own.folders.settings.resolve("layouts"))
 
-    // These two are also read by the thread on which a log is opened.
+    // These three are also read by the thread on which a log is opened.
 
-    @Volatile
-    private var folder: Path? = null
+    /** The folder whose layout this window has restored, and saves; null for none. */
+    var folder: Path? by mutableStateOf(null)
+        private set
 
     @Volatile
     private var saved: Layout? = null
+
+    /** Completed as soon as the layout of the folder that was opened last is restored. */
+    @Volatile
+    private var restored: Job = Job().apply { complete() }
 
     /** The layout as it was read or written last: what other windows have changed since is merged with it. */
     private var stored: Layout? = null
@@ -94,10 +107,9 @@ internal class LayoutStore(
     val shared: BoardLayout get() = BoardLayout(board.arranged.renumbered(), formulas = formulas.definitions)
 
     /** Returns the log that was last open in [folder]; null if it is gone. */
-    fun lastOpenIn(folder: Path): LastOpen? {
-        val name = layouts.read(folder)?.recording ?: return null
-        val file = pathOf(name, folder)?.takeIf(Files::isRegularFile) ?: return null
-        return LastOpen(file, layouts.writtenAt(folder))
+    suspend fun lastOpenIn(folder: Path): LastOpen? = withContext(Dispatchers.IO) {
+        val file = layouts.read(folder)?.recording?.let { pathOf(it, folder) }
+        file?.takeIf(Files::isRegularFile)?.let { LastOpen(it, layouts.writtenAt(folder)) }
     }
 
     /** Remembers what was arranged a moment ago, before another log is shown. */
@@ -110,6 +122,16 @@ internal class LayoutStore(
 
     /** See [ArrangedGraphs.following]. */
     fun following(show: () -> Unit) = graphs.following(show)
+
+    /**
+     * Returns the formulas to calculate in the log in [file], which is being opened, see [formulasFor]. The layout of a folder that is opened
+     * at the same time is restored before that. Call it off the window's thread.
+     */
+    fun formulasToRead(file: Path, layout: FolderLayout): List<String> {
+        assertOffWindow()
+        runBlocking { restored.join() }
+        return formulasFor(file, layout)
+    }
 
     /**
      * Returns the formulas to calculate in the log in [file]: including those of the [layout] beside it, if nobody has arranged the graphs
@@ -165,21 +187,15 @@ internal class LayoutStore(
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */
     suspend fun autosave() = snapshotFlow { library.state.folder }.collectLatest { opened ->
-        if (folder != opened) save()
-        folder = opened
-        // A few kilobytes in the user's own files: read immediately, so that the folder's first recording is shown with its layout.
-        saved = opened?.let(layouts::read)
-        stored = saved
+        val restoring = Job()
+        restored = restoring
+        try {
+            enter(opened)
+        } finally {
+            restoring.complete()
+        }
         if (opened == null) return@collectLatest
-        val isSeen = current.recording?.let { isInFolder(it.file) } == true
-        // Who looks at a log of the folder already, and has chosen its axis, goes on so.
-        if (!isSeen) axis.change { null }
-        saved?.overTime?.let(axis::choose)
-        formulas.replaceAll(saved?.formulas.orEmpty())
-        current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
         var wanted = saved
-        wanted?.let(::restore)
-        whenShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
         var since: TimeSource.Monotonic.ValueTimeMark? = null
         snapshotFlow { arrangement() }.collectLatest {
             suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
@@ -192,15 +208,28 @@ internal class LayoutStore(
         }
     }
 
+    /** Restores the layout of the folder [opened], after saving that of the one before; null for none. */
+    private suspend fun enter(opened: Path?) {
+        if (folder != opened) save()
+        val read = opened?.let { withContext(Dispatchers.IO) { layouts.read(it) } }
+        folder = opened
+        saved = read
+        stored = read
+        if (opened == null) return
+        val isSeen = current.recording?.let { isInFolder(it.file) } == true
+        // Who looks at a log of the folder already, and has chosen its axis, goes on so.
+        if (!isSeen) axis.change { null }
+        read?.overTime?.let(axis::choose)
+        formulas.replaceAll(read?.formulas.orEmpty())
+        current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
+        read?.let(::restore)
+        whenShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
+    }
+
     /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
-    fun saveNow() {
-        val place = folder ?: return
-        if (change() == null) return
-        val (known, written) = merged(layouts.read(place)) ?: return
-        saved = known
+    fun saveNow() = writes.finish {
         try {
-            layouts.write(place, written)
-            stored = known
+            store()
         } catch (_: IOException) {
             // There is no longer a window to report it in.
         }
@@ -220,21 +249,28 @@ internal class LayoutStore(
 
     // Also if something changes meanwhile, such as by what another window did: what is written counts as stored.
     private suspend fun save() = withContext(NonCancellable) {
-        val place = folder ?: return@withContext
-        if (change() == null) {
-            // What could not be stored may have been taken back.
-            saved = stored
-            return@withContext
-        }
-        val theirs = withContext(Dispatchers.IO) { layouts.read(place) }
-        val (known, written) = merged(theirs) ?: return@withContext
-        saved = known
         try {
-            withContext(Dispatchers.IO) { layouts.write(place, written) }
-            stored = known
+            store()
         } catch (e: IOException) {
             own.cannotSave(e)
         }
+    }
+
+    /** Stores what has changed, with what others have stored: again, if they stored more while both were merged on the window's thread. */
+    private suspend fun store() {
+        val place = folder ?: return
+        do {
+            if (change() == null) {
+                // What could not be stored may have been taken back.
+                saved = stored
+                return
+            }
+            val theirs = writes.write { layouts.read(place) }
+            val (known, written) = merged(theirs) ?: return
+            saved = known
+            val isStored = writes.write { layouts.update(place) { now -> written.takeIf { now == theirs } } }
+            if (isStored) stored = known
+        } while (!isStored)
     }
 
     /** Returns what to save, if it is not saved yet. The state of another folder's recording does not count. */
@@ -263,6 +299,8 @@ internal class LayoutStore(
         if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
         val all = openInFolder()?.let { graphs.mergedWith(now.graphs, before.graphs, removedFormulas(both, mine, before, now), it) }
         val written = if (openInFolder() == null) both else both.copy(graphs = all)
+        // From here on, this window has what they changed.
+        stored = before.copy(graphs = now.graphs, formulas = now.formulas)
         return mine.copy(graphs = written.graphs, formulas = written.formulas) to written
     }
 

@@ -37,8 +37,8 @@ import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.window.pen.SkiaImage
+import badlog.window.task.assertOffWindow
 import org.jetbrains.skia.Image
-import java.awt.EventQueue
 import java.nio.file.Path
 
 /**
@@ -239,9 +239,6 @@ internal class OpenRecording(
         fun fieldOf(log: Path, selected: Path?, library: Path?): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log, library)
     }
 }
-
-/** Work on whole logs belongs off the window's thread, which would stand still meanwhile; checked in tests and in development. */
-internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A log is worked on by the window’s thread." }
 
 private fun signalsOf(view: LogView, formulas: List<Formula>): List<DrawableTopic> {
     val definitions = formulas.mapNotNull { formula -> formula.topic?.let { it.name to formula.definition } }.toMap()

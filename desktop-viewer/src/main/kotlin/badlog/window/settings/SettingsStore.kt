@@ -1,14 +1,14 @@
 package badlog.window.settings
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.files.locking
 import badlog.files.writeAtomically
 import badlog.window.state.StateHolder
-import kotlinx.coroutines.Dispatchers
+import badlog.window.task.FileWrites
 import kotlinx.coroutines.FlowPreview
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.debounce
 import kotlinx.coroutines.flow.dropWhile
-import kotlinx.coroutines.withContext
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import java.io.IOException
@@ -41,7 +41,7 @@ internal class SettingsFile(private val file: Path) {
      *
      * @throws IOException if it cannot be written.
      */
-    fun write(settings: Settings, before: Settings) {
+    fun write(settings: Settings, before: Settings) = locking(file.toAbsolutePath().parent) {
         val both = readWhole()?.let { merged(settings, before, it) } ?: settings
         writeAtomically(file) { it.write(json.encodeToString(Settings.serializer(), both).encodeToByteArray()) }
     }
@@ -56,30 +56,38 @@ internal class SettingsFile(private val file: Path) {
  * The user's settings.
  *
  * @param own the files of badlog, of which one stores the settings between starts.
+ * @param writes writes that file.
  * @param kept the content of that file.
  */
-internal class SettingsStore(private val own: OwnFiles, private val kept: Settings = Settings()) : StateHolder<Settings>(kept) {
+internal class SettingsStore(private val own: OwnFiles, private val writes: FileWrites, private val kept: Settings = Settings()) :
+    StateHolder<Settings>(kept) {
     private val file = SettingsFile(own.folders.settings.resolve(SettingsFile.NAME))
+
+    /** What the file has of this window; only [writes] use it. */
     private var written = kept
 
     /** Writes each change a moment after it was made, until cancelled. */
     @OptIn(FlowPreview::class)
     suspend fun autosave() = snapshotFlow { state }.dropWhile { it == kept }.debounce(QUIET_MILLIS).collectLatest { settings ->
         try {
-            withContext(Dispatchers.IO) { file.write(settings, written) }
-            written = settings
+            save(settings)
         } catch (e: IOException) {
             own.cannotSave(e)
         }
     }
 
     /** Writes immediately what would otherwise be written a moment later, because the window is about to close. */
-    fun saveNow() {
+    fun saveNow() = writes.finish {
         try {
-            file.write(state, written)
+            save(state)
         } catch (_: IOException) {
             // There is no longer a window to report it in.
         }
+    }
+
+    private suspend fun save(settings: Settings) = writes.write {
+        file.write(settings, written)
+        written = settings
     }
 
     private companion object {

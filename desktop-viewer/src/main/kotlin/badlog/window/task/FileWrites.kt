@@ -17,9 +17,14 @@ internal class FileWrites {
     /** Does [work], after all before it, and returns its result. It is done even if the caller is cancelled. */
     suspend fun <T> write(work: () -> T): T = scope.async { work() }.await()
 
-    /** Waits until all is written; for a stick that does not answer, only a moment. */
-    fun finish() {
-        runBlocking { withTimeoutOrNull(LONGEST) { scope.coroutineContext.job.children.toList().joinAll() } }
+    /** Does [last], which may [write], and waits until all is written; for a stick that does not answer, only a moment. */
+    fun finish(last: suspend () -> Unit = {}) {
+        runBlocking {
+            withTimeoutOrNull(LONGEST) {
+                last()
+                scope.coroutineContext.job.children.toList().joinAll()
+            }
+        }
     }
 
     private companion object {

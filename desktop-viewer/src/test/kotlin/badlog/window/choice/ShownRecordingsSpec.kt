@@ -9,6 +9,8 @@ import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
 import badlog.window.layout.Layout
 import badlog.window.layout.LayoutSpan
+import badlog.window.layout.readLayout
+import badlog.window.layout.writeLayout
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.recordingOf
@@ -30,14 +32,17 @@ class ShownRecordingsSpec : FunSpec({
 
     suspend fun <T> onWindow(action: () -> T): T = withContext(Dispatchers.Swing) { action() }
 
-    test("whole logs are read, made anew and searched by rules on other threads than the window's") {
+    test("whole logs and layouts are read, made anew, searched by rules and written on other threads than the window's") {
         val file = Files.writeString(tempdir().toPath().resolve("a.bag"), bagOf(listOf("Time", "A"), listOf("0,1", "1,2")))
         val open = OpenRecording.read(file)
+        val layout = file.resolveSibling("a${Layout.ENDING}")
         onWindow {
             for (work in listOf<() -> Any>(
                 { OpenRecording.read(file) },
                 { open.with(RecordingChoices(overTime = true)) },
                 { findingsOf(open.forRules, file, null) },
+                { readLayout(layout) },
+                { writeLayout(layout, Layout(Layout.VERSION)) },
             )) {
                 shouldThrow<AssertionError> { work() }.message shouldContain "the window’s thread"
             }

@@ -112,7 +112,7 @@ class LibrarySpec : FunSpec({
         val folder = tempdir().toPath()
         val home = tempdir().toPath()
         for (number in 1..2) folder.put("$number.bag", bag(values = matchValues(number)))
-        FolderLayouts(home.resolve("layouts")).write(folder, Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))))
+        FolderLayouts(home.resolve("layouts")).update(folder) { Layout(Layout.VERSION, compared = LayoutComparison(listOf("1.bag"))) }
         val viewer = newViewer(home)
         watching(folder, viewer) {
             withContext(Dispatchers.Main) { viewer.scope.launch { viewer.layouts.autosave() } }

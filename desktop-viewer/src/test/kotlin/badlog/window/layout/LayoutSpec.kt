@@ -63,7 +63,8 @@ class LayoutSpec : FunSpec({
         val file = home.resolve("today.json")
         Files.writeString(file, LAYOUT_1)
         val viewer = viewerOver()
-        choosing(viewer) { viewer.layouts.apply(readLayout(file)) }
+        val layout = readLayout(file)
+        choosing(viewer) { viewer.layouts.apply(layout) }
         viewer.board.state.renumbered().graphs shouldBe listOf(
             BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"), isFilled = true, yRange = Span(-1.0, 12.5)),
             BoardGraph(2, "Mode", listOf("Arm/Mode"), includesZero = true),

@@ -39,7 +39,7 @@ class LayoutStoreSpec : FunSpec({
                 LaunchedEffect(Unit) { viewer.shown.run() }
             }
             viewer.library.change { LibraryState(folder) }
-            waitForIdle()
+            waitFor { viewer.layouts.folder == folder }
             viewer.view.show(recording.span)
             viewer.current.replace(recording)
             viewer.layouts.showGraphs(recording)
@@ -145,7 +145,7 @@ class LayoutStoreSpec : FunSpec({
                 LaunchedEffect(Unit) { viewer.shown.run() }
             }
             viewer.library.change { LibraryState(folder) }
-            waitForIdle()
+            waitFor { viewer.layouts.folder == folder }
             viewer.show(OpenRecording.read(log, folder))
             waitFor { viewer.board.state.graphs.singleOrNull()?.lines == listOf("Arm/Twice") && !viewer.shown.isWaiting }
             viewer.current.recording?.signal("Arm/Twice").shouldNotBeNull()
@@ -157,12 +157,12 @@ class LayoutStoreSpec : FunSpec({
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("B = 2")))
+            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("B = 2")) }
             viewer.formulas.replaceAll(listOf("A = 1"))
         }
         hasArranged(home, home)?.formulas shouldBe listOf("A = 1", "B = 2")
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, formulas = listOf("A = 3")))
+            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("A = 3")) }
             viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
             viewer.layouts.saveNow()
             viewer.formulas.definitions shouldBe listOf("A = 3")
@@ -174,7 +174,7 @@ class LayoutStoreSpec : FunSpec({
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         val theirs = Board().withGraph(listOf("Arm/Current"))
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).write(home, Layout(Layout.VERSION, theirs))
+            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, theirs) }
             viewer.panels.change { Panels(topics = false) }
         }
         hasArranged(home, home)?.graphs shouldBe theirs
@@ -191,7 +191,7 @@ class LayoutStoreSpec : FunSpec({
         runDesktopComposeUiTest(100, 100) {
             setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
             viewer.library.change { LibraryState(folder) }
-            waitForIdle()
+            waitFor { viewer.layouts.folder == folder }
             viewer.show(viewer.opened(log, folder))
             viewer.formulas.definitions shouldBe layout.formulas
             viewer.board.state.graphs.single().lines shouldBe listOf("Twice")
@@ -206,7 +206,7 @@ class LayoutStoreSpec : FunSpec({
         runDesktopComposeUiTest(100, 100) {
             setContent { LaunchedEffect(Unit) { later.layouts.autosave() } }
             later.library.change { LibraryState(folder) }
-            waitForIdle()
+            waitFor { later.layouts.folder == folder }
             later.formulas.replaceAll(emptyList())
             later.show(later.opened(log, folder))
             later.formulas.definitions shouldBe emptyList()
@@ -217,7 +217,7 @@ class LayoutStoreSpec : FunSpec({
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
-        fun last() = Viewer(MainScope(), UserFolders(home, home)).layouts.lastOpenIn(home)
+        suspend fun last() = Viewer(MainScope(), UserFolders(home, home)).layouts.lastOpenIn(home)
         last() shouldBe null
         Files.createFile(one.file)
         last()?.file shouldBe one.file

@@ -11,6 +11,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -25,9 +26,13 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.swing.Swing
+import kotlinx.coroutines.withContext
 import kotlinx.coroutines.withTimeout
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 /** What several windows do with the layout of one folder. */
@@ -41,7 +46,7 @@ class SharedFolderSpec : FunSpec({
     /** Opens a window on [folder], in which [recording] is shown at last, and [before] is done before the folder is known. */
     fun window(folder: Path, recording: OpenRecording = arm(folder), before: Viewer.() -> Unit = {}): Viewer = runBlocking(Dispatchers.Swing) {
         val viewer = Viewer(MainScope(), UserFolders(home, home)).apply(before)
-        layouts.write(folder, (layouts.read(folder) ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)))
+        withContext(Dispatchers.IO) { layouts.update(folder) { (it ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)) } }
         viewer.library.change { LibraryState(folder) }
         val saving = launch { viewer.layouts.autosave() }
         withTimeout(60.seconds) { while (viewer.panels.state.topics) delay(1) }
@@ -84,7 +89,7 @@ class SharedFolderSpec : FunSpec({
             for ((theirs, other) in edits) {
                 for (isFirst in listOf(true, false)) {
                     val folder = folders.next()
-                    layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")))
+                    layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")) }
                     val (a, b) = List(2) { window(folder) }
                     a.edit("Arm/Angle")
                     b.other("Arm/Current")
@@ -122,7 +127,7 @@ class SharedFolderSpec : FunSpec({
     test("a formula that one window removes takes its graphs along everywhere: from other windows, their undo, and logs that lack it") {
         val folder = folders.next()
         val twice = "Twice = 2 * Arm/Angle"
-        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Twice", "Arm/Current"), formulas = listOf(twice)))
+        layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Twice", "Arm/Current"), formulas = listOf(twice)) }
         val a = window(folder, arm(folder, "poor.bag") { it.replace("Arm/Angle", "Wrist/Angle") })
         val b = window(folder)
         b.board.change { resized(b.id("Twice"), 200).withGraph(listOf("Twice", "Arm/Mode")) }
@@ -144,7 +149,7 @@ class SharedFolderSpec : FunSpec({
 
     test("undoing in one window takes back nothing that another did, whatever is changed before it is written") {
         val folder = folders.next()
-        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current")))
+        layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current")) }
         val (a, b) = List(2) { window(folder) }
         a.board.change { resized(a.id("Arm/Angle"), 100) }
         a.layouts.saveNow()
@@ -163,7 +168,7 @@ class SharedFolderSpec : FunSpec({
 
     test("what a person has arranged before the folder is known is a change of the graphs that the log began with") {
         val folder = folders.next()
-        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Angle")))
+        layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle")) }
         val viewer = window(folder) {
             show(arm(folder))
             board.change { withGraph(listOf("Arm/Current", "Arm/Mode")) }
@@ -175,7 +180,7 @@ class SharedFolderSpec : FunSpec({
 
     test("a layout that both windows switch to is there once") {
         val folder = folders.next()
-        layouts.write(folder, Layout(Layout.VERSION, arranged("Arm/Mode")))
+        layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Mode")) }
         val (a, b) = List(2) { window(folder) }
         val layout = Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current"))
         a.layouts.switchTo(layout)
@@ -195,7 +200,7 @@ class SharedFolderSpec : FunSpec({
     test("graphs that are arranged for a folder survive what is changed while a young log has none or few of their lines") {
         for (before in listOf(arranged("Arm/Angle", "Arm/Mode"), arranged("Arm/Angle", "Arm/Current", "Arm/Mode"))) {
             val folder = folders.next()
-            layouts.write(folder, Layout(Layout.VERSION, before))
+            layouts.update(folder) { Layout(Layout.VERSION, before) }
             val viewer = window(folder, arm(folder, "young.bag") { it.replace("Arm/Angle", "Young/Angle").replace("Arm/Mode", "Young/Mode") })
             viewer.board.state.graphs.flatMap { it.lines } shouldContain "Arm/Current"
             viewer.board.change { withGraph(listOf("Arm/Current")) }
@@ -207,6 +212,37 @@ class SharedFolderSpec : FunSpec({
             lines.count { it == "Arm/Current" } shouldBe 2
             window(folder).board.arranged shouldBe viewer.board.arranged
         }
+    }
+
+    test("a window reads the layout of its folder off its thread, and has saved the last change before it closes") {
+        val folder = folders.next()
+        val log = Files.writeString(folder.resolve("one.bag"), armBag(50))
+        layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle"), recording = "one.bag") }
+        val viewer = window(folder)
+        withContext(Dispatchers.Swing) {
+            viewer.layouts.lastOpenIn(folder)?.file shouldBe log
+            viewer.board.change { withGraph(listOf("Arm/Current")) }
+            viewer.layouts.saveNow()
+        }
+        stored(folder) shouldBe listOf("Arm/Angle", "Arm/Current")
+    }
+
+    test("two windows that save at the same moment lose nothing of each other") {
+        val folder = folders.next()
+        val windows = List(2) { window(folder) }
+        val moment = CyclicBarrier(windows.size)
+        fun formula(window: Int, number: Int) = "F$window$number = $number"
+        val threads = windows.mapIndexed { at, viewer ->
+            thread {
+                for (number in 1..30) {
+                    viewer.formulas.replaceAll(viewer.formulas.definitions + formula(at, number))
+                    moment.await(1, TimeUnit.MINUTES)
+                    viewer.layouts.saveNow()
+                }
+            }
+        }
+        threads.forEach { it.join() }
+        layouts.read(folder)?.formulas.orEmpty() shouldContainExactlyInAnyOrder (1..30).flatMap { listOf(formula(0, it), formula(1, it)) }
     }
 
     class Deed(val window: Int, val kind: Int, val graph: Int, val value: Int)

@@ -4,12 +4,19 @@ import badlog.window.theme.Theme
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 
 class SettingsFileSpec : FunSpec({
     val settings = Settings(Theme.DARK, listOf("/logs"), "Arm/Angle", 200, false, WindowPlace(1, 2, 800, 600, isMaximized = true))
+
+    fun namesIn(folder: Path): List<String> = Files.list(folder).use { files -> files.map { "${it.fileName}" }.toList() }
 
     test("what is kept is read again, and replaced as a whole") {
         val folder = tempdir().toPath()
@@ -18,7 +25,7 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe settings
         file.write(settings.copy(theme = Theme.LIGHT), settings)
         file.read().theme shouldBe Theme.LIGHT
-        Files.list(folder.resolve("user")).use { it.count() } shouldBe 1
+        namesIn(folder.resolve("user")) shouldContainExactlyInAnyOrder listOf("settings.json", ".badlog.lock")
     }
 
     test("settings that are missing or damaged are as none; what a later version added is passed over") {
@@ -43,10 +50,25 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe settings.copy(theme = Theme.LIGHT, graphHeight = 120, recentFolders = listOf("/second", "/logs", "/first"))
     }
 
+    test("two windows that write at the same moment lose nothing of each other") {
+        val file = SettingsFile(tempdir().toPath().resolve("settings.json"))
+        val moment = CyclicBarrier(2)
+
+        fun window(change: Settings.(Int) -> Settings) = thread {
+            (0..30).map { settings.change(it) }.zipWithNext { before, changed ->
+                moment.await(1, TimeUnit.MINUTES)
+                file.write(changed, before)
+            }
+        }
+        file.write(settings, Settings())
+        listOf(window { copy(graphHeight = 100 + it) }, window { copy(theme = Theme.entries[it % 2]) }).forEach { it.join() }
+        file.read() shouldBe settings.copy(graphHeight = 130, theme = Theme.entries[0])
+    }
+
     test("settings that cannot be written leave nothing behind") {
         val folder = tempdir().toPath()
         Files.createDirectories(folder.resolve("settings.json/in the way"))
         shouldThrow<IOException> { SettingsFile(folder.resolve("settings.json")).write(settings, Settings()) }
-        Files.list(folder).use { it.count() } shouldBe 1
+        namesIn(folder) shouldContainExactlyInAnyOrder listOf("settings.json", ".badlog.lock")
     }
 })

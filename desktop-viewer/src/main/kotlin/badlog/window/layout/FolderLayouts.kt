@@ -1,0 +1,33 @@
+package badlog.window.layout
+
+import badlog.files.locking
+import badlog.window.settings.keyOf
+import java.io.IOException
+import java.nio.file.Path
+
+/** The last layouts of folders, in the user's own files below [place]. Use it off the window's thread. */
+internal class FolderLayouts(private val place: Path) {
+    /** Returns the layout for [folder]; null if there is none, or it is damaged. */
+    fun read(folder: Path): Layout? = try {
+        readLayout(fileOf(folder))
+    } catch (_: IOException) {
+        null
+    }
+
+    /**
+     * Stores for [folder] what [change] returns for what is stored now, if that is not null; no other window stores anything in between.
+     * Returns whether it was stored.
+     *
+     * @throws IOException with a sentence for the user, if it cannot be written.
+     */
+    fun update(folder: Path, change: (Layout?) -> Layout?): Boolean = locking(place) {
+        val changed = change(read(folder))
+        changed?.let { writeLayout(fileOf(folder), it) }
+        changed != null
+    }
+
+    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 if it never was. */
+    fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
+
+    private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
+}
