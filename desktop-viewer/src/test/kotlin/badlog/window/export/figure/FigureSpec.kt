@@ -102,7 +102,7 @@ class FigureSpec : FunSpec({
         // The robot at the first cursor alone is filled.
         filled(drawn) shouldBe filled(plain) + 1
         elements(drawn, "path").size shouldBeGreaterThan elements(plain, "path").size + 4
-        elements(drawn, "image").single().getAttribute("href").startsWith("data:image/png;base64,iVBOR") shouldBe true
+        elements(drawn, "image").single().getAttribute("xlink:href").startsWith("data:image/png;base64,iVBOR") shouldBe true
         val made = imageOf(figure(Cursors(pinned = 9.4)), graphs, scale = 1).toComposeImageBitmap().toAwtImage()
         val greens = (0 until made.width).sumOf { x -> (0 until made.height).count { y -> Color(made.getRGB(x, y)).run { green > 200 && red < 160 && blue < 160 } } }
         greens shouldBeGreaterThan 100_000

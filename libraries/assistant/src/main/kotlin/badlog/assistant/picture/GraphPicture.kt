@@ -1,5 +1,6 @@
 package badlog.assistant.picture
 
+import badlog.charts.look.SvgRaster
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.PixelColumns
@@ -23,6 +24,7 @@ import badlog.viewer.draw.lane.LaneBlocks
 import badlog.viewer.draw.lane.LaneLook
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
+import badlog.viewer.draw.pen.SvgPen
 import badlog.viewer.draw.plot.Plot
 import badlog.viewer.draw.plot.PlotAxis
 import badlog.viewer.draw.plot.PlotFrame
@@ -32,9 +34,6 @@ import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawPlot
 import badlog.viewer.text.shortNames
-import java.awt.image.BufferedImage
-import java.io.ByteArrayOutputStream
-import javax.imageio.ImageIO
 import kotlin.math.ceil
 
 /**
@@ -71,30 +70,18 @@ internal class GraphPicture(
     var height: Int = 0
         private set
 
-    /** Returns the picture as the bytes of a PNG. */
+    /** Returns the picture as the bytes of a PNG: an assistant accepts no SVG. */
     fun png(): ByteArray {
-        height = ceil(drawnOn(BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB))).toInt()
-        val image = BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
-        drawnOn(image)
-        val bytes = ByteArrayOutputStream()
-        ImageIO.setUseCache(false)
-        ImageIO.write(image, "png", bytes)
-        return bytes.toByteArray()
-    }
-
-    /** Draws all of it on [image], and returns its height. */
-    private fun drawnOn(image: BufferedImage): Double {
-        val graphics = image.createGraphics()
-        val pen = AwtPen(graphics)
-        pen.rectangle(0.0, 0.0, image.width.toDouble(), image.height.toDouble(), PenColors.LIGHT[Shade.SURFACE])
+        val pen = SvgPen(SvgRaster::widthOf)
         val sheet = Sheet(width, pen)
         sheet.line(TITLE_LINE)
         sheet.text(title, TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)
         for (axis in graphAxes(numbers.map { it.line.unit })) sheet.lines(axis)
         if (states.isNotEmpty()) sheet.lanes()
         sheet.xTitle(view.xAxis.title.take(MAX_LETTERS))
-        graphics.dispose()
-        return sheet.height
+        height = ceil(sheet.height).toInt()
+        val svg = pen.document(width.toDouble(), height.toDouble(), PenColors.LIGHT[Shade.SURFACE])
+        return SvgRaster.png(svg, width, height)
     }
 
     private fun Sheet.lines(axis: GraphAxis) {

@@ -19,7 +19,7 @@ class Chart private constructor(val name: String, val title: String, val questio
     fun svg(): String = svg
 
     /** Returns it as a picture in PNG, with [scale] pixels per point. Takes a second the first time, so do not call it on a window's thread. */
-    fun png(scale: Int = PICTURE_SCALE): ByteArray = pngOf(svg, WIDTH * scale, HEIGHT * scale)
+    fun png(scale: Int = PICTURE_SCALE): ByteArray = SvgRaster.png(svg, WIDTH * scale, HEIGHT * scale)
 
     companion object {
         /** The width in points. */

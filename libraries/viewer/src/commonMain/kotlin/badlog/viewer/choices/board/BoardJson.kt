@@ -6,7 +6,7 @@ import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 
 /**
- * Returns the board as a JSON object with the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,
+ * Returns the board as a JSON object with the version of the format and the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,
  * if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines; `xy` if the lines
  * are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog ignores what it
  * does not know.
@@ -14,7 +14,7 @@ import badlog.core.json.quotedJson
  * @param haveIds whether each graph also has its `id`, by which tabs and windows that change the same board know it; without one, the id is
  * the graph's place from 1 on.
  */
-fun Board.toJson(haveIds: Boolean = false): String = graphs.indices.joinToString(",", "{\"graphs\":[", "]}") { i ->
+fun Board.toJson(haveIds: Boolean = false): String = graphs.indices.joinToString(",", "$VERSIONED,\"graphs\":[", "]}") { i ->
     val graph = graphs[i]
     buildString {
         append('{')
@@ -43,13 +43,15 @@ internal fun StringBuilder.appendSpan(key: String, span: Span?) {
 }
 
 /**
- * Returns the board in the JSON object [text], see [toJson]; other keys, such as those of a layout file or of a newer badlog, are
- * ignored.
+ * Returns the board in the JSON object [text], see [toJson]; other keys, such as those of a layout file, are ignored. Without a version, as
+ * older pages remember boards, it is of version 1.
  *
- * @throws BoardException if it has none, or the board is damaged.
+ * @throws BoardException if it has none, the board is damaged, or its version is one of a newer badlog.
  */
 fun boardOfJson(text: String): Board {
     val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
+    val version = members.findLast { it.key == BoardLayout.VERSION_KEY }?.value?.json?.toDoubleOrNull() ?: 1.0
+    if (version > BoardLayout.VERSION) throw BoardException("The graphs were saved by a newer badlog; update badlog to open them.")
     return boardOf(members.findLast { it.key == "graphs" }?.value) { "" }
 }
 
@@ -68,6 +70,9 @@ internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = tr
     val place = e.place?.let(placeText).orEmpty()
     throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")
 }
+
+/** How each object of JSON with graphs begins. */
+internal const val VERSIONED = "{\"${BoardLayout.VERSION_KEY}\":${BoardLayout.VERSION}"
 
 private class Damage(val what: String, place: JsonValue?) : Exception() {
     val place = place?.start

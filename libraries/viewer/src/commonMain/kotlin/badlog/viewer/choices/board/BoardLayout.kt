@@ -15,8 +15,7 @@ import badlog.core.json.quotedJson
 class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: List<String> = emptyList()) {
     /** Returns the text of the layout file. */
     fun toJson(): String = buildString {
-        append("{\"").append(VERSION_KEY).append("\":").append(VERSION)
-        board?.let { append(',').append(it.toJson().removePrefix("{").removeSuffix("}")) }
+        append(board?.toJson()?.removeSuffix("}") ?: VERSIONED)
         appendSpan("visible", visible)
         append(",\"formulas\":").append(formulas.joinToString(",", "[", "]", transform = ::quotedJson)).append("}\n")
     }

@@ -22,7 +22,7 @@ class SvgPen(
     private val body = StringBuilder()
     private var left = 0.0
     private var top = 0.0
-    private var clipping = ""
+    private var clip: Clip? = null
     private var clips = 0
 
     /** Returns the drawing as a document, [width] by [height], on a [background]. */
@@ -47,7 +47,7 @@ class SvgPen(
         for (i in 0 until strokes.count) {
             val start = strokes.startOf(i)
             val end = strokes.endOf(i)
-            steps(strokes.points, start, end)
+            if (!steps(strokes.points, start, end)) continue
             step('L', strokes.points[end - 2], baseline)
             step('L', strokes.points[start], baseline)
             body.append('z')
@@ -59,14 +59,12 @@ class SvgPen(
     }
 
     override fun chain(places: Points, isClosed: Boolean, color: Int, width: Double) = stroke(color, width, 0.0) {
-        steps(places.values, 0, places.size)
-        if (isClosed) body.append('z')
+        if (steps(places.values, 0, places.size) && isClosed) body.append('z')
     }
 
     override fun shapes(places: Points, corners: Int, color: Int) = fill(color) {
         for (at in 0 until places.size step 2 * corners) {
-            steps(places.values, at, at + 2 * corners)
-            body.append('z')
+            if (steps(places.values, at, at + 2 * corners)) body.append('z')
         }
     }
 
@@ -86,10 +84,15 @@ class SvgPen(
             TextSide.CENTER -> " text-anchor=\"middle\""
             TextSide.RIGHT -> ""
         }
-        body.append("<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" ")
-        body.append("font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"600\"" else ""}")
-        if (halo != null) body.append(" stroke=\"${cssOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"")
-        body.append("${paint("fill", color)}>${xmlOf(text)}</text>")
+        val place = "<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" " +
+            "font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"600\"" else ""}"
+        val written = "$clipping>${xmlOf(text)}</text>"
+        // Below the letters: only browsers know the property that puts a text's own outline there.
+        if (halo != null) {
+            body.append("$place aria-hidden=\"true\" fill=\"none\" stroke=\"${cssOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\"")
+            body.append(written)
+        }
+        body.append(place).append(paint("fill", color)).append(written)
     }
 
     override fun widthOf(text: String, letters: Double, isBold: Boolean): Double = ruler(text, letters, isBold)
@@ -97,18 +100,21 @@ class SvgPen(
     override fun image(image: PenImage, left: Double, top: Double, width: Double, height: Double, opacity: Double) {
         body.append("<image x=\"${numberOf(this.left + left)}\" y=\"${numberOf(this.top + top)}\" ")
         body.append("width=\"${numberOf(width)}\" height=\"${numberOf(height)}\" preserveAspectRatio=\"none\" ")
-        body.append("opacity=\"${numberOf(opacity)}\" href=\"${xmlOf(image.source)}\"$clipping/>")
+        // Only browsers know the attribute without a namespace.
+        body.append("opacity=\"${numberOf(opacity)}\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" ")
+        body.append("xlink:href=\"${xmlOf(image.source)}\"$clipping/>")
     }
 
     override fun clip(left: Double, top: Double, width: Double, height: Double, draw: () -> Unit) {
-        val before = clipping
-        val name = "$prefix${++clips}"
-        body.append("<clipPath id=\"$name\"><path d=\"")
-        box(left, top, width, height)
+        val outer = clip
+        val inner = Clip(this.left + left, this.top + top, this.left + left + width, this.top + top + height, "$prefix${++clips}")
+        val both = if (outer == null) inner else inner.within(outer)
+        body.append("<clipPath id=\"${both.name}\"><path d=\"")
+        box(both.left - this.left, both.top - this.top, both.right - both.left, both.bottom - both.top)
         body.append("\"/></clipPath>")
-        clipping = " clip-path=\"url(#$name)\""
+        clip = both
         draw()
-        clipping = before
+        clip = outer
     }
 
     override fun moved(x: Double, y: Double, draw: () -> Unit) {
@@ -118,6 +124,8 @@ class SvgPen(
         left -= x
         top -= y
     }
+
+    private val clipping get() = clip?.let { " clip-path=\"url(#${it.name})\"" }.orEmpty()
 
     private inline fun fill(color: Int, path: () -> Unit) = draw(paint("fill", color), path)
 
@@ -140,11 +148,12 @@ class SvgPen(
         return " $kind=\"${cssOf(color)}\"" + if (opacity < 1) " $kind-opacity=\"${numberOf(opacity)}\"" else ""
     }
 
-    private fun steps(places: DoubleArray, from: Int, until: Int) {
-        // An isolated sample has no line.
-        if (until - from < PER_LINE) return
+    /** Adds the line through some of [places]; false for an isolated sample, which has none. */
+    private fun steps(places: DoubleArray, from: Int, until: Int): Boolean {
+        if (until - from < PER_LINE) return false
         step('M', places[from], places[from + 1])
         for (at in from + 2 until until step 2) step('L', places[at], places[at + 1])
+        return true
     }
 
     private fun step(kind: Char, x: Double, y: Double) {
@@ -160,6 +169,16 @@ class SvgPen(
         step('M', x + radius, y)
         val half = "a${numberOf(radius)} ${numberOf(radius)} 0 1 0 "
         body.append("$half${numberOf(-2 * radius)} 0$half${numberOf(2 * radius)} 0")
+    }
+
+    /** The part of a document in which something is shown, in the document's coordinates, as what is called [name] in it. */
+    private class Clip(val left: Double, val top: Double, val right: Double, val bottom: Double, val name: String) {
+        /** Returns the part of it that is in [outer], too; an empty one if there is none. */
+        fun within(outer: Clip): Clip {
+            val fromX = maxOf(left, outer.left)
+            val fromY = maxOf(top, outer.top)
+            return Clip(fromX, fromY, maxOf(fromX, minOf(right, outer.right)), maxOf(fromY, minOf(bottom, outer.bottom)), name)
+        }
     }
 
     private companion object {

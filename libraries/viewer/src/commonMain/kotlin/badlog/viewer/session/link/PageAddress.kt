@@ -74,14 +74,17 @@ class PageAddress(
 }
 
 /**
- * Returns what [text] asks for, the end of an address from the `#` on. Unknown parts, such as places on the page or those from a newer
- * badlog, are ignored silently.
+ * Returns what [text] asks for, the end of an address from the `#` on. Unknown parts, such as places on the page or those that a newer badlog
+ * added, are ignored silently. A link of a later version than [LINK_VERSION], in which a part means something else, is reported.
  */
 fun pageAddressOf(text: String): PageAddress {
     val problems = ArrayList<String>()
     // Programs that pass links on may percent-encode any character, although none of these needs it.
     val parts = withoutPercents(text.removePrefix("#")).split('&').filter { '=' in it }
         .associate { it.substringBefore('=') to it.substringAfter('=') }
+
+    val version = parts["version"]?.toIntOrNull() ?: LINK_VERSION
+    if (version > LINK_VERSION) problems += "This link is from a newer badlog; export the log with that one to see all that it shows."
 
     fun <T : Any> read(key: String, what: String, read: (String) -> T?): T? {
         val part = parts[key] ?: return null
@@ -123,6 +126,9 @@ private fun withoutPercents(text: String): String {
         if (code == null) "%$part" else code.toChar() + part.drop(DIGITS)
     }
 }
+
+/** The version of links that say none, which is the one that this program writes: it would only make them longer. */
+private const val LINK_VERSION = 1
 
 /** Seconds and microseconds of a log that is not too long for any battery: `12345.678901`. */
 private const val TIME_LENGTH = 12

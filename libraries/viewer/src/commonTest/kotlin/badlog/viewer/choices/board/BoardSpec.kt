@@ -109,6 +109,14 @@ class BoardSpec : FunSpec({
         )
     }
 
+    test("a board says its version; without one it is of version 1, and one of a newer badlog is not read as something else") {
+        val text = Board().withGraph(listOf("Mode")).toJson()
+        text shouldBe """{"badlog-layout":1,"graphs":[{"title":"Mode","lines":["Mode"]}]}"""
+        for (old in listOf(text, """{"graphs":[{"title":"Mode","lines":["Mode"]}]}""")) boardOfJson(old).lines() shouldBe listOf(listOf("Mode"))
+        shouldThrow<BoardException> { boardOfJson(text.replace(":1,", ":2,")) }.message shouldBe
+            "The graphs were saved by a newer badlog; update badlog to open them."
+    }
+
     test("a mistake is reported, with what to do") {
         val wrong = mapOf(
             """[]""" to "This is not an object of JSON; select a file that badlog has saved.",

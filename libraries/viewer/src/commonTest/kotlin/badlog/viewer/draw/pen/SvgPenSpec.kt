@@ -1,6 +1,11 @@
 package badlog.viewer.draw.pen
 
+import badlog.core.analysis.PixelColumns
+import badlog.core.analysis.Series
 import badlog.viewer.draw.color.faded
+import badlog.viewer.draw.curve.Curve
+import badlog.viewer.draw.curve.Scale
+import badlog.viewer.draw.curve.Strokes
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -59,6 +64,34 @@ class SvgPenSpec : FunSpec({
         }
         svg shouldContain "<clipPath id=\"cut1\"><path d=\"M10 20h5v5h-5z\"/></clipPath><path d=\"M11 21h1v1h-1z\" fill=\"#0000ff\" clip-path=\"url(#cut1)\"/>"
         svg shouldContain "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\"/>"
+    }
+
+    test("a clip in another one shows what is in both, of texts, too; nothing if they have nothing in common") {
+        val svg = drawn {
+            clip(0.0, 0.0, 8.0, 8.0) {
+                moved(5.0, 2.0) { clip(0.0, 0.0, 10.0, 3.0) { text("A", 0.0, 0.0, 10.0, BLUE) } }
+                clip(9.0, 9.0, 10.0, 10.0) { rectangle(0.0, 0.0, 20.0, 20.0, BLUE) }
+                rectangle(1.0, 1.0, 1.0, 1.0, BLUE)
+            }
+        }
+        svg shouldBe "<clipPath id=\"cut1\"><path d=\"M0 0h8v8h-8z\"/></clipPath>" +
+            "<clipPath id=\"cut2\"><path d=\"M5 2h3v3h-3z\"/></clipPath>" +
+            "<text x=\"5\" y=\"5.5\" font-size=\"10\" fill=\"#0000ff\" clip-path=\"url(#cut2)\">A</text>" +
+            "<clipPath id=\"cut3\"><path d=\"M9 9h0v0h0z\"/></clipPath><path d=\"M0 0h20v20h-20z\" fill=\"#0000ff\" clip-path=\"url(#cut3)\"/>" +
+            "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\" clip-path=\"url(#cut1)\"/>"
+    }
+
+    test("an area begins with the first sample that is not alone") {
+        val curve = Curve(Series(doubleArrayOf(0.0, 1.0, 2.0, 3.0, 4.0), doubleArrayOf(1.0, Double.NaN, 1.0, 2.0, Double.NaN)), holdsUntil = null)
+        curve.draw(0.0, 4.0, PixelColumns(4))
+        drawn { areas(Strokes().apply { trace(curve, Scale.NONE, Scale.NONE) }, baseline = 5.0, BLUE) } shouldBe
+            "<path d=\"M2 1L3 2L3 5L2 5z\" fill=\"#0000ff\"/>"
+    }
+
+    test("an outline is below its letters, and screen readers skip it") {
+        drawn { text("A", 0.0, 0.0, 10.0, BLUE, halo = WHITE) } shouldBe
+            "<text x=\"0\" y=\"3.5\" font-size=\"10\" aria-hidden=\"true\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"3\" " +
+            "stroke-linejoin=\"round\">A</text><text x=\"0\" y=\"3.5\" font-size=\"10\" fill=\"#0000ff\">A</text>"
     }
 
     test("a text is beside its place, around the middle of its letters") {

@@ -66,9 +66,9 @@ class PlotDrawingSpec : FunSpec({
             """<path d="M62 6h200v100h-200z"/>""",
             """</clipPath>""",
             """<path d="M62 6h100v48h-100z" fill="#e4e8ed" clip-path="url(#cut1)"/>""",
-            """<text x="67" y="33.85" font-size="11" fill="#1b2330">false""",
+            """<text x="67" y="33.85" font-size="11" fill="#1b2330" clip-path="url(#cut1)">false""",
             """<path d="M162 6h100v48h-100z" fill="#f0c2af" clip-path="url(#cut1)"/>""",
-            """<text x="167" y="33.85" font-size="11" fill="#1b2330">true""",
+            """<text x="167" y="33.85" font-size="11" fill="#1b2330" clip-path="url(#cut1)">true""",
             """<text x="57" y="34.85" font-size="11" text-anchor="end" fill="#596477">Inta…oyed""",
             """<text x="57" y="84.85" font-size="11" text-anchor="end" fill="#596477">Hidden""",
         )

@@ -33,8 +33,13 @@ class DrivePictureSpec : FunSpec({
     fun driveOf(vararg topics: List<Topic>) = SwerveDrive.of(timedView(*topics.toList().flatten().toTypedArray()))!!
 
     test("three modules without targets: a solid arrow for each, two in front and one behind; to the left is to the left") {
-        val sign = """font-size="11" text-anchor="middle" font-weight="600" stroke="#f0f2f5" stroke-width="3" stroke-linejoin="round" """ +
-            """paint-order="stroke" fill="#1b2330">"""
+        fun signAt(x: String, y: String, sign: String): List<String> {
+            val text = """<text x="$x" y="$y" font-size="11" text-anchor="middle" font-weight="600""""
+            return listOf(
+                """$text aria-hidden="true" fill="none" stroke="#f0f2f5" stroke-width="3" stroke-linejoin="round">$sign""",
+                """$text fill="#1b2330">$sign""",
+            )
+        }
         drawn(driveOf(states("Measured", 3, PI / 2)), cursor = 5.0) shouldBe listOf(
             """<path d="M97.1 62.1L202.9 62.1L202.9 167.9L97.1 167.9z" fill="#f0f2f5"/>""",
             """<path d="M97.1 62.1L202.9 62.1L202.9 167.9L97.1 167.9z" stroke="#596477" fill="none" stroke-linejoin="round" stroke-width="1.5"/>""",
@@ -42,13 +47,13 @@ class DrivePictureSpec : FunSpec({
             """<text x="150" y="87.95" font-size="11" text-anchor="middle" fill="#596477">front""",
             """<path d="M97.1 60.1L77.35 60.1L77.35 57.6L68.35 62.1L77.35 66.6L77.35 64.1L97.1 64.1z" fill="#0b62c4"/>""",
             """<path d="M100.6 62.1a3.5 3.5 0 1 0 -7 0a3.5 3.5 0 1 0 7 0" fill="#0b62c4"/>""",
-            """<text x="112.1" y="80.95" ${sign}0""",
+            *signAt("112.1", "80.95", "0").toTypedArray(),
             """<path d="M202.9 60.1L168.78 60.1L168.78 57.6L159.78 62.1L168.78 66.6L168.78 64.1L202.9 64.1z" fill="#d4501a"/>""",
             """<path d="M206.4 62.1a3.5 3.5 0 1 0 -7 0a3.5 3.5 0 1 0 7 0" fill="#d4501a"/>""",
-            """<text x="187.9" y="80.95" ${sign}1""",
+            *signAt("187.9", "80.95", "1").toTypedArray(),
             """<path d="M150 165.9L101.5 165.9L101.5 163.4L92.5 167.9L101.5 172.4L101.5 169.9L150 169.9z" fill="#0a8062"/>""",
             """<path d="M153.5 167.9a3.5 3.5 0 1 0 -7 0a3.5 3.5 0 1 0 7 0" fill="#0a8062"/>""",
-            """<text x="150" y="156.75" ${sign}2""",
+            *signAt("150", "156.75", "2").toTypedArray(),
         )
     }
 
@@ -61,7 +66,7 @@ class DrivePictureSpec : FunSpec({
     }
 
     test("errors are a line of each module below the robot, with the cursor") {
-        val graph = drawn(driveOf(states("Measured", 4, PI / 18), states("Target", 4, 0.0)), cursor = 5.0).drop(20)
+        val graph = drawn(driveOf(states("Measured", 4, PI / 18), states("Target", 4, 0.0)), cursor = 5.0).drop(24)
         graph.first() shouldBe """<text x="46" y="242.85" font-size="11" fill="#596477">Angle minus its target"""
         val lines = graph.filter { it.startsWith("""<path d="M46 256.67L288 256.67""") }
         lines.map { it.substringAfter("stroke=\"").substringBefore('"') } shouldBe listOf("#0b62c4", "#d4501a", "#0a8062", "#9b3fa0")
@@ -72,7 +77,7 @@ class DrivePictureSpec : FunSpec({
     test("without a cursor, there are no arrows, and the picture says where to point; in the dark theme, in its colors") {
         val picture = drawn(driveOf(states("Measured", 3, 0.0)), cursor = null, PenColors.DARK)
         picture.first() shouldBe """<path d="M97.1 62.1L202.9 62.1L202.9 167.9L97.1 167.9z" fill="#232b35"/>"""
-        picture.size shouldBe 11
+        picture.size shouldBe 14
         picture.last() shouldBe """<text x="150" y="118.85" font-size="11" text-anchor="middle" fill="#9eabbb">Point at a graph."""
     }
 })

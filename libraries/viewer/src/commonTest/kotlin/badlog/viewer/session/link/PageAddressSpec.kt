@@ -69,6 +69,15 @@ class PageAddressSpec : FunSpec({
         }
     }
 
+    test("a link of a later version is reported, and what is known of it is shown; without a version it is of the first one") {
+        for (text in listOf("#t=93.7&board=Mode", "#version=1&t=93.7&board=Mode")) pageAddressOf(text).problems shouldBe emptyList()
+        pageAddressOf("#version=2&t=93.7&board=Mode").run {
+            moment shouldBe 93.7
+            this.board?.graphs?.map { it.lines } shouldBe listOf(listOf("Mode"))
+            problems shouldBe listOf("This link is from a newer badlog; export the log with that one to see all that it shows.")
+        }
+    }
+
     test("a link is short enough to read") {
         val two = Board().withGraph(listOf("Battery Voltage")).withGraph(listOf("Mode"))
         PageAddress(93.5, Span(90.5, 100.5), two, listOf("Power = Voltage")).toText() shouldBe
