@@ -18,6 +18,7 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.currentCoroutineContext
+import kotlinx.coroutines.ensureActive
 import kotlinx.coroutines.isActive
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.supervisorScope
@@ -93,7 +94,7 @@ internal class ShownRecordings(
     private suspend fun calculate(wanted: Wanted, scope: CoroutineScope) {
         try {
             val folder = library()
-            val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) }
+            val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) { ensureActive() } }
             jobs.remove(wanted.recording.file)
             // It may have grown, or be closed, in the moment before this.
             if (wanted in wanted()) show(made)

@@ -149,7 +149,7 @@ private fun RowTitle(entry: LogEntry, isOneOfMatch: Boolean, modifier: Modifier)
     val more = if (isOneOfMatch) entry.fileName else entry.summary.match.event.takeIf { entry.summary.match.match != null }
     Row(modifier, Arrangement.spacedBy(8.dp)) {
         NameText(entry.title, color = color, fontWeight = weight, cut = NameCut.MIDDLE)
-        if (more != null) NameText(more, Modifier.weight(1f), palette.muted, cut = NameCut.MIDDLE)
+        if (more != null) NameText(more, Modifier.weight(1f), palette.muted, cut = if (isOneOfMatch) NameCut.MIDDLE else NameCut.WORDS)
     }
 }
 

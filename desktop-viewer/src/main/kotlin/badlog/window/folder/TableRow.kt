@@ -142,7 +142,8 @@ internal fun TableRow(
                 val place = width.padding(horizontal = 8.dp)
                 val weight = if (isOpen) FontWeight.SemiBold else FontWeight.Normal
                 if (column == LogColumn.FILE || column == LogColumn.EVENT) {
-                    NameText(text, place, color, fontWeight = weight, cut = NameCut.MIDDLE)
+                    val isEvent = column == LogColumn.EVENT && text == entry.summary.match.event
+                    NameText(text, place, color, fontWeight = weight, cut = if (isEvent) NameCut.WORDS else NameCut.MIDDLE)
                 } else {
                     Text(
                         text,

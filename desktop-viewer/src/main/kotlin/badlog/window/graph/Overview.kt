@@ -14,32 +14,29 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
-import androidx.compose.ui.geometry.CornerRadius
-import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
+import badlog.viewer.draw.plot.drawFinding
 import badlog.viewer.draw.plot.drawOverview
+import badlog.viewer.draw.plot.drawSelection
+import badlog.viewer.draw.plot.drawVisible
 import badlog.viewer.session.gesture.OverviewGestures
 import badlog.viewer.shown.outline.everChanges
-import badlog.window.graph.mark.drawShownFinding
 import badlog.window.graph.plot.OVERVIEW
 import badlog.window.graph.plot.PictureEffect
 import badlog.window.graph.plot.PlotRequest
 import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.drawLines
-import badlog.window.graph.plot.pixelOf
+import badlog.window.graph.plot.frameOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.ViewTarget
 import badlog.window.graph.scene.receives
@@ -93,45 +90,21 @@ internal fun overviewSpec(open: OpenRecording): BoardGraph? {
 }
 
 private fun DrawScope.drawWhole(scene: GraphScene, state: PlotState, palette: Palette) {
-    val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.full)
-    drawRect(palette.page)
+    val frame = frameOf(scene.view.viewport.full)
+    val pen = pen()
+    pen.rectangle(frame.left, frame.top, frame.width, frame.height, palette.pen[Shade.PAGE])
     val modes = scene.current.recording?.modes ?: return
     val marks = PlotMarks(modes, scene.events.matching, scene.findings.state.list?.timeline, scene.notes.all.map { it.x })
-    pen().drawOverview(frame, marks, palette.pen) { scene.pictureOf(state)?.let { drawLines(it, frame) } }
+    pen.drawOverview(frame, marks, palette.pen) { scene.pictureOf(state)?.let { drawLines(it, frame) } }
 }
 
 private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
-    val full = scene.view.viewport.full
-    scene.findings.shown?.let { drawShownFinding(it, full, palette) }
-    scene.view.selection?.let { drawSelection(it, full, palette) }
-    if (scene.view.viewport.isZoomed) drawVisible(scene.view.viewport.visible, full, palette)
-    pen().drawCursors(PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), full), scene.view.cursors, palette.pen)
-}
-
-private fun DrawScope.drawVisible(visible: Span, full: Span, palette: Palette) {
-    val middle = visible.from + visible.width / 2
-    val least = MIN_WIDTH * density
-    val center = pixelOf(middle, full, size.width)
-    val half = maxOf(pixelOf(visible.to, full, size.width) - center, least / 2)
-    val left = center - half
-    val right = center + half
-    val shade = palette.page.copy(alpha = SHADE_OPACITY)
-    drawRect(shade, Offset.Zero, Size(left.coerceAtLeast(0f), size.height))
-    drawRect(shade, Offset(right, 0f), Size((size.width - right).coerceAtLeast(0f), size.height))
-    drawRoundRect(
-        palette.accent,
-        Offset(left, 0.5f),
-        Size(right - left, size.height - 1),
-        CornerRadius(3 * density),
-        Stroke(1.5f * density),
-    )
-    // Handles, if there is room for them between the edges.
-    if (right - left < 4 * least) return
-    for (edge in listOf(left, right)) {
-        drawLine(palette.accent, Offset(edge, size.height * 0.3f), Offset(edge, size.height * 0.7f), strokeWidth = 4 * density)
-    }
+    val frame = frameOf(scene.view.viewport.full)
+    val pen = pen()
+    scene.findings.shown?.let { pen.drawFinding(frame, it, palette.pen) }
+    scene.view.selection?.let { pen.drawSelection(frame, it, palette.pen) }
+    if (scene.view.viewport.isZoomed) pen.drawVisible(frame, scene.view.viewport.visible, palette.pen)
+    pen.drawCursors(frame, scene.view.cursors, palette.pen)
 }
 
 private const val HEIGHT = 48
-private const val MIN_WIDTH = 5
-private const val SHADE_OPACITY = 0.65f

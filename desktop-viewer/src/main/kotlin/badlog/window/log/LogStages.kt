@@ -1,12 +1,13 @@
 package badlog.window.log
 
 import badlog.core.analysis.LogView
+import badlog.expression.ViewWithVirtualTopics
 import badlog.files.LogFile
+import badlog.signals.beginVirtualTopics
 import badlog.signals.clock.FoundStation
 import badlog.signals.clock.StationOverlay
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
-import badlog.signals.withVirtualTopics
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
 
@@ -20,6 +21,7 @@ import badlog.viewer.choices.formula.formulasOf
  * @param station the Driver Station's log of the same match that is shown with it; null for none.
  * @param definitions the definitions of the formulas calculated in it.
  * @param before the stages of the same log for other choices; null for none.
+ * @param checkActive is called before each formula; an exception from it stops the work, and is passed on.
  */
 internal class LogStages(
     private val read: LogView,
@@ -28,6 +30,7 @@ internal class LogStages(
     private val station: FoundStation<LogFile>?,
     private val definitions: List<String>,
     before: LogStages? = null,
+    checkActive: () -> Unit = {},
 ) {
     private val own: LogView =
         before?.takeIf { it.read === read && it.vocabulary === vocabulary }?.own ?: read.withSignals(vocabulary, name)
@@ -59,9 +62,17 @@ internal class LogStages(
             view = before.view
             formulas = before.formulas
         } else {
-            val calculated = if (definitions.isEmpty()) null else logged.withVirtualTopics(definitions, vocabulary)
+            val calculated = if (definitions.isEmpty()) null else calculate(checkActive)
             view = calculated?.view ?: logged
             formulas = calculated?.let { formulasOf(definitions, it) }.orEmpty()
         }
+    }
+
+    private fun calculate(checkActive: () -> Unit): ViewWithVirtualTopics {
+        val draft = logged.beginVirtualTopics(definitions, vocabulary)
+        do {
+            checkActive()
+        } while (draft.step())
+        return draft.extended
     }
 }

@@ -52,6 +52,7 @@ import java.nio.file.Path
  * @property field the field on which its paths are drawn.
  * @param rows the same over its rows, where it is drawn over its time because a person wants that.
  * @param before the stages of the same file for other choices; null for none.
+ * @param checkActive see [LogStages].
  */
 internal class OpenRecording(
     val file: Path,
@@ -62,6 +63,7 @@ internal class OpenRecording(
     private val rows: LogView? = null,
     val field: FieldFile = FieldFile.NONE,
     before: LogStages? = null,
+    checkActive: () -> Unit = {},
 ) {
     /** The definitions of the formulas calculated in it. */
     val definitions: List<String> get() = choices.definitions
@@ -69,7 +71,7 @@ internal class OpenRecording(
     /** The Driver Station's log of the same match that is shown with it; null for none. */
     val station: FoundStation<LogFile>? get() = choices.station
 
-    private val stages = LogStages(read, file.fileName.toString(), vocabulary, station, definitions, before)
+    private val stages = LogStages(read, file.fileName.toString(), vocabulary, station, definitions, before, checkActive)
 
     /** The content of the file, and of its [station]'s. */
     val logged: LogView get() = stages.logged
@@ -170,8 +172,9 @@ internal class OpenRecording(
      * field: call it off the window's thread.
      *
      * @param library the folder of logs, see [FieldFile.of].
+     * @param checkActive is called before each formula; an exception from it stops the work, and is passed on.
      */
-    fun with(wanted: RecordingChoices, library: Path? = null): OpenRecording {
+    fun with(wanted: RecordingChoices, library: Path? = null, checkActive: () -> Unit = {}): OpenRecording {
         if (wanted == choices) return this
         assertOffWindow()
         val column = timeColumn
@@ -183,7 +186,8 @@ internal class OpenRecording(
         }
         val isSameField = wanted.field == choices.field && wanted.fieldSelections == choices.fieldSelections
         val itsField = if (isSameField) field else fieldOf(file, wanted.field, library)
-        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField, stages).also { it.prepare() }
+        return OpenRecording(file, changed, wanted, vocabulary, layout, itsRows, itsField, stages, checkActive)
+            .also { it.prepare() }
     }
 
     /** Calculates in advance what graphs, panels and keys ask for, so that the window's thread does not have to. */
@@ -232,12 +236,17 @@ internal class OpenRecording(
             val shown = if (column == null) read else LogView.of(read.recording.over(column))
             val rows = read.takeIf { column != null }
             val field = fieldOf(file, wanted.field, library)
-            return OpenRecording(file, shown, wanted.copy(overTime = column != null), vocabulary, layout, rows, field).also { it.prepare() }
+            val itsChoices = wanted.copy(overTime = column != null)
+            return OpenRecording(file, shown, itsChoices, vocabulary, layout, rows, field, checkActive = ::checkInterrupt).also { it.prepare() }
         }
 
         /** Returns the field for [log]: the one in the [selected] file, or else the one beside it. Reads it. */
         fun fieldOf(log: Path, selected: Path?, library: Path?): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log, library)
     }
+}
+
+private fun checkInterrupt() {
+    if (Thread.interrupted()) throw InterruptedException()
 }
 
 private fun signalsOf(view: LogView, formulas: List<Formula>): List<DrawableTopic> {

@@ -36,6 +36,7 @@ import androidx.compose.ui.unit.sp
 import badlog.core.analysis.EventLog
 import badlog.core.analysis.Units
 import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.text.countText
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
@@ -170,7 +171,7 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
         for (log in logs.take(MAX_TOPICS)) {
             ToolButton(
                 "Events of ${log.name}",
-                text = log.title.take(MAX_TITLE_LENGTH),
+                text = shortLabel(log.title, MAX_TITLE_LENGTH),
                 isOn = log.name in chosen,
                 modifier = Modifier.widthIn(max = 180.dp),
             ) { events.change { toggled(log.name) } }
@@ -180,7 +181,9 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
 
 /** With more topics than this, use the search. */
 private const val MAX_TOPICS = 40
-private const val MAX_TITLE_LENGTH = 40
+
+/** As many letters fit into a button; its own text would lose the end. */
+private const val MAX_TITLE_LENGTH = 24
 
 /** Writes the times of a recording's events: as they were logged, and in minutes since the robot was enabled. */
 internal class EventTimes(recording: OpenRecording) {

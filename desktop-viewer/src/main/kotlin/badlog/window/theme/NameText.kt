@@ -34,6 +34,9 @@ internal enum class NameCut {
 
     /** Its middle: for files and sentences with a name at their end. */
     MIDDLE,
+
+    /** Its first words: for the events where matches are played, of whose words a part says little. */
+    WORDS,
     ;
 
     companion object {
@@ -99,12 +102,17 @@ internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, w
     if (whole.size.width <= width) return whole
     val room = width - measure(ELLIPSIS, style).size.width
     val head = if (cut == NameCut.MIDDLE) whole.lastWithin(room / 2) else 0
-    val tail = whole.firstBeyond(whole.size.width - room + whole.placeOf(head))
+    val letters = whole.firstBeyond(whole.size.width - room + whole.placeOf(head))
+    val tail = if (cut == NameCut.WORDS) wordFrom(name, letters) ?: letters else letters
     val end = name.subSequence(tail + name.drop(tail).takeWhile { it.isWhitespace() }.length, name.length)
     val shown = name.subSequence(0, head) + AnnotatedString(ELLIPSIS) + end
     // Where scripts of both directions mix, places do not follow the order of letters, so it may still be too long.
     return measure(shown, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = Constraints(maxWidth = width))
 }
+
+/** Returns where the first word of [name] begins that begins at [from] or behind it; null if none does. */
+private fun wordFrom(name: CharSequence, from: Int): Int? =
+    (maxOf(1, from) until name.length).firstOrNull { name[it - 1].isWhitespace() && !name[it].isWhitespace() }
 
 /** Returns how many of the first letters end at [x] or before. */
 private fun TextLayoutResult.lastWithin(x: Int): Int = (nearest(x) downTo 0).first { it == 0 || (placeOf(it) <= x && isBetweenLetters(it)) }

@@ -17,15 +17,21 @@ import badlog.window.recordingOf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeSameInstanceAs
+import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.cancelAndJoin
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.time.measureTime
 
 class ShownRecordingsSpec : FunSpec({
     fun log(name: String) = recordingOf(bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" }), name)
@@ -59,6 +65,27 @@ class ShownRecordingsSpec : FunSpec({
         otherFormula.signal("Twice").shouldBeNull()
         otherFormula.signal("Half")?.series?.y?.last() shouldBe 9.5
         open.with(open.choices.copy(overTime = true)).signal("Twice")?.series?.x?.first() shouldBe 10.0
+    }
+
+    test("formulas of a choice that is no longer wanted are not calculated on") {
+        val wanted = RecordingChoices(definitions = List(100) { "F$it = $it * Arm/Angle" })
+        var begun = 0
+        shouldThrow<CancellationException> { log("a.bag").with(wanted) { if (++begun > 3) throw CancellationException() } }
+        begun shouldBe 4
+
+        val rows = List(50_000) { "$it,${it % 7}" }
+        val long = recordingOf(bagOf(listOf("Time", "Arm/Angle"), rows), "long.bag")
+        val many = RecordingChoices(definitions = List(100) { "F$it = ${List(20) { "Arm/Angle" }.joinToString(" + ")} + $it" })
+        // The first time, the code itself is slow.
+        val whole = List(2) { measureTime { long.with(many) } }.last()
+        val viewer = viewerOf(long)
+        val rest = withContext(Dispatchers.Swing) {
+            val following = launch { viewer.shown.run() }
+            viewer.formulas.replaceAll(many.definitions)
+            delay(whole / 10)
+            measureTime { following.cancelAndJoin() }
+        }
+        rest shouldBeLessThan whole / 2
     }
 
     test("a choice is shown in the open log and in the compared ones, and nothing waits any more") {

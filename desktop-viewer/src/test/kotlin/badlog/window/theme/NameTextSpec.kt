@@ -12,6 +12,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -71,6 +72,18 @@ class NameTextSpec : FunSpec({
             shown(left, 120, NameCut.of(left)) shouldStartWith "[ Le"
             shown(right, 120, NameCut.of(right)) shouldStartWith "[ Ri"
             NameCut.of(name) shouldBe NameCut.BEGINNING
+        }
+    }
+
+    test("an event keeps its last words whole, or as many letters as fit of the last one") {
+        measuring {
+            val event = "Millstone District Regional"
+            val texts = (60..200).map { shown(event, it, NameCut.WORDS) }
+            texts.filter { it.length > "…Regional".length }.toSet() - event shouldBe setOf("…District Regional")
+            texts shouldContain "…Regional"
+            texts shouldContain "…District Regional"
+            event shouldEndWith shown(event, 40, NameCut.WORDS).drop(1)
+            shown(event, 40, NameCut.WORDS).length shouldBeGreaterThan 2
         }
     }
 

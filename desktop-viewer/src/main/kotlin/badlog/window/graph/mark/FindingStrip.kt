@@ -14,8 +14,8 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.drawFindingMarks
+import badlog.window.graph.plot.frameOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
@@ -35,7 +35,7 @@ internal fun FindingStrip(scene: GraphScene) {
                 .semantics { contentDescription = "Findings on the time axis" }
                 .findingPointer(scene)
                 .drawBehind {
-                    val frame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), scene.view.viewport.visible)
+                    val frame = frameOf(scene.view.viewport.visible)
                     scene.findings.state.list?.let { pen().drawFindingMarks(frame, it.timeline, palette.pen) }
                 },
         )

@@ -28,6 +28,9 @@ internal fun DrawScope.drawLines(picture: PlotPicture, frame: PlotFrame) {
     }
 }
 
+/** Returns the frame that fills this scope, and shows [shown]. */
+internal fun DrawScope.frameOf(shown: Span): PlotFrame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), shown)
+
 /** Returns where [x] is on [width] pixels that show [visible]. */
 internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visible.from) / visible.width * width).toFloat()
 

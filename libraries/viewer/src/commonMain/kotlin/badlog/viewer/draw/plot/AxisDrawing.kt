@@ -8,6 +8,7 @@ import badlog.viewer.draw.curve.Scale
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 import badlog.viewer.draw.pen.TextSide
+import badlog.viewer.draw.pen.fittedEnds
 import kotlin.math.round
 
 /** The font size of the numbers of axes, in CSS pixels or dp. */
@@ -30,12 +31,37 @@ fun Pen.drawGrid(frame: PlotFrame, lineFrame: PlotFrame, axes: List<PlotAxis>, c
 fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: PenColors) {
     layer("x numbers", 0.0, frame.bottom, width, height, listOf(frame.shown, frame.left, colors)) { pen, _ ->
         val ticks = xTicks(frame)
-        val places = placesOf(ticks, frame.x)
-        val middle = (GAP + AXIS_LETTERS / 2) * density
-        ticks.texts.forEachIndexed { i, text ->
-            pen.text(text, places[i], middle, AXIS_LETTERS * density, colors[Shade.MUTED], TextSide.CENTER)
-        }
+        pen.writeNumbers(ticks, placesOf(ticks, frame.x), top = 0.0, colors)
     }
+}
+
+/**
+ * Draws the axis of x as a bar in [frame], below graphs: marks at the ticks, their numbers, and [title] at the right end, for which numbers
+ * make room.
+ */
+fun Pen.drawXBar(frame: PlotFrame, title: String, colors: PenColors) {
+    val ticks = xTicks(frame)
+    val places = placesOf(ticks, frame.x)
+    val middle = density % 2 / 2
+    val edge = Points().line(frame.left, frame.top + middle, frame.right, frame.top + middle)
+    segments(edge, colors[Shade.BORDER], density)
+    val marks = Points()
+    for (place in places) marks.line(place + middle, frame.top, place + middle, frame.top + TICK * density)
+    segments(marks, colors[Shade.MUTED], density)
+    val name = fittedEnds(title, frame.width * TITLE_SHARE, AXIS_LETTERS * density)
+    val room = frame.right - widthOf(name, AXIS_LETTERS * density) - TITLE_GAP * density
+    text(name, frame.right, frame.top + NUMBER_MIDDLE * density, AXIS_LETTERS * density, colors[Shade.MUTED], TextSide.LEFT)
+    writeNumbers(ticks, places, frame.top, colors, room)
+}
+
+/** Draws [text] about the place [x] on the bar of the x axis in [frame], as a flag in [shade]. */
+fun Pen.drawFlag(frame: PlotFrame, x: Double, text: String, shade: Shade, colors: PenColors) {
+    val margin = FLAG_MARGIN * density
+    val width = widthOf(text, AXIS_LETTERS * density) + 2 * margin
+    val left = (frame.x.placeOf(x) - width / 2).coerceIn(frame.left, maxOf(frame.left, frame.right - width))
+    val box = roundedBox(left, frame.top + 1, width, frame.height - 3 * density, FLAG_RADIUS * density)
+    shapes(box, ROUNDED_CORNERS, colors[shade])
+    text(text, left + margin, frame.top + frame.height / 2 - density, AXIS_LETTERS * density, colors[Shade.SURFACE])
 }
 
 /**
@@ -72,10 +98,25 @@ fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, 
     }
 }
 
+/** Writes the numbers of [ticks], which are at [places], below the height [top], as far as they end before [room]. */
+private fun Pen.writeNumbers(ticks: Ticks, places: DoubleArray, top: Double, colors: PenColors, room: Double = Double.POSITIVE_INFINITY) {
+    val letters = AXIS_LETTERS * density
+    ticks.texts.forEachIndexed { i, number ->
+        if (room < Double.POSITIVE_INFINITY && places[i] + widthOf(number, letters) / 2 >= room) return
+        text(number, places[i], top + NUMBER_MIDDLE * density, letters, colors[Shade.MUTED], TextSide.CENTER)
+    }
+}
+
 private fun Pen.xTicks(frame: PlotFrame) = Ticks.ofX(frame.shown, frame.width / density)
 
 private fun placesOf(ticks: Ticks, scale: Scale) = DoubleArray(ticks.values.size) { round(scale.placeOf(ticks.values[it])) }
 
 private const val GAP = 6.0
+private const val NUMBER_MIDDLE = GAP + AXIS_LETTERS / 2
+private const val TICK = 4.0
+private const val TITLE_SHARE = 0.25
+private const val TITLE_GAP = 12.0
+private const val FLAG_MARGIN = 6.0
+private const val FLAG_RADIUS = 3.0
 private const val INNER_GAP = 3.0
 private const val MAX_WITH_UNIT = 9
