@@ -1,76 +1,77 @@
 package badlog.page.conformance
 
 import badlog.page.pen.CanvasPen
+import badlog.page.pen.PageImage
 import badlog.viewer.draw.pen.PEN_PRIMITIVES
+import badlog.viewer.draw.pen.PEN_TEXTS
 import badlog.viewer.draw.pen.PRIMITIVE_HEIGHT
+import badlog.viewer.draw.pen.PRIMITIVE_IMAGE
 import badlog.viewer.draw.pen.PRIMITIVE_WIDTH
 import badlog.viewer.draw.pen.Pen
+import badlog.viewer.draw.pen.PenImage
+import badlog.viewer.draw.pen.PenPicture
 import badlog.viewer.draw.pen.SvgPen
-import badlog.viewer.draw.pen.TextSide
 import kotlinx.browser.document
 import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLImageElement
 import kotlin.js.Promise
-import kotlin.math.abs
-
-/** What is drawn: besides the primitives, texts, whose letters are the same in one browser, and what the page draws once and copies. */
-private val PICTURES: Map<String, Pen.() -> Unit> = PEN_PRIMITIVES + mapOf(
-    "texts" to {
-        text("12.5 V", 20.0, 30.0, 14.0, BLACK)
-        text("left", 190.0, 30.0, 14.0, BLACK, TextSide.LEFT)
-        text("bold, with a halo", 100.0, 70.0, 18.0, BLUE, TextSide.CENTER, isBold = true, halo = YELLOW)
-    },
-    "a layer" to {
-        layer("layer", 40.0, 20.0, 100.0, 50.0, emptyList()) { pen, height -> pen.rectangle(10.0, 10.0, 50.0, height - 20.0, BLUE) }
-    },
-)
 
 /** The names of the pictures that [penDifferences] can draw. */
 @OptIn(ExperimentalJsExport::class)
 @JsExport
-public fun penPictures(): Array<String> = PICTURES.keys.toTypedArray()
+public fun penPictures(): Array<String> = (PEN_PRIMITIVES.keys + PEN_TEXTS.keys).toTypedArray()
 
 /**
  * Promises how much the canvas that the page's pen draws picture [name] on differs from a blank one, and how much from the browser's picture of
- * the SVG that the common pen writes: each the mean difference of a color's part, from 0 to 255.
+ * the SVG that the common pen writes: each the mean difference of a color's part, from 0 to 255. For a text, there follows for each of them by
+ * how many pixels it covers another rectangle than the one as wide as the page's pen measures; NaN if it covers none.
  */
 @OptIn(ExperimentalJsExport::class)
 @JsExport
-public fun penDifferences(name: String): Promise<Array<Double>> {
-    val draw = PICTURES.getValue(name)
-    val canvas = pixels { CanvasPen(it).draw() }
-    val svg = SvgPen({ _, _, _ -> 0.0 }).apply(draw).document(PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble(), WHITE)
-    val image = document.createElement("img").unsafeCast<HTMLImageElement>()
-    image.src = "data:image/svg+xml," + encodeURIComponent(svg)
-    return image.asDynamic().decode().unsafeCast<Promise<Unit>>().then {
-        val written = pixels { it.drawImage(image, 0.0, 0.0) }
-        arrayOf(difference(canvas, pixels { }), difference(canvas, written))
+public fun penDifferences(name: String): Promise<Array<Double>> = imageOf(PRIMITIVE_IMAGE).then { element ->
+    val image = PageImage(element, PRIMITIVE_IMAGE)
+    val draw = drawingOf(name)
+    val canvas = picture { draw(CanvasPen(it), image) }
+    val pen = SvgPen({ _, _, _ -> 0.0 }).also { draw(it, image) }
+    val svg = pen.document(PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble(), WHITE)
+    imageOf("data:image/svg+xml," + encodeURIComponent(svg)).then { written ->
+        val file = picture { it.drawImage(written, 0.0, 0.0) }
+        val box = PEN_TEXTS[name]?.boxFor(CanvasPen(newContext())::widthOf)
+        val places = if (box == null) emptyList() else listOf(canvas, file).map { it.covered()?.distanceFrom(box) ?: Double.NaN }
+        (listOf(canvas.differenceFrom(picture { }), canvas.differenceFrom(file)) + places).toTypedArray()
     }
+}.unsafeCast<Promise<Array<Double>>>()
+
+/** Returns what draws picture [name]: besides the primitives there are the texts, whose letters are the same in one browser. */
+private fun drawingOf(name: String): Pen.(PenImage) -> Unit = PEN_PRIMITIVES[name] ?: { PEN_TEXTS.getValue(name).writeWith(this) }
+
+/** Promises the image at [address], when it can be drawn. */
+private fun imageOf(address: String): Promise<HTMLImageElement> {
+    val image = document.createElement("img").unsafeCast<HTMLImageElement>()
+    image.src = address
+    return image.asDynamic().decode().unsafeCast<Promise<Unit>>().then { image }
 }
 
-/** Returns the four parts of each pixel's color of what [draw] draws on white. */
-private fun pixels(draw: (CanvasRenderingContext2D) -> Unit): ByteArray {
-    val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
-    canvas.width = PRIMITIVE_WIDTH
-    canvas.height = PRIMITIVE_HEIGHT
-    val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
+/** Returns what [draw] draws on white. */
+private fun picture(draw: (CanvasRenderingContext2D) -> Unit): PenPicture {
+    val context = newContext()
     context.fillStyle = "#fff"
     context.fillRect(0.0, 0.0, PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble())
     draw(context)
-    return context.getImageData(0.0, 0.0, PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble()).data.unsafeCast<ByteArray>()
+    // Red, green, blue and opacity, which is that of the white below.
+    val parts = context.getImageData(0.0, 0.0, PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble()).data.unsafeCast<ByteArray>()
+    fun part(at: Int) = parts[at].toInt() and 0xFF
+    return PenPicture(IntArray(PRIMITIVE_WIDTH * PRIMITIVE_HEIGHT) { (part(4 * it) shl 16) or (part(4 * it + 1) shl 8) or part(4 * it + 2) })
 }
 
-private fun difference(one: ByteArray, other: ByteArray): Double {
-    // The last part, the opacity, is that of the white below.
-    val sum = one.indices.sumOf { abs((one[it].toInt() and 0xFF) - (other[it].toInt() and 0xFF)) }
-    return sum / (PARTS * PRIMITIVE_WIDTH * PRIMITIVE_HEIGHT)
+private fun newContext(): CanvasRenderingContext2D {
+    val canvas = document.createElement("canvas").unsafeCast<HTMLCanvasElement>()
+    canvas.width = PRIMITIVE_WIDTH
+    canvas.height = PRIMITIVE_HEIGHT
+    return canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
 }
 
 private external fun encodeURIComponent(text: String): String
 
-private const val PARTS = 3.0
-private const val BLACK = 0xFF shl 24
-private const val BLUE = BLACK or 0x0B62C4
-private const val YELLOW = BLACK or 0xFFE080
-private const val WHITE = BLACK or 0xFFFFFF
+private const val WHITE = (0xFF shl 24) or 0xFFFFFF

@@ -1,10 +1,12 @@
 package badlog.page.browser
 
+import badlog.viewer.draw.pen.TEXT_TOLERANCE
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
 import kotlinx.serialization.json.Json
 import java.io.File
 import java.nio.file.Files
@@ -24,13 +26,16 @@ internal class PensInBrowsersSpec : FunSpec({
                 Files.writeString(page, "<!DOCTYPE html><meta charset=utf-8><title>Pens</title><body><script>$script</script>")
                 browser.tab.open("${page.toUri()}")
                 val names = Json.decodeFromString<List<String>>(browser.tab.evaluate("JSON.stringify($PENS.penPictures())"))
-                names.size shouldBeGreaterThan 10
+                names.size shouldBeGreaterThan 15
                 for (name in names) {
                     val answer = browser.tab.evaluate("$PENS.penDifferences(${Json.encodeToString(name)}).then(found => JSON.stringify(found))")
-                    val (drawn, different) = Json.decodeFromString<List<Double>>(answer)
+                    val differences = Json.decodeFromString<List<Double>>(answer)
+                    val (drawn, different) = differences
                     withClue("$name: $answer") {
                         drawn shouldBeGreaterThan 0.1
                         different shouldBeLessThan drawn * TOLERANCE
+                        for (place in differences.drop(2)) place shouldBeLessThan TEXT_TOLERANCE
+                        if ("text" in name) differences.size shouldBe 4
                     }
                 }
             } finally {

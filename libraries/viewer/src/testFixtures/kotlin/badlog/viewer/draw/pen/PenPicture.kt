@@ -1,0 +1,41 @@
+package badlog.viewer.draw.pen
+
+import kotlin.math.abs
+
+/** What a pen has drawn on white, [PRIMITIVE_WIDTH] by [PRIMITIVE_HEIGHT]: the colors of its [pixels] as `0xRRGGBB`, row by row. */
+class PenPicture(private val pixels: IntArray) {
+    /** Returns the mean difference from [other] of a color's part, from 0 to 255. */
+    fun differenceFrom(other: PenPicture): Double {
+        var sum = 0L
+        for (i in pixels.indices) for (shift in 0..16 step 8) sum += abs(part(pixels[i], shift) - part(other.pixels[i], shift))
+        return sum / (3.0 * pixels.size)
+    }
+
+    /** Returns the smallest rectangle around all that is not white; null if everything is. */
+    fun covered(): PenBox? {
+        val drawn = pixels.indices.filter { i -> (0..16 step 8).any { part(pixels[i], it) < WHITE_PART } }
+        if (drawn.isEmpty()) return null
+        val columns = drawn.map { it % PRIMITIVE_WIDTH }
+        val rows = drawn.map { it / PRIMITIVE_WIDTH }
+        return PenBox(columns.min().toDouble(), rows.min().toDouble(), columns.max() + 1.0, rows.max() + 1.0)
+    }
+
+    /** Returns the number of pixels whose red, green and blue are all at most [most]. */
+    fun dark(most: Int): Int = pixels.count { pixel -> (0..16 step 8).all { part(pixel, it) <= most } }
+
+    private fun part(color: Int, shift: Int) = (color shr shift) and 0xFF
+
+    private companion object {
+        /** A smoothed edge may be a shade of white that nobody sees. */
+        const val WHITE_PART = 224
+    }
+}
+
+/** A part of a picture. */
+data class PenBox(val left: Double, val top: Double, val right: Double, val bottom: Double) {
+    /** Returns how far the edge that differs most is from that of [other], in pixels. */
+    fun distanceFrom(other: PenBox): Double {
+        val distances = listOf(left - other.left, top - other.top, right - other.right, bottom - other.bottom)
+        return distances.maxOf { abs(it) }
+    }
+}
