@@ -237,7 +237,9 @@ internal class OpenRecording(
             val rows = read.takeIf { column != null }
             val field = fieldOf(file, wanted.field, library)
             val itsChoices = wanted.copy(overTime = column != null)
-            return OpenRecording(file, shown, itsChoices, vocabulary, layout, rows, field, checkActive = ::checkInterrupt).also { it.prepare() }
+            return OpenRecording(file, shown, itsChoices, vocabulary, layout, rows, field, checkActive = ::checkInterrupt).also {
+                it.prepare()
+            }
         }
 
         /** Returns the field for [log]: the one in the [selected] file, or else the one beside it. Reads it. */

@@ -12,10 +12,7 @@ import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
-import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
-import badlog.page.dom.isHidden
-import badlog.page.dom.saveFile
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.export.sendMoment
@@ -52,7 +49,6 @@ import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
-import badlog.page.view.Hits
 import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.view.timelineOf
@@ -71,11 +67,8 @@ import badlog.viewer.draw.path.fieldOfJson
 import badlog.viewer.input.Action
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
-import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
-import kotlinx.browser.document
 import kotlinx.browser.window
-import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 import org.w3c.files.Blob
 import org.w3c.files.File
@@ -92,7 +85,7 @@ internal class LogPage(
     axisChoice: HTMLElement?,
     onOtherSignals: () -> Unit,
     private val opening: LogOpening,
-    private val copyWith: (NoteHistory, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
+    copyWith: (NoteHistory, String, compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
     private val additions = additions ?: PageAdditions()
     private val view = formulas.view
@@ -113,7 +106,7 @@ internal class LogPage(
     }
     private val navigation = FolderNavigation(folders)
     private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, scene.notice, ::beforeFormulas, ::linesNow)
-    private val search = SearchBox(::filter)
+    private val search = SearchBox { searched.show(it) }
     private val eventsLink = EventsLink(folders)
     private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
     private val formulaButton = element("div", "formula-button") {
@@ -124,7 +117,8 @@ internal class LogPage(
             add("span", "", "Formula")
         }
     }
-    private val values: CursorPanel = CursorPanel(scene, ::linesShown, ::allLines) { modules.close() }
+    private val lines = PageLines(scene, { boardSection.cards + evidence.cards }, { folders.cards })
+    private val values: CursorPanel = CursorPanel(scene, lines::shown, lines::all) { modules.close() }
     private val modules: ModulesPanel = ModulesPanel(scene) { if (values.isOpen) values.toggle() }
     private val noteDialog = NoteDialog(scene, notes)
     private val ways =
@@ -135,13 +129,13 @@ internal class LogPage(
         formulas,
         video,
         { asked, then -> formulaGraphs.addAll(asked, isRemembered = false, then) },
-        ::goWith,
+        { address, isAgain -> goal.go(address, isAgain) },
         { opened.now },
         { opened.open(it) },
     )
     private val zoomBar = ZoomBar(scene, ways, link.element)
     private val help = HelpOverlay()
-    private val live = LiveRegion(scene, ::linesShown)
+    private val live = LiveRegion(scene, lines::shown)
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
     private val changes = LogChanges(opening, comparison, compareBar, scene.notice) { difference ->
@@ -164,19 +158,19 @@ internal class LogPage(
         PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
+    private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
     private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }) {
         problems.print(it)
         findings.print(it)
     }
-    private val export = ExportMenu(scene, printing, ::saveCopy) { boardSection.cards }
-    private val nothingFound = element("p", "nothing-found", "Nothing matches. Escape clears the search.")
-
-    private lateinit var content: HTMLElement
-
-    /** What has the keyboard's focus because a link points at it. */
-    private var focusedByLink: Element? = null
+    private val copy = PageCopy(about, scene.notice, comparison, compareBar) { compared, removed ->
+        copyWith(notes.history, layouts.now().toJson(), compared, removed)
+    }
+    private val export = ExportMenu(scene, printing, copy::save) { boardSection.cards }
+    private val content = element("div", "content")
+    private val searched: SearchedParts = SearchedParts(boardSection, folders, findings, noteList, navigation, eventsLink, values, content)
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -204,8 +198,8 @@ internal class LogPage(
         appendChild(boardSection.element)
         add("div", "columns") {
             appendChild(navigation.list)
-            content = add("div", "content") {
-                appendChild(nothingFound)
+            appendChild(content).apply {
+                appendChild(searched.nothingFound)
                 appendChild(folders.element)
                 appendChild(infoSection(view, formulas.logged.recording, about))
             }
@@ -223,7 +217,6 @@ internal class LogPage(
     }
 
     init {
-        nothingFound.isHidden = true
         changes.start()
         board.onChange(values::refresh)
         board.onChange(comparison::followFormulas)
@@ -302,28 +295,6 @@ internal class LogPage(
         zoomBar.repaint()
     }
 
-    private fun filter(query: Query): Hits {
-        boardSection.filter(query)
-        val inFolders = folders.filter(query)
-        val hits = inFolders + Hits(findings = findings.filter(query), notes = noteList.filter(query))
-        nothingFound.isHidden = query.isEmpty || !hits.isEmpty
-        navigation.update(isSearching = !query.isEmpty)
-        eventsLink.update()
-        values.filter(query)
-        // The findings begin above the screen if the page was scrolled before, and below it if there is a board above.
-        val top = content.getBoundingClientRect().top
-        val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
-        if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()
-        return hits
-    }
-
-    /** Returns the lines of the board and the evidence, or, if there is neither, all of the log. */
-    private fun linesShown() = (boardSection.cards + evidence.cards).ifEmpty { folders.cards }.flatMap { it.series }
-
-    private fun allLines() = folders.cards.flatMap { it.series } +
-        scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
-            .filter { it.states != null || it.topic.samples.isNotEmpty() }
-
     private fun beforeFormulas() {
         link.leave()
         search.clear()
@@ -337,35 +308,9 @@ internal class LogPage(
         scene.notice.ask(name, "Compare with this log" to { compareBar.open(logs) }, "Open instead" to { opening.open(logs) })
     }
 
-    private fun saveCopy() {
-        val compared = comparison.files + compareBar.waiting
-        Promise.resolve(Unit).then { copyWith(notes.history, layouts.now().toJson(), compared, comparison.removed) }
-            .then { saveFile(it, about.name.substringBeforeLast('.') + ".html") }
-            .catch { scene.notice.say("This page could not be copied: ${it.message}. Export the log again.") }
-    }
-
     private fun send(said: String) {
         val text = listOfNotNull("${view.title ?: about.name}: $said", link.shared).joinToString("\n")
         sendMoment(scene, text, evidence.cards.map { it::drawOn })
-    }
-
-    private fun goWith(address: PageAddress, isAgain: Boolean) {
-        if (address.board != null && address.finding == null) {
-            boardSection.bringIntoSight()
-        } else {
-            inSight.showAny()
-            address.moment?.let { findings.visitAt(it, address.finding) }
-        }
-        focusOn(address, isAgain)
-    }
-
-    /** Gives the keyboard's focus to what [address] points at, unless somebody has gone on since it was followed. */
-    private fun focusOn(address: PageAddress, isAgain: Boolean) {
-        val isElsewhere = isAgain && document.activeElement.let { it !== document.body && it !== focusedByLink }
-        // A page in a frame leaves the focus to the page around it.
-        if (isElsewhere || window.parent !== window) return
-        if (address.finding == null || !findings.focusCurrent()) inSight.focusAny()
-        focusedByLink = document.activeElement
     }
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {

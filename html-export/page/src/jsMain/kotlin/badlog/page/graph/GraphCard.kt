@@ -5,10 +5,8 @@ import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.MenuEntry
-import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
-import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
@@ -16,19 +14,15 @@ import badlog.page.dom.openMenu
 import badlog.page.dom.showText
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
-import badlog.page.input.PointerListener
-import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.Plane
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
-import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.draw.axis.yParts
 import badlog.viewer.draw.figure.Sheet
 import badlog.viewer.draw.figure.graphHead
-import badlog.viewer.session.gesture.PlotGestures
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.table.CsvDraft
 import badlog.viewer.text.unitText
@@ -75,27 +69,14 @@ internal class GraphCard(
     private lateinit var heading: HTMLElement
     private lateinit var host: HTMLElement
     private lateinit var statisticsButton: HTMLElement
-    private var plot: PlotCanvas? = null
-    private var overlay: CursorOverlay? = null
-    private var resizing: ResizeObserver? = null
     private var statisticsTimer = 0
-    private var shown: GraphContent? = null
     private lateinit var resetButton: HTMLElement
     private lateinit var saveButton: HTMLElement
-    private var pinButton: HTMLElement? = null
-    private var addButton: HTMLElement? = null
+    private var boardButtons: BoardButtons? = null
 
     /** The element for its buttons. */
     lateinit var tools: HTMLElement
         private set
-
-    private val isDrawn get() = plot != null || xy?.canvas != null
-
-    /** Whether the picture is out of date. */
-    private var isStale = false
-
-    /** Whether it was drawn after its cursors were placed. */
-    private var isMisplaced = false
 
     val element: HTMLElement = element("section", "graph card") {
         setAttribute("data-name", graph.name)
@@ -114,11 +95,7 @@ internal class GraphCard(
                 statisticsButton.setAttribute("aria-expanded", "false")
                 saveButton = addIconButton("save-image", Icon.IMAGE, "Export this graph") { offerFiles() }
                 saveButton.setAttribute("aria-haspopup", "menu")
-                if (onLook == null) {
-                    addButton = addIconButton("add-to-graph", Icon.PLUS, "Add to graph…") { addToGraph() }
-                    addButton?.setAttribute("aria-haspopup", "menu")
-                    pinButton = addIconButton("pin", Icon.PIN, "Keep on the board (P)") { pin() }
-                }
+                if (onLook == null) boardButtons = BoardButtons(this, scene) { this@GraphCard.look }
             }
         }
         host = add("div", "plot") {
@@ -130,29 +107,25 @@ internal class GraphCard(
         appendChild(statistics.element.apply { isHidden = true })
     }
 
+    /** What is drawn of it. */
+    val picture: CardPicture = CardPicture(host, scene, xy, { drawn }, { this.look }, ::showY) {
+        legend.update(scene.cursor, scene.xAxis.unit)
+        if (hasStatistics) updateStatisticsSoon()
+    }
+
     init {
         show(look)
         updatePin()
     }
 
-    /** Puts it on the board, or removes it. */
-    fun pin() = scene.board.change { withToggled(look) }
-
-    /** Offers the graphs of the board, so that this one can be added to one of them. */
-    private fun addToGraph() {
-        val button = addButton ?: return
-        val titled = scene.board.now.run { graphs.zip(shortTitles) }
-        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look.lines) }.take(PageBoard.MOST_OFFERED)
-        if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
-        val entries = graphs.map { (other, title) ->
-            MenuEntry("Add to “$title”") { scene.board.change { withLines(other.id, look.lines) } }
-        }
-        openMenu(button, element.parentElement.unsafeCast<HTMLElement>(), entries)
+    /** Puts it on the board, or removes it from there. */
+    fun pin() {
+        boardButtons?.togglePin()
     }
 
     /** Updates the button that shows whether it is on the board. */
     fun updatePin() {
-        pinButton?.setAttribute("aria-pressed", scene.board.now.has(look).toString())
+        boardButtons?.update()
     }
 
     /** Shows it with the settings [wanted]. */
@@ -170,7 +143,7 @@ internal class GraphCard(
 
     /** Zooms y to [part] of what is shown now, as fractions from the top; null for all of it. */
     fun showY(part: Span?) {
-        val parts = if (part == null) emptyList() else yParts(shown?.plot?.axes.orEmpty().map { it.shown }, part)
+        val parts = if (part == null) emptyList() else yParts(picture.axes.map { it.shown }, part)
         if (parts.isNotEmpty()) {
             change(look.copy(yRange = parts[0], rightYRange = parts.getOrNull(1), sharesY = false))
         } else if (!resetButton.isHidden) {
@@ -205,122 +178,37 @@ internal class GraphCard(
     /** Gives it the keyboard focus where it is; nothing scrolls. */
     fun focusInPlace() = host.focusInPlace()
 
-    /** The width available for drawing it, in CSS pixels. */
-    val room: Int get() = host.clientWidth
-
-    /** If it is not drawn, creates its picture, [width] CSS pixels wide. Call [refresh] and [placeCursors] afterwards. */
-    fun approach(width: Int = room) {
-        if (isDrawn || width == 0) return
-        if (xy != null && !xy.isEmpty) {
-            xy.start(host)
-            resizing = ResizeObserver { if (room != width) repaint() }.also { it.observe(host) }
-            return
-        }
-        if (series.all { series -> series.data.y.all { it.isNaN() } }) {
-            showEmpty()
-            return
-        }
-        val content = newContent()
-        host.textContent = ""
-        host.style.height = "${content.height}px"
-        val canvas = PlotCanvas(scene, content, host, width)
-        host.addName(scene.xAxis.title, "x-title").title = scene.xAxis.title
-        val target = GraphTarget(canvas.over, scene, lineShare = if (graph.showsStates) 0.0 else 1.0, ::showY)
-        PointerListener(canvas.over, PlotGestures(target))
-        overlay = CursorOverlay(drawn.colors, scene, content, canvas)
-        plot = canvas
-        shown = content
-        isStale = true
-        legend.update(scene.cursor, scene.xAxis.unit)
-        if (!statistics.element.isHidden) updateStatisticsSoon()
-        resizing = ResizeObserver {
-            canvas.resize(host.clientWidth)
-            overlay?.update()
-        }.also { it.observe(host) }
-    }
-
-    private fun newContent() = GraphContent(drawn, scene) { look }
-
     /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }
         sheet.graphHead(title, graph.titleUnit, paths?.legendOnSheet ?: legend.shown(hasColors = !graph.showsStates))
-        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, newContent(), scene)
-    }
-
-    /** Releases the resources for drawing. */
-    fun leave() {
-        if (xy?.canvas != null) {
-            resizing?.disconnect()
-            xy.leave(host)
-        }
-        if (plot == null) return
-        // Keeps its height, so that the page does not move below the reader.
-        host.style.height = "${host.clientHeight}px"
-        resizing?.disconnect()
-        host.textContent = ""
-        plot = null
-        shown = null
-        overlay = null
+        if (paths != null) paths.drawOn(sheet) else drawGraphPlot(sheet, picture.newContent(), scene)
     }
 
     /** Draws the graph again with the current colors. */
     fun repaint() {
-        if (!isDrawn) return
-        leave()
-        approach()
-        redraw()
+        if (!picture.isDrawn) return
+        picture.repaint()
+        statistics.repaint()
     }
-
-    /** Whether part of it is on the screen. */
-    val isOnScreen: Boolean
-        get() {
-            if (!isDrawn) return false
-            val box = host.getBoundingClientRect()
-            return box.bottom > 0 && box.top < window.innerHeight
-        }
 
     /** Marks it as out of date because the visible range has changed. */
     fun outdate() {
-        isStale = isDrawn
-        if (!statistics.element.isHidden) updateStatisticsSoon()
-    }
-
-    /** Draws what is visible now, unless it is up to date. */
-    fun refresh() {
-        if (!isStale) return
-        isStale = false
-        isMisplaced = true
-        xy?.draw()
-        plot?.redraw()
-    }
-
-    /** Puts the cursors at their places in the drawn picture. */
-    fun placeCursors() {
-        if (isMisplaced) overlay?.update()
-        isMisplaced = false
+        picture.outdate()
+        if (hasStatistics) updateStatisticsSoon()
     }
 
     /** Shows the cursor and the values at it. */
     fun updateCursor() {
-        if (!statistics.element.isHidden && statistics.isOutdated) updateStatisticsSoon()
-        xy?.updateCursor()
-        overlay?.update() ?: return
-        legend.update(scene.cursor, scene.xAxis.unit)
+        if (hasStatistics && statistics.isOutdated) updateStatisticsSoon()
+        if (picture.updateCursor()) legend.update(scene.cursor, scene.xAxis.unit)
     }
 
     /** Redraws it if it is drawn. */
     fun redraw() {
-        isStale = true
-        refresh()
-        placeCursors()
+        picture.redraw()
         statistics.repaint()
-    }
-
-    private fun showEmpty() {
-        element.classList.add("is-empty")
-        host.textContent = "No data"
     }
 
     val hasStatistics: Boolean get() = !statistics.element.isHidden

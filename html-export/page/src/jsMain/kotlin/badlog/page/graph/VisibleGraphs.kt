@@ -90,19 +90,19 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     private fun meet(cards: List<GraphCard>) {
         // Reads all widths before anything is drawn: after each write, reading one makes the browser lay out the page.
-        val widths = cards.map { it.room }
+        val widths = cards.map { it.picture.room }
         cards.forEachIndexed { i, card ->
             near += card
-            card.approach(widths[i])
+            card.picture.approach(widths[i])
             card.updatePin()
         }
         draw(cards)
     }
 
     private fun draw(cards: Collection<GraphCard>) {
-        for (card in cards) card.refresh()
+        for (card in cards) card.picture.refresh()
         // Last, because after each write to the page, the browser recalculates its style for the first text that is drawn.
-        for (card in cards) card.placeCursors()
+        for (card in cards) card.picture.placeCursors()
     }
 
     /** Redraws when the window moves to a screen of another density, or is zoomed. */
@@ -117,13 +117,13 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     private fun part(card: GraphCard) {
         near -= card
-        card.leave()
+        card.picture.leave()
     }
 
     private fun drawZoom() {
         val begin = window.performance.now()
         for (card in near) card.outdate()
-        draw(near.filter { it.isOnScreen })
+        draw(near.filter { it.picture.isOnScreen })
         window.performance.asDynamic().measure("badlog-zoom", json("start" to zoomedAt))
         window.performance.asDynamic().measure("badlog-zoom-script", json("start" to begin))
         document.documentElement?.setAttribute("data-zoomed", (++zooms).toString())

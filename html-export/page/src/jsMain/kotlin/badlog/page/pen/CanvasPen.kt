@@ -158,7 +158,7 @@ internal class CanvasPen(private val context: CanvasRenderingContext2D) : Pen {
     }
 
     private fun setFont(letters: Double, isBold: Boolean) {
-        val wanted = "${if (isBold) "600 " else ""}${letters}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"
+        val wanted = "${if (isBold) "bold " else ""}${letters}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"
         // For each new font, a browser works out the style of the page.
         if (wanted != font) context.font = wanted
         font = wanted

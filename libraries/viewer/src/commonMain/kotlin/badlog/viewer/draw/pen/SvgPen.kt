@@ -85,7 +85,7 @@ class SvgPen(
             TextSide.RIGHT -> ""
         }
         val place = "<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" " +
-            "font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"600\"" else ""}"
+            "font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"bold\"" else ""}"
         val written = "$clipping>${xmlOf(text)}</text>"
         // Below the letters: only browsers know the property that puts a text's own outline there.
         if (halo != null) {

@@ -96,7 +96,7 @@ class SvgPenSpec : FunSpec({
 
     test("a text is beside its place, around the middle of its letters") {
         val svg = drawn { text("A", 5.0, 3.0, letters = 10.0, BLUE, TextSide.LEFT, isBold = true) }
-        svg shouldBe "<text x=\"5\" y=\"6.5\" font-size=\"10\" text-anchor=\"end\" font-weight=\"600\" fill=\"#0000ff\">A</text>"
+        svg shouldBe "<text x=\"5\" y=\"6.5\" font-size=\"10\" text-anchor=\"end\" font-weight=\"bold\" fill=\"#0000ff\">A</text>"
     }
 
     test("no text can leave its element, or make a document that is not XML") {

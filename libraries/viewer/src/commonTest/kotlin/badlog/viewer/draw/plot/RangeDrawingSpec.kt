@@ -21,8 +21,7 @@ class RangeDrawingSpec : FunSpec({
     fun drawn(draw: SvgPen.() -> Unit): List<String> = SvgPen({ text, letters, _ -> text.length * letters / 2 }).apply(draw)
         .document(200.0, 40.0, colors[Shade.SURFACE]).trim().removeSuffix("</svg>").split("<").drop(3).map { "<$it" }.filter { it != "</text>" }
 
-    fun finding(vararg spans: Span) =
-        Finding("Brownout", Severity.ERROR, topic = null, "It browned out.", time = 4.0, spans.toList(), spans.size, timeUnit = "s")
+    fun finding(vararg spans: Span) = Finding("Brownout", Severity.ERROR, topic = null, "It browned out.", time = 4.0, spans.toList(), spans.size, timeUnit = "s")
 
     test("a selection is a band between those of its edges that are visible") {
         drawn { drawSelection(frame, Span(5.0, 20.0), colors) } shouldContainExactly listOf(

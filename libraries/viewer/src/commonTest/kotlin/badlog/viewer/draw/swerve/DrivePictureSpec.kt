@@ -34,7 +34,7 @@ class DrivePictureSpec : FunSpec({
 
     test("three modules without targets: a solid arrow for each, two in front and one behind; to the left is to the left") {
         fun signAt(x: String, y: String, sign: String): List<String> {
-            val text = """<text x="$x" y="$y" font-size="11" text-anchor="middle" font-weight="600""""
+            val text = """<text x="$x" y="$y" font-size="11" text-anchor="middle" font-weight="bold""""
             return listOf(
                 """$text aria-hidden="true" fill="none" stroke="#f0f2f5" stroke-width="3" stroke-linejoin="round">$sign""",
                 """$text fill="#1b2330">$sign""",

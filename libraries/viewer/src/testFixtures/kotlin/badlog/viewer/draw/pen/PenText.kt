@@ -44,7 +44,7 @@ class PenText(
         const val TEXT = "nearer means sooner"
         const val LETTERS = 16.0
         const val MIDDLE = 50.0
-        const val CLIP_RIGHT = 80.0
+        const val CLIP_RIGHT = 100.0
         const val BLACK = 0xFF shl 24
 
         /** How far the outline of a halo reaches. */

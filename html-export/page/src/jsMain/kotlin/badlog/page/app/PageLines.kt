@@ -1,0 +1,21 @@
+package badlog.page.app
+
+import badlog.core.analysis.GraphSeries
+import badlog.page.graph.GraphCard
+import badlog.page.view.Scene
+
+/**
+ * The lines of the page's graphs.
+ *
+ * @param chosen returns the graphs of the board and the evidence.
+ * @param folders returns those of the folders.
+ */
+internal class PageLines(private val scene: Scene, private val chosen: () -> List<GraphCard>, private val folders: () -> List<GraphCard>) {
+    /** Returns the lines of the board and the evidence, or, if there is neither, those of the folders. */
+    fun shown(): List<GraphSeries> = chosen().ifEmpty(folders).flatMap { it.series }
+
+    /** Returns the lines of the folders, and of all topics that have any value. */
+    fun all(): List<GraphSeries> = folders().flatMap { it.series } +
+        scene.view.recording.topics.filter { it !== scene.xAxis.topic }.map(scene.view::seriesOf)
+            .filter { it.states != null || it.topic.samples.isNotEmpty() }
+}
