@@ -48,7 +48,7 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
-        "numbers" to arrayOf(numbers.names, numbers.values),
+        "figures" to arrayOf(numbers.names, numbers.values),
     )
 
     /** Returns [log] with what [message] says of it. */
@@ -70,7 +70,7 @@ internal object SummaryMessage {
             topics = topicsIn(message),
         )
         val found = if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null
-        val (names, values) = message.numbers.unsafeCast<Array<String>>()
+        val (names, values) = message.figures.unsafeCast<Array<String>>()
         return log.with(summary, found, reader.read(LogNumbersText(names, values)))
     }
 
