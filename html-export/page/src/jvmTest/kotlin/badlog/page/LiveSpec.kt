@@ -67,7 +67,7 @@ internal class LiveSpec : PageSpec({
         }
     }
 
-    /** The same with a log of 10 s in the folder [name], to which its robot goes on writing when it is told to. */
+    /** The same with a log of 10 s in the folder [name], which grows when the test lets its robot write. */
     fun onRunningLog(
         name: String,
         options: LogServerOptions = LogServerOptions(),

@@ -48,6 +48,7 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
+        // The name under which browsers have kept them; “numbers” are those of the topics.
         "figures" to arrayOf(numbers.names, numbers.values),
     )
 
