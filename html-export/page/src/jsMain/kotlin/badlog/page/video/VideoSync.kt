@@ -34,6 +34,10 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     /** Whether the frame is being found out that the video shows after a pause. */
     private var isSettling = false
 
+    /** Whether the video ended before that: it goes back to its end then, because only from there does it play again from its start. */
+    private var isAtEnd = false
+    private var isReturning = false
+
     /** Whether the browser does not report which frame is shown after a seek. */
     private var isSilent = false
     private val isStale get() = abs(frame - video.currentTime) > FAR
@@ -71,7 +75,8 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             next = Double.NaN
             window.clearTimeout(timer)
             if (!isSettling) waits = 0
-            if (!wanted.isNaN()) seek(wanted) else await()
+            if (!wanted.isNaN()) seek(wanted) else if (!isReturning) await()
+            isReturning = false
         }
         if (video.asDynamic().requestVideoFrameCallback == null) on("timeupdate") { show(video.currentTime) } else watch()
     }
@@ -90,27 +95,27 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     }
 
     /**
-     * Finds out which frame the video shows where it was paused: a busy browser may not have reported it, and does so after a seek, unless
-     * that is to the very same moment, or comes while the video is still being paused. A seek at the end would keep the reader from playing
-     * the video again from its start.
+     * Finds out which frame the video shows where it was paused or ended: a busy browser may not have reported it, and does so after a seek,
+     * unless that is to the very same moment, or comes while the video is still being paused.
      */
     private fun settle() {
         if (!video.paused || video.seeking || !next.isNaN()) return
         isLed = false
-        if (!video.ended) {
-            isSettling = true
-            waits = 0
-            seek(video.currentTime + LITTLE)
-        } else if (video.duration - frame > clock.frameSeconds * 2) {
-            show(video.duration - clock.frameSeconds)
-        }
+        isSettling = true
+        isAtEnd = video.ended
+        waits = 0
+        nudge()
     }
+
+    /** Seeks to where the video is, as exactly as makes a seek: where it ended is its duration, whatever the browser says of the time. */
+    private fun nudge() = seek(if (isAtEnd) video.duration - (waits + 1) * LITTLE else video.currentTime + LITTLE)
 
     /** Shows the frame [count] after the displayed one, or before it if negative. */
     fun step(count: Int) {
         video.pause()
         isLed = false
         isSettling = false
+        isAtEnd = false
         window.clearTimeout(timer)
         if (steps == 0) from = if (isStale) video.currentTime else frame
         steps += count
@@ -144,7 +149,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private fun arrive() {
         if (video.seeking || !video.paused) return
         val isLate = !isSure && ++waits < MAX_WAITS
-        if (isLate && isSettling) return seek(video.currentTime + LITTLE)
+        if (isLate && isSettling) return nudge()
         if (isStale || (!isReported && !isLate)) isSilent = true
         val tried = clock.frameSeconds
         if (isSilent) {
@@ -156,11 +161,21 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             if (clock.frameSeconds > tried) return seek(clock.step(from, steps))
         }
         steps = 0
+        if (isAtEnd) returnToEnd()
+    }
+
+    /** Which frame the video shows at its end is known already. */
+    private fun returnToEnd() {
+        isAtEnd = false
+        isOwnSeek = true
+        isReturning = true
+        video.currentTime = video.duration
     }
 
     private fun leave() {
         isLed = false
         isSettling = false
+        isAtEnd = false
         steps = 0
         from = Double.NaN
     }
