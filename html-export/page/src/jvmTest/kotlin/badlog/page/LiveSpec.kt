@@ -6,90 +6,20 @@ import badlog.formats.driverstation.TestDslog
 import badlog.web.LogServerOptions
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
-import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 import java.io.InputStream
 import java.net.URI
-import java.nio.file.Files
-import java.nio.file.Path
-import java.util.concurrent.atomic.AtomicBoolean
 import java.util.function.BooleanSupplier
-import kotlin.concurrent.thread
 import kotlin.io.path.appendBytes
 import kotlin.io.path.appendText
-import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** A log that is followed while a robot writes it. */
-internal class LiveSpec : PageSpec({
-    val temporary by lazy { Files.createTempDirectory("badlog-live") }
-
-    afterSpec { temporary.toFile().deleteRecursively() }
-
-    fun logs(name: String): Path = (temporary / name / "logs").createDirectories()
-
-    /** Waits until the page has asked for what is new in the log, and got something, since [clearAsked]; and has asked [more] times since then. */
-    fun OpenPage.awaitFetched(more: Int) = await("what is new to be fetched") {
-        val sizes = "performance.getEntriesByType('resource').map(e => e.decodedBodySize)"
-        number("const all = $sizes; const at = all.findIndex(size => size > 1); return at < 0 ? -1 : all.length - at - 1") >= more
-    }
-
-    fun OpenPage.clearAsked() = script("performance.clearResourceTimings()")
-
-    fun OpenPage.isLive() = script("return document.querySelector('#live').getAttribute('aria-pressed') === 'true'") as Boolean
-
-    fun OpenPage.awaitReady() {
-        await("the log") { texts(".page-title h1").size == 1 && state == "ready" }
-        await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
-    }
-
-    fun OpenPage.openRunning() {
-        await("the list") { elements(".log-table").isNotEmpty() }
-        elements("[data-column='FILE'] button").first { "running" in it.text }.click()
-        awaitReady()
-    }
-
-    /** Opens the log “running” in [folder], as a robot serves it, and does [test]. */
-    fun onLogIn(
-        folder: Path,
-        options: LogServerOptions = LogServerOptions(),
-        screen: Screen = Screen.WIDE,
-        says: List<String> = emptyList(),
-        test: OpenPage.() -> Unit,
-    ) = withRobot(folder, options) { address ->
-        onServedPage(address, screen, says = says) {
-            openRunning()
-            test()
-        }
-    }
-
-    /** The same with a log of 10 s in the folder [name], which grows when the test lets its robot write. */
-    fun onRunningLog(
-        name: String,
-        options: LogServerOptions = LogServerOptions(),
-        screen: Screen = Screen.WIDE,
-        says: List<String> = emptyList(),
-        test: OpenPage.(WritingRobot) -> Unit,
-    ) {
-        val robot = WritingRobot(logs(name) / "running.bag").apply { write(500) }
-        onLogIn(robot.file.parent, options, screen, says) { test(robot) }
-    }
-
-    /** The same; the page follows the log. */
-    fun onFollowedLog(
-        name: String,
-        options: LogServerOptions = LogServerOptions(),
-        says: List<String> = emptyList(),
-        test: OpenPage.(WritingRobot) -> Unit,
-    ) = onRunningLog(name, options, says = says) { robot ->
-        element("#live").click()
-        test(robot)
-    }
-
+internal class LiveSpec : RunningLogSpec({
     browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
         onRunningLog("follow", screen = Screen.PHONE) { robot ->
             visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
@@ -345,39 +275,6 @@ internal class LiveSpec : PageSpec({
                 await("15 s") { visibleRange.endInclusive > 14.9 }
                 isLive() shouldBe true
             }
-        }
-    }
-
-    browserTest("50 topics at 50 Hz: measured, and printed") {
-        onFollowedLog("speed") { robot ->
-            script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
-            val began = System.nanoTime()
-            val isOver = AtomicBoolean()
-            val writing = thread {
-                while (!isOver.get()) {
-                    robot.write(1)
-                    Thread.sleep(20)
-                }
-            }
-            // Each row's time from the disk to the screen.
-            val late = ArrayList<Double>()
-            var shown = robot.rows - 1
-            while (System.nanoTime() - began < 15_000_000_000) {
-                val last = script("const m = document.querySelector('.range-readout')?.textContent.match(/– (-?[\\d.]+)/); return m ? Number(m[1]) : null")
-                    ?.let { Math.round((it as Number).toDouble() * 50).toInt() } ?: continue
-                val now = System.nanoTime()
-                while (shown < last) late += (now - robot.writtenAt(++shown)) / 1e9
-            }
-            isOver.set(true)
-            writing.join()
-            val seconds = (System.nanoTime() - began) / 1e9
-            // With all headers.
-            val bits = number("return performance.getEntriesByType('resource').reduce((sum, e) => sum + e.transferSize, 0)") * 8 / seconds / 1e6
-            late.sort()
-            println("Live: ${late.size} rows, median %.2f s, 90th percentile %.2f s, worst %.2f s; %.2f Mbit/s".format(late[late.size / 2], late[late.size * 9 / 10], late.last(), bits))
-            bits shouldBeLessThan 0.3
-            // On a quiet machine half a second; tests run beside others.
-            late[late.size / 2] shouldBeLessThan 3.0
         }
     }
 })

@@ -2,7 +2,7 @@ package badlog.catalog.examine
 
 import badlog.catalog.store.BatterySerializer
 import badlog.catalog.store.FindingSerializer
-import badlog.catalog.store.Shared
+import badlog.catalog.store.RepeatedText
 import badlog.rules.Finding
 import badlog.rules.number.LogNumbers
 import badlog.rules.number.LogNumbersReader
@@ -10,7 +10,6 @@ import badlog.rules.number.LogNumbersText
 import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.builtins.ListSerializer
 
 /**
  * What rules say of a log, as it is stored.
@@ -38,13 +37,13 @@ class ExaminedLog(
         @Serializable(with = FindingSerializer::class)
         Finding,
         >,
-    @Serializable(with = RuleOutcomesSerializer::class)
     val asked: List<RuleOutcome>,
     val unreadable: String?,
     val isNoLog: Boolean = false,
     val isSalvaged: Boolean = false,
     val undefined: List<UndefinedTopic> = emptyList(),
     val matchType: String? = null,
+    @Serializable(with = RepeatedText::class)
     val numberNames: String = "",
     val numberValues: String = "",
     val numberDistributions: String = "",
@@ -63,7 +62,9 @@ class ExaminedLog(
 
 /** The outcome of [rule] for a log: why it was skipped, what seems to be wrong with it, and which signal the log lacks; all null if it ran. */
 @Serializable
-data class RuleOutcome(val rule: String, val refusal: String? = null, val mistake: String? = null, val lacking: String? = null)
-
-/** The outcomes of all rules are usually the same for all logs of a team. */
-internal object RuleOutcomesSerializer : Shared<List<RuleOutcome>>(ListSerializer(RuleOutcome.serializer()))
+data class RuleOutcome(
+    @Serializable(with = RepeatedText::class) val rule: String,
+    @Serializable(with = RepeatedText::class) val refusal: String? = null,
+    @Serializable(with = RepeatedText::class) val mistake: String? = null,
+    @Serializable(with = RepeatedText::class) val lacking: String? = null,
+)

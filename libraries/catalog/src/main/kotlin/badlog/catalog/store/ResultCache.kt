@@ -1,14 +1,17 @@
 package badlog.catalog.store
 
 import badlog.files.LogFile
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.protobuf.ProtoBuf
 import java.io.IOException
-import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.util.zip.CRC32
+import java.util.zip.GZIPInputStream
+import java.util.zip.GZIPOutputStream
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
@@ -24,6 +27,7 @@ class CachedResult<out R>(val result: R, val isLasting: Boolean)
  * different file.
  * @param pause the time that [saveNowAndThen] waits between saves.
  */
+@OptIn(ExperimentalSerializationApi::class)
 class ResultCache<R : Any>(
     private val folder: Path,
     question: String,
@@ -31,7 +35,7 @@ class ResultCache<R : Any>(
     private val pause: Duration = DEFAULT_PAUSE,
 ) {
     private val asked = "$VERSION\n$question"
-    private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it, 0).toString(HEX)}-${it.size}$SUFFIX") }
+    private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it).toString(HEX)}-${it.size}$SUFFIX") }
     private val serializer = Kept.serializer(results)
     private val known = LinkedHashMap<String, Entry<R>>()
 
@@ -87,13 +91,10 @@ class ResultCache<R : Any>(
         while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
-            val body = CompactWriter().write(serializer, Kept(asked, known.values.toList()))
+            val body = ProtoBuf.encodeToByteArray(serializer, Kept(asked, known.values.toList()))
             val draft = Files.createTempFile(folder, PREFIX, ".draft")
             try {
-                Files.newOutputStream(draft).use {
-                    it.write(ByteBuffer.allocate(CHECK_BYTES).putLong(checkOf(body, 0)).array())
-                    it.write(body)
-                }
+                GZIPOutputStream(Files.newOutputStream(draft)).use { it.write(body) }
                 Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
             } finally {
                 Files.deleteIfExists(draft)
@@ -121,10 +122,10 @@ class ResultCache<R : Any>(
     }
 
     private fun read(): List<Entry<R>> {
-        if (Files.notExists(file) || Files.size(file) > MAX_BYTES) return emptyList()
-        val bytes = Files.readAllBytes(file)
-        if (bytes.size < CHECK_BYTES || ByteBuffer.wrap(bytes).getLong() != checkOf(bytes, CHECK_BYTES)) return emptyList()
-        val kept = CompactReader(bytes, CHECK_BYTES).read(serializer)
+        if (Files.notExists(file)) return emptyList()
+        val bytes = GZIPInputStream(Files.newInputStream(file)).use { it.readNBytes(MAX_BYTES + 1) }
+        if (bytes.size > MAX_BYTES) return emptyList()
+        val kept = ProtoBuf.decodeFromByteArray(serializer, bytes)
         return if (kept.asked == asked) kept.entries else emptyList()
     }
 
@@ -136,18 +137,16 @@ class ResultCache<R : Any>(
 
     private companion object {
         /** Increase it if the same file and question may have a different result than before. */
-        const val VERSION = 20
+        const val VERSION = 21
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"
         const val HEX = 16
-        const val CHECK_BYTES = 8
         const val MAX_FILES = 20_000
-        const val MAX_BYTES = 1L shl 28
+        const val MAX_BYTES = 1 shl 28
         const val MAX_QUESTIONS = 100
         fun keyOf(file: LogFile) = file.path.toAbsolutePath().normalize().toString()
 
-        /** Reveals damage. */
-        fun checkOf(bytes: ByteArray, from: Int): Long = CRC32().apply { update(bytes, from, bytes.size - from) }.value
+        fun checkOf(bytes: ByteArray): Long = CRC32().apply { update(bytes) }.value
     }
 }

@@ -92,8 +92,8 @@ private class StoredSummary(
 
 @Serializable
 private class StoredTopic(
-    val name: String,
-    val unit: String,
+    @Serializable(with = RepeatedText::class) val name: String,
+    @Serializable(with = RepeatedText::class) val unit: String,
     val kind: TopicKind,
     val count: Int,
     val gaps: Int,

@@ -4,10 +4,9 @@ import badlog.files.LogFile
 import badlog.files.windows.WindowsFiles
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.collections.shouldBeIn
 import io.kotest.matchers.shouldBe
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.builtins.ListSerializer
 import kotlinx.serialization.builtins.serializer
 import java.nio.file.Files
 import java.nio.file.Path
@@ -20,25 +19,23 @@ private enum class Color { RED, BLUE }
 @Serializable
 private sealed interface Shape {
     @Serializable
-    class Round(val radius: Double) : Shape
+    data class Round(val radius: Double) : Shape
 
     @Serializable
-    object None : Shape
+    data object None : Shape
 }
 
 @Serializable
-private data class Names(val of: String, val names: List<String?>, val more: Pair<Int, Long> = 1 to 2L)
-
-private object NamesSerializer : Shared<Names>(Names.serializer())
+private data class Names(val of: String, val names: List<String>, val more: Pair<Int, Long> = 1 to 2L)
 
 @Serializable
-private class Kept(
+private data class Kept(
     val text: String?,
     val number: Double,
     val color: Color,
     val isTrue: Boolean,
     val shapes: List<Shape>,
-    @Serializable(with = NamesSerializer::class) val names: Names,
+    val names: Names,
 )
 
 class ResultCacheSpec : FunSpec({
@@ -57,25 +54,23 @@ class ResultCacheSpec : FunSpec({
         }
     }
 
-    test("stored results come back, and equal ones are stored once") {
-        val serializer = ListSerializer(Kept.serializer())
-        val names = Names("x".repeat(5000), List(500) { if (it == 7) null else "name $it" }, -5 to Long.MIN_VALUE)
-        fun kept(i: Int) = Kept("ä $i".takeIf { i > 0 }, i / 3.0, Color.BLUE, i % 2 == 0, listOf(Shape.Round(Double.NaN), Shape.None), names.copy())
-        val one = CompactWriter().write(serializer, listOf(kept(0)))
-        val all = CompactWriter().write(serializer, List(1000, ::kept))
-        (all.size - one.size) shouldBeLessThan 50 * 1000
-        val read = CompactReader(byteArrayOf(1, 2) + all, 2).read(serializer)
-        read.size shouldBe 1000
-        read.forEachIndexed { i, kept ->
-            kept.text shouldBe kept(i).text
-            kept.number shouldBe i / 3.0
-            kept.color shouldBe Color.BLUE
-            kept.isTrue shouldBe (i % 2 == 0)
-            (kept.shapes[0] as Shape.Round).radius.isNaN() shouldBe true
-            kept.shapes[1] shouldBe Shape.None
-            kept.names shouldBe names
-            (kept.names === read[0].names) shouldBe true
+    test("stored results come back, whatever they consist of") {
+        val folder = tempdir().toPath()
+        fun cache() = ResultCache(folder, "q", Kept.serializer())
+        val files = List(1000) { LogFile(Path.of("$it.bag"), 10, 20) }
+        fun kept(i: Int) = Kept(
+            "ä $i".takeIf { i > 0 },
+            if (i == 1) Double.NaN else i / 3.0,
+            Color.BLUE,
+            i % 2 == 0,
+            listOf(Shape.Round(Double.NaN), Shape.None).take(i),
+            Names("x".repeat(i), List(i % 7) { "name $it" }, -i to Long.MIN_VALUE),
+        )
+        cache().run {
+            files.forEachIndexed { i, file -> set(file, kept(i)) }
+            save()
         }
+        cache().run { files.forEachIndexed { i, file -> get(file) shouldBe kept(i) } }
     }
 
     test("a damaged cache, and one of another question, are ignored") {
@@ -88,7 +83,8 @@ class ResultCacheSpec : FunSpec({
         val whole = Files.readAllBytes(kept)
         for (place in whole.indices) {
             Files.write(kept, whole.copyOf().also { it[place] = (it[place] + 1).toByte() })
-            cacheIn(folder, Duration.ZERO)[file] shouldBe null
+            // A few bytes say nothing, such as which system packed it.
+            cacheIn(folder, Duration.ZERO)[file] shouldBeIn listOf(null, "found")
         }
         for (size in whole.indices) {
             Files.write(kept, whole.copyOf(size))

@@ -1,0 +1,17 @@
+package badlog.catalog.store
+
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.descriptors.PrimitiveKind
+import kotlinx.serialization.descriptors.PrimitiveSerialDescriptor
+import kotlinx.serialization.descriptors.SerialDescriptor
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
+
+/** A text that most logs of a team have, such as the name of a topic: it is in memory once, however many logs were read. */
+internal object RepeatedText : KSerializer<String> {
+    override val descriptor: SerialDescriptor = PrimitiveSerialDescriptor("badlog.RepeatedText", PrimitiveKind.STRING)
+
+    override fun serialize(encoder: Encoder, value: String) = encoder.encodeString(value)
+
+    override fun deserialize(decoder: Decoder): String = decoder.decodeString().intern()
+}
