@@ -25,7 +25,7 @@ internal class DerivedGraphSpec : PageSpec({
 
     fun OpenPage.unitOf(title: String) = partOf(title, ".graph-unit")
 
-    browserTest("derivative and delta are those worked out by hand, and each has its unit") {
+    browserTest("derivative, delta and integral are those worked out by hand, read at their own samples, and each has its unit") {
         onPage(derived) {
             unitOf("[ Position Derivative ]") shouldBe "m/s"
             unitOf("[ Position Delta ]") shouldBe "m"
@@ -35,11 +35,6 @@ internal class DerivedGraphSpec : PageSpec({
                 valueOf("[ Position Derivative ]") shouldBe slope
                 valueOf("[ Position Delta ]") shouldBe slope
             }
-        }
-    }
-
-    browserTest("the integral is read at the samples that close its parts") {
-        onPage(derived) {
             graph("Arm/Position").scrollTo().hover(0.001)
             val sums = List(4) { step ->
                 if (step > 0) press(Keys.ARROW_RIGHT)
@@ -67,7 +62,7 @@ internal class DerivedGraphSpec : PageSpec({
         return drawn.first().toDouble() / rows.size to drawn.last().toDouble() / rows.size
     }
 
-    browserTest("zero puts 0 on the y axis, and nothing else does") {
+    browserTest("zero puts 0 on the y axis, and nothing else does; area fills what is below the line") {
         onPage(shapes) {
             val (plainTop, plainBottom) = heights("Plain")
             plainTop shouldBe (0.06 plusOrMinus 0.06)
@@ -76,28 +71,8 @@ internal class DerivedGraphSpec : PageSpec({
             zeroTop shouldBe (0.06 plusOrMinus 0.04)
             // 100 of 110 V.
             (1 - zeroBottom) / (1 - zeroTop) shouldBe (100.0 / 110 plusOrMinus 0.03)
-        }
-    }
-
-    browserTest("area fills what is below the line") {
-        onPage(shapes) {
             graph("Area").picture.opacityAt(0.53, 0.53) shouldBeGreaterThan graph("Zero").picture.opacityAt(0.53, 0.53)
             graph("Zero").picture.opacityAt(0.53, 0.53) shouldBe 0
-        }
-    }
-
-    browserTest("a graph that several topics join has a line for each, and its own name in brackets") {
-        val topics = listOf(
-            TIME,
-            BagTopic("Arm/Angle", "deg", listOf("join:Arm/Tracking")),
-            BagTopic("Arm/Setpoint", "deg", listOf("hide", "join:Arm/Tracking")),
-        )
-        onPage(TestPages.of(bagOf(topics, 11) { row, column -> row * 10.0 / (column + 1) })) {
-            graphNames shouldBe listOf("Arm/Angle", "Arm/Tracking")
-            texts(".graph-title") shouldBe listOf("Angle", "[ Tracking ]")
-            graph("Arm/Tracking").hover(0.5)
-            graph("Arm/Tracking").value("Angle") shouldBe "25"
-            graph("Arm/Tracking").value("Setpoint") shouldBe "16.667"
         }
     }
 })

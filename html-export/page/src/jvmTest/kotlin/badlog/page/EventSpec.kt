@@ -4,7 +4,6 @@ import badlog.core.bag.BagTopic
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
-import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 
@@ -29,10 +28,15 @@ internal class EventSpec : PageSpec({
         return columns.subList(middle - 6, middle + 6).sum()
     }
 
-    browserTest("events are listed with their times, in order") {
+    browserTest("events are listed with their times, in order, and the bar names the last one before the cursor") {
         onPage(page) {
             texts(".event td.event-time").map { it.toDouble() } shouldBe listOf(1.5, 8.0)
             texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
+            graph("Angle").hover(0.9)
+            texts(".event-readout").single() shouldBe "8.000  brownout"
+            // Less than a mark's width before the second one, which has not happened yet.
+            graph("Angle").hover(0.797)
+            texts(".event-readout").single() shouldBe "1.500  autonomous"
         }
     }
 
@@ -54,7 +58,7 @@ internal class EventSpec : PageSpec({
         }
     }
 
-    browserTest("a click on an event moves the cursor there, and the view where it was out of sight") {
+    browserTest("a click on an event moves the cursor there, and the view where it was out of sight; it can be zoomed to") {
         onPage(page) {
             graph("Angle").drag(0.0, 0.4)
             elements(".event")[1].click()
@@ -66,33 +70,11 @@ internal class EventSpec : PageSpec({
             1.5 shouldBeIn visibleRange
             click("#back")
             8.0 shouldBeIn visibleRange
-        }
-    }
-
-    browserTest("an event can be zoomed to") {
-        onPage(page) {
             act { moveToElement(elements(".event")[1]) }
             elements(".event-zoom")[1].click()
             settle()
             8.0 shouldBeIn visibleRange
             visibleRange.endInclusive - visibleRange.start shouldBe (1.0 plusOrMinus 0.7)
-        }
-    }
-
-    browserTest("an error in a crowd of events keeps its mark") {
-        val topics = listOf(TIME, BagTopic("Angle"), BagTopic("Log", attributes = listOf("log")))
-        val bag = bagOf(topics, 1001) { row, column ->
-            when (column) {
-                0 -> row / 100.0
-                1 -> 0
-                else -> (if (row == 503) "ERROR: brownout" else "chatter").takeIf { row in 480..520 }
-            }
-        }
-        onPage(TestPages.of(bag)) {
-            val columns = graph("Angle").picture.columnsOf(color("--event"))
-            val error = (columns.size * 0.503).toInt()
-            columns.subList(error - 1, error + 2).max() shouldBeGreaterThan 20
-            columns.subList(error - 8, error - 4).max() shouldBeLessThan 10
         }
     }
 
@@ -105,22 +87,6 @@ internal class EventSpec : PageSpec({
             press("/")
             press("brownout")
             texts(".events-link .count").single().toInt() shouldBe elements(".event").size
-        }
-    }
-
-    browserTest("a recording without events has no way to them") {
-        onPage(TestPages.of(stepBag(graphs = 1))) { element(".events-link").isDisplayed shouldBe false }
-    }
-
-    browserTest("the bar names the last event before the cursor") {
-        onPage(page) {
-            graph("Angle").hover(0.9)
-            texts(".event-readout").single() shouldBe "8.000  brownout"
-            graph("Angle").hover(0.3)
-            texts(".event-readout").single() shouldBe "1.500  autonomous"
-            // Less than a mark's width before the second one, which has not happened yet.
-            graph("Angle").hover(0.797)
-            texts(".event-readout").single() shouldBe "1.500  autonomous"
         }
     }
 })

@@ -43,13 +43,20 @@ internal class FindingSpec : PageSpec({
 
     fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
 
-    browserTest("findings are listed with severity, time, rule and text, the worst first") {
+    browserTest("findings are listed with severity, time, rule and text, the worst first, and searched like events") {
         onPage(page) {
             texts("#findings .unit").single() shouldBe "1 error, 2 warnings, 1 note"
             texts(".finding .severity") shouldBe listOf("error", "warning", "warning", "note")
             texts(".finding-source") shouldBe listOf("Brownout", "No vision", "Over current", "Gap in time")
             texts(".finding .event-go, .finding-whole") shouldBe listOf("8.000", "whole log", "5.000 – 6.500", "2.000")
             texts(".finding-text")[0] shouldContain "the voltage fell"
+            press("/")
+            press("brownout")
+            texts(".finding-source") shouldBe listOf("Brownout")
+            texts(".search-count").single() shouldBe "1 finding"
+            press("xyz")
+            texts(".finding-source") shouldBe emptyList()
+            element("#findings").text shouldContain "hidden by the search"
         }
     }
 
@@ -117,33 +124,21 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("what was found several times is listed once, marked everywhere, and gone through place by place") {
+    browserTest("what was found several times is listed once, marked everywhere, and gone through moment by moment") {
         val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
-        onPage(pageWith(listOf(finding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further)))) {
-            texts(".finding .event-go") shouldBe listOf("1.000 – 1.200")
+        val twin = finding("Twin", Severity.NOTE, "at the same time", 9.0, NEVER)
+        onPage(pageWith(listOf(finding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further), twin))) {
+            texts(".finding .event-go") shouldBe listOf("1.000 – 1.200", "9.000")
             graph("Angle").hover(0.42)
             graph("Angle").label shouldBe "error · Brownout: three times"
             graph("Angle").hover(0.9)
-            graph("Angle").label shouldBe "error · Brownout: three times"
+            graph("Angle").label shouldBe "error · Brownout: three times (and 1 more)"
             graph("Angle").hover(0.05)
-            listOf(1, 1, 1, -1).map {
+            listOf(1, 1, 1, 1, -1).map {
                 if (it > 0) press("n") else pressShift("n")
                 cursor()
-            } shouldBe listOf(1.0, 4.0, 9.0, 4.0)
+            } shouldBe listOf(1.0, 4.0, 9.0, 9.0, 4.0)
             element(".finding[aria-current]").text shouldContain "three times"
-        }
-    }
-
-    browserTest("findings of one instant are one step") {
-        val twins = listOf("A", "B").map { finding(it, Severity.NOTE, it, 3.0, NEVER) }
-        onPage(pageWith(twins)) {
-            press("n")
-            element(".finding[aria-current]").text shouldContain "A"
-            press("n")
-            element(".finding[aria-current]").text shouldContain "A"
-            press("0")
-            graph("Angle").hover(0.301)
-            graph("Angle").label shouldBe "note · A: A (and 1 more)"
         }
     }
 
@@ -160,21 +155,10 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("findings are searched like events") {
-        onPage(page) {
-            press("/")
-            press("brownout")
-            texts(".finding-source") shouldBe listOf("Brownout")
-            texts(".search-count").single() shouldBe "1 finding"
-            press("xyz")
-            texts(".finding-source") shouldBe emptyList()
-            element("#findings").text shouldContain "hidden by the search"
-        }
-    }
-
-    browserTest("without findings there is no list, and the keys for them do nothing") {
+    browserTest("without findings there is no list, and the keys for them do nothing; without events there is no way to them") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#findings").isDisplayed shouldBe false
+            element(".events-link").isDisplayed shouldBe false
             press("n")
             pressShift("n")
             texts(".cursor-readout").single() shouldBe ""

@@ -29,9 +29,11 @@ internal class LaneSpec : PageSpec({
         )
     }
 
-    browserTest("the name of a state stands inside the block of that state") {
+    browserTest("the name of a state stands inside the block of that state, and lanes and lines have the same x") {
         onPage(page, script = NOTING_TEXTS) {
             val frame = graph("Mode").frame
+            frame.x shouldBe graph("Level").frame.x
+            frame.width shouldBe graph("Level").frame.width
             val left = frameLeft("Mode")
             val names = drawnTexts("Mode").filter { it.text in modes }
             names.shouldNotBeEmpty()
@@ -42,16 +44,6 @@ internal class LaneSpec : PageSpec({
                     name.right shouldBe (from + frame.width / 8 plusOrMinus frame.width / 8)
                 }
             }
-        }
-    }
-
-    browserTest("a state that lasts for one of 10,000 samples can be seen") {
-        val bag = bagOf(listOf(TIME, BagTopic("Browned Out")), 10_000) { row, column ->
-            if (column == 0) row / 50.0 else row == 6000
-        }
-        onPage(TestPages.of(bag)) {
-            val picture = graph("Browned Out").picture
-            picture.columnsOf(color("--line-1")).max() shouldBeGreaterThan picture.height / 2
         }
     }
 
@@ -121,13 +113,6 @@ internal class LaneSpec : PageSpec({
                 share,
             )
             (shadeAt(0.25) == shadeAt(0.75)) shouldBe false
-        }
-    }
-
-    browserTest("lanes and lines have the same x") {
-        onPage(page) {
-            graph("Mode").frame.x shouldBe graph("Level").frame.x
-            graph("Mode").frame.width shouldBe graph("Level").frame.width
         }
     }
 })

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -30,6 +31,16 @@ class TicksSpec : FunSpec({
             for (i in 1 until ticks.size) (ticks[i] >= ticks[i - 1]) shouldBe true
             val slack = maxOf(abs(from), abs(from + width)) * 1e-9
             ticks.all { it >= from - slack && it <= from + width + slack } shouldBe true
+        }
+    }
+
+    test("each number beside an axis is written exactly, so that they are as even as they stand") {
+        for ((least, most) in listOf(0.0 to 1.0, -3.0 to 7.0, 0.0 to 12.7, -1.0 to 1.0, 0.0 to 0.002, 99.0 to 99.5)) {
+            for (height in listOf(120.0, 240.0)) {
+                val ticks = Ticks.ofY(Span(least, most), height)
+                ticks.texts.size shouldBeGreaterThan 2
+                ticks.texts.forEachIndexed { index, text -> text.toDouble() shouldBe (ticks.values[index] plusOrMinus ticks.step * 1e-6) }
+            }
         }
     }
 

@@ -74,6 +74,18 @@ class PlotDrawingSpec : FunSpec({
         )
     }
 
+    test("an event has a head and a line, in a crowd a tick; an error keeps both, and its line is stronger") {
+        val rows = listOf("2,auto", "5,chatter", "5.125,ERROR: brownout", "5.25,chatter")
+        val events = EventTimeline.of(bagView(listOf("Time|xaxis", "Log|log"), rows).folders.flatMap { it.eventLogs })
+        val line = "fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"1\"/>"
+        drawn { drawEventMarks(frame, events, colors) } shouldBe listOf(
+            """<path d="M102.5 6L102.5 106" stroke="#a84300" stroke-opacity="0.2" $line""",
+            """<path d="M164.5 6L164.5 106" stroke="#a84300" stroke-opacity="0.5" $line""",
+            """<path d="M162.5 6L162.5 9.5M167.5 6L167.5 9.5" stroke="#a84300" stroke-opacity="0.5" $line""",
+            """<path d="M99 6L106 6L102.5 11.25zM161 6L168 6L164.5 11.25z" fill="#a84300"/>""",
+        )
+    }
+
     test("findings, notes and cursors have marks of their own") {
         val findings = FindingTimeline(listOf(Span(2.0, 4.0)), { Severity.ERROR }, { listOf(it) })
         drawn {
