@@ -9,8 +9,6 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Severity
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.formats.driverstation.STATION_EVENTS
-import badlog.formats.driverstation.STATION_LOG
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -28,7 +26,6 @@ import org.w3c.dom.Document
 import java.awt.image.BufferedImage
 import java.io.ByteArrayOutputStream
 import java.nio.file.Files
-import java.nio.file.Path
 import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
 
@@ -46,7 +43,7 @@ internal class ExportSpec : PageSpec({
 
     fun textOf(table: CsvTable) = table.header + table.text(0, table.rowCount)
 
-    browserTest("a drawing of the board says of itself which match it is, what it shows, the values at the cursor, and what was found") {
+    browserTest("a drawing of the board says which match it is, the values at the cursor and what was found, and a picture has its lines") {
         onPage(match, Screen(1280, 900, isDark = true)) {
             toBrownout()
             val drawing = xml(exported("Board as a drawing (SVG)", "qualification-42 Board.svg"))
@@ -58,6 +55,13 @@ internal class ExportSpec : PageSpec({
             texts.single { it.startsWith("Battery Voltage ") } shouldBe "Battery Voltage ${texts(".board .value").first()} V"
             // Paper is light.
             drawing.documentElement.firstChild.attributes.getNamedItem("fill").nodeValue shouldBe "#ffffff"
+            val picture = image(exported("Board as an image (PNG)", "qualification-42 Board.png"))
+            picture.width shouldBe 1000
+            picture.height shouldBeGreaterThan 5 * 120
+            picture.getRGB(2, 2) and 0xffffff shouldBe 0xffffff
+            // The right half has no legends. Four graphs draw lines there, with gaps between them.
+            val rows = (0 until picture.height).filter { y -> (500 until 1000).any { x -> picture.getRGB(x, y) and 0xffffff in LINES } }
+            rows.zipWithNext().count { (one, next) -> next - one > 30 } + 1 shouldBeGreaterThan 3
         }
     }
 
@@ -67,19 +71,6 @@ internal class ExportSpec : PageSpec({
             script("document.querySelector('.pin').click()")
             val texts = xml(exported("Board as a drawing (SVG)", "test Board.svg")).texts()
             texts.count { it.startsWith("<script>&amp;") && it.endsWith(" \uD83E\uDD16") } shouldBeGreaterThan 0
-        }
-    }
-
-    browserTest("a picture of the board is light, and has the lines of each of its graphs") {
-        onPage(match, Screen(1280, 900, isDark = true)) {
-            toBrownout()
-            val picture = image(exported("Board as an image (PNG)", "qualification-42 Board.png"))
-            picture.width shouldBe 1000
-            picture.height shouldBeGreaterThan 5 * 120
-            picture.getRGB(2, 2) and 0xffffff shouldBe 0xffffff
-            // The right half has no legends. Four graphs draw lines there, with gaps between them.
-            val rows = (0 until picture.height).filter { y -> (500 until 1000).any { x -> picture.getRGB(x, y) and 0xffffff in LINES } }
-            rows.zipWithNext().count { (one, next) -> next - one > 30 } + 1 shouldBeGreaterThan 3
         }
     }
 
@@ -105,7 +96,7 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("the visible range comes as CSV, the same that the window writes") {
+    browserTest("the visible range comes as CSV, the same that the window writes, and the board only with its own topics") {
         val bag = stepBag(graphs = 3)
         onPage(TestPages.of(bag, "steps.bag")) {
             script("location.hash = '#x=2:6&t=4'")
@@ -114,30 +105,21 @@ internal class ExportSpec : PageSpec({
             csv shouldBe textOf(CsvTable.ofAll(LogView.of(read(bag, "steps.bag")), Span(2.0, 6.0)))
             csv.lines().drop(1).first() shouldStartWith "2,"
             csv.trimEnd().lines().size shouldBe 402
-        }
-    }
-
-    browserTest("the board comes as CSV, only with its own topics") {
-        onPage(TestPages.of(stepBag(graphs = 3), "steps.bag")) {
-            for (graph in listOf("Step 3", "Step 1")) script("document.querySelector(arguments[0]).click()", ".graph[data-name='$graph'] .pin")
+            val pins = listOf("Step 3", "Step 1").map { ".graph[data-name='$it'] .pin" }
+            for (pin in pins) script("document.querySelector(arguments[0]).click()", pin)
             settle()
             exported("Board as a table (CSV)", "steps Board.csv").decodeToString().lines().first() shouldBe "Time (s),Step 3 (V),Step 1 (V)"
         }
     }
 
-    browserTest("a WPILOG and a Driver Station's log come as CSV, too") {
+    browserTest("a WPILOG comes as CSV, too") {
         onPage(TestPages.of(wpilog(), "run.wpilog")) {
             saved("run.wpilog.csv") { click("#download-csv") }.decodeToString() shouldBe
                 textOf(CsvTable.ofAll(LogView.of(read(wpilog(), "run.wpilog"))))
         }
-        onPage(TestPages.ofPair("station.dslog" to STATION_LOG.bytes, "station.dsevents" to STATION_EVENTS.bytes)) {
-            val lines = saved("station.dslog.csv") { click("#download-csv") }.decodeToString().trimEnd().lines()
-            lines.first() shouldContain "Battery"
-            lines.size shouldBeGreaterThan 2
-        }
     }
 
-    browserTest("the CSV of a damaged log is the repaired one: what badlog makes of it, cell by cell") {
+    browserTest("the CSV of a damaged log is the repaired one: what badlog makes of it, cell by cell; its file comes back byte for byte") {
         for (name in listOf("practice.bag", "qualification-57.bag.gz")) {
             val damaged = readRecording(SAMPLES.resolve(name), LOG_FORMATS)
             damaged.problems.size shouldBeGreaterThan 0
@@ -145,6 +127,7 @@ internal class ExportSpec : PageSpec({
             RecordingWriter(damaged, RecordingFormat.CSV).write(0, damaged.rowCount) { bytes, size -> written.write(bytes, 0, size) }
             val wanted = read(written.toByteArray(), "converted.csv")
             onPage(TestPages.ofSample(name)) {
+                saved(name) { click("#download") } shouldBe Files.readAllBytes(SAMPLES.resolve(name))
                 val bytes = saved("$name.csv") { click("#download-csv") }
                 val repaired = read(bytes, "page.csv")
                 repaired.problems.filter { it.severity > Severity.NOTE }.shouldBeEmpty()
@@ -158,14 +141,16 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("a large table is made while the page goes on; it says how far it is, and is cancelled by closing that") {
-        val topics = listOf(TIME) + List(40) { BagTopic("Topic $it", "V") }
-        val bag = bagOf(topics, 60_000) { row, column -> if (column == 0) row / 50.0 else row % 997 * column / 7.0 }
-        onPage(TestPages.of(bag, "large.bag")) {
+    browserTest("a table that takes long is made while the page goes on; it says how far it is, and is cancelled by closing that") {
+        // Every look at the clock takes 50 ms, as a row of a log of many thousand topics may.
+        val slow = "{ let late = 0; const now = Date.now.bind(Date); Date.now = () => now() + (window.isSlow ? late += 50 : late) }"
+        val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 200) { row, column -> if (column == 0) row / 50.0 else row }
+        onPage(TestPages.of(bag, "large.bag"), script = slow) {
             fun said() = texts(".notice p").single()
             // The page itself cancels, since the table may be done before a test can.
             script(
                 """
+                window.isSlow = true
                 const said = document.querySelector('.notice p')
                 new MutationObserver((changes, observer) => {
                     if (!/^Making the table: [1-9]/.test(said.textContent)) return
@@ -180,7 +165,7 @@ internal class ExportSpec : PageSpec({
             settle()
             said() shouldBe ""
             // What was cancelled comes no more: the next file with this name is a whole one.
-            exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 60_001
+            exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 201
             said() shouldBe ""
         }
     }
