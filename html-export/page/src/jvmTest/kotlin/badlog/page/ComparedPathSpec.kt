@@ -43,8 +43,9 @@ internal class ComparedPathSpec : PageSpec({
     fun OpenPage.legend() = texts("#board .graph[data-name='Path'] .legend-name")
 
     browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it goes") {
-        for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
-            onPage(page, screen) {
+        onPage(page) {
+            for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
+                show(screen)
                 val name = legend().single()
                 // The red alliance's wall is of nearly the same color.
                 val wall = pathPixels(1)

@@ -56,16 +56,6 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("a link to the time of a finding shows its evidence, too") {
-        onPage(match) {
-            awaitRules()
-            val time = 93.709649
-            script("location.hash = '#t=' + arguments[0]", time)
-            await("the evidence") { element("#evidence").isDisplayed }
-            cursor() shouldBe (time plusOrMinus 0.01)
-        }
-    }
-
     browserTest("a link to a finding gives its row the keyboard's focus when the rules have found it, unless a person has gone on") {
         val focused = "const e = document.activeElement; return (e.closest('.incident, .finding')?.className ?? '') + '|' + " +
             "(e.closest('p, .finding')?.textContent ?? e.id)"
@@ -166,7 +156,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("N opens an incident as a whole: its name, its severity, and what happened from its cause on") {
+    browserTest("N opens an incident as a whole, with more one press away; it can be closed, and a link to its time opens it again") {
         onPage(match) {
             awaitRules()
             press("n")
@@ -177,14 +167,6 @@ internal class EvidenceSpec : PageSpec({
             texts("#spoken").single() shouldContain " s: error: ${sentences.first()}"
             press(Keys.ARROW_RIGHT)
             texts("#spoken").single() shouldContain " V"
-        }
-    }
-
-    browserTest("what is beside it is one press away, and all of it can be closed") {
-        onPage(match) {
-            awaitRules()
-            press("n")
-            element("#evidence").isDisplayed shouldBe true
             val before = elements("#evidence .graph").size
             val offers = elements(".evidence-offers button")
             withClue(offers.map { it.text }) { offers.isEmpty() shouldBe false }
@@ -194,6 +176,10 @@ internal class EvidenceSpec : PageSpec({
             click("#close-evidence")
             element("#evidence").isDisplayed shouldBe false
             elements("#evidence .graph").size shouldBe 0
+            val time = 93.709649
+            script("location.hash = '#t=' + arguments[0]", time)
+            await("the evidence") { element("#evidence").isDisplayed }
+            cursor() shouldBe (time plusOrMinus 0.01)
         }
     }
 

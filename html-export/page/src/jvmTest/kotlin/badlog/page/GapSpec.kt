@@ -25,23 +25,13 @@ internal class GapSpec : PageSpec({
         columns.subList((columns.size * from).toInt(), (columns.size * to).toInt()).count { it > 0 }
     }
 
-    browserTest("a gap in a line is empty") {
+    browserTest("a gap in a line, also in one that is mostly gap, is empty, and has no value at the cursor") {
         onPage(page) {
             drawnBetween("Half", 0.1, 0.3) shouldBeGreaterThan 100
             drawnBetween("Half", 0.42, 0.58) shouldBe 0
-        }
-    }
-
-    browserTest("a gap in a line that is mostly gap is empty") {
-        onPage(page) {
             drawnBetween("Target", 0.01, 0.09) shouldBeGreaterThan 50
             drawnBetween("Target", 0.15, 0.85) shouldBe 0
-        }
-    }
-
-    browserTest("at the cursor, a line in a gap has no value") {
-        onPage(page) {
-            graph("Half").hover(0.5)
+            graph("Half").scrollTo().hover(0.5)
             graph("Half").value("Half") shouldBe "–"
             graph("Target").value("Target") shouldBe "–"
         }

@@ -30,7 +30,7 @@ internal class HookSpec : PageSpec({
     )
     val failed = HookPart("slow.R", error = "it took longer than 30 s")
 
-    browserTest("a hook's section says where it comes from, and shows values, lines and pictures") {
+    browserTest("a hook's section says where it comes from, with values, lines and pictures; its findings, and why one failed, are there") {
         val page = TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))
         onPage(page, script = "window.alarms = 0; window.alert = () => { window.alarms++ }") {
             texts(".hook .folder-name") shouldBe listOf("From the hook tools/analyze.py")
@@ -44,6 +44,9 @@ internal class HookSpec : PageSpec({
             await("a word about the broken one") { "This picture cannot be drawn." in texts(".picture p") }
             number("return window.alarms") shouldBe 0.0
             elements("#problems svg script, .picture script, .picture svg").size shouldBe 0
+            texts(".finding-source") shouldBe listOf("tools/analyze.py")
+            element(".problem-list").isDisplayed shouldBe true
+            texts(".problem-text").single() shouldBe "The hook slow.R failed: it took longer than 30 s"
         }
     }
 
@@ -56,14 +59,6 @@ internal class HookSpec : PageSpec({
             graph("Fit").frame.x shouldBe graph("Step 1").frame.x
             graph("Fit").frame.width shouldBe graph("Step 1").frame.width
             visibleRange shouldBe 0.0..10.0
-        }
-    }
-
-    browserTest("what a hook found is among the findings, and why it failed among the problems") {
-        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))) {
-            texts(".finding-source") shouldBe listOf("tools/analyze.py")
-            element(".problem-list").isDisplayed shouldBe true
-            texts(".problem-text").single() shouldBe "The hook slow.R failed: it took longer than 30 s"
         }
     }
 })

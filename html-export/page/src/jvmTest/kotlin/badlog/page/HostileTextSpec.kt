@@ -148,7 +148,7 @@ internal class HostileTextSpec : PageSpec({
     }
 
     browserTest("a hostile file name stays text") {
-        val names = listOf("<img src=x onerror=alert(1)>", "\"><svg onload=alert(1)>", "<!--<script>", "a&amp;b")
+        val names = listOf("<img src=x onerror=alert(1)>\"><svg onload=alert(1)>a&amp;b", "<!--<script>")
         for (name in names.map { "$it.bag" }) {
             onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
                 driver.title shouldBe name

@@ -59,8 +59,12 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("the first press of Tab offers the way to the graphs, past all findings") {
+    browserTest("the first press of Tab offers the way to the graphs, and every button and field has a name for those who do not see it") {
         onPage(pageWithAll) {
+            script(
+                "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
+                    ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
+            ) shouldBe emptyList<String>()
             element(".skip").rect.let { it.width > 0 && it.height > 0 } shouldBe true
             press(Keys.TAB, Keys.ENTER)
             script("return document.activeElement.className") shouldBe "plot"
@@ -68,16 +72,7 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("every button and field has a name for those who do not see it") {
-        onPage(pageWithAll) {
-            script(
-                "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
-                    ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
-            ) shouldBe emptyList<String>()
-        }
-    }
-
-    browserTest("arrows move the cursor by one sample, with Shift by ten") {
+    browserTest("arrows move the cursor by samples; plus, minus, 0 and Backspace zoom, and Shift with Backspace goes forward again") {
         onPage(page) {
             press(Keys.ARROW_RIGHT)
             val start = graph("Arm/Angle").value("Angle").toInt()
@@ -87,11 +82,6 @@ internal class KeyboardSpec : PageSpec({
             graph("Arm/Angle").value("Angle").toInt() shouldBe start + 11
             press(Keys.ARROW_LEFT)
             graph("Arm/Angle").value("Angle").toInt() shouldBe start + 10
-        }
-    }
-
-    browserTest("plus, minus, Backspace and 0 zoom, and Shift with Backspace goes forward again") {
-        onPage(page) {
             press("+")
             val zoomed = visibleRange
             zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0

@@ -28,7 +28,7 @@ internal class LargeLogSpec : PageSpec({
     /** The names of the graphs in the folders, below the board. */
     fun OpenPage.namesInFolders(): List<String> = elements(".content .graph").filter { it.isDisplayed }.mapNotNull { it.getDomAttribute("data-name") }
 
-    browserTest("a log of more than 700 topics begins with at most 60 graphs, on a page that a person scrolls through") {
+    browserTest("a log of more than 700 topics begins with at most 60 graphs, on a page to scroll through, with a tree of folders") {
         onPage(page, Screen(1366, 768)) {
             val topics = texts(".facts .fact").first { it.endsWith("topics") }.filter { it in '0'..'9' }.toInt()
             topics shouldBeGreaterThan 700
@@ -37,38 +37,16 @@ internal class LargeLogSpec : PageSpec({
             graphNames shouldContain "DS:joystick0/axes"
             number("return document.documentElement.scrollHeight") shouldBeLessThan 25_000.0
             keepScreenshot("large-wide-light")
+            seen(".folder-inner .folder-link").map { it.substringBefore(' ') } shouldContain "limelight-front"
+            find("frontleft speed")
+            seen(".folder-link") shouldContainExactly listOf("Chassis 1")
+            press(Keys.ESCAPE)
             show(Screen(390, 844, density = 2.0, isPhone = true, isDark = true))
             keepScreenshot("large-phone-dark")
         }
     }
 
-    browserTest("what is not drawn is found: a constant with its value, an empty topic, a graph that is only listed") {
-        onPage(page) {
-            find("primitive 3/heading")
-            seen("#constants tr") shouldContain "NT:/Primitive 3/Heading 6.5"
-            find("camera 27/inputsave")
-            seen("#empty-topics tr") shouldContainExactly listOf("NT:/photonvision/camera 27/inputSaveImgCmd")
-            find("wrist error")
-            namesInFolders() shouldContainExactly listOf("/Wrist/Error")
-            press(Keys.ESCAPE)
-            graphNames.size shouldBeLessThanOrEqual 60
-        }
-    }
-
-    browserTest("one click draws what is only listed, and what never changes") {
-        onPage(page) {
-            val before = graphNames
-            val name = checkNotNull(elements(".listed-graph[data-name]").first().getDomAttribute("data-name"))
-            click(".listed-graph[data-name]")
-            graphNames.size shouldBe before.size + 1
-            graph(name).scrollTo().isDrawn shouldBe true
-            find("primitive 3/heading")
-            click("#constants tr:not([hidden]) button")
-            graph("NT:/Primitive 3/Heading").isOnScreen shouldBe true
-        }
-    }
-
-    browserTest("what is only listed, and what never changes, is added to the board by its pin") {
+    browserTest("what is only listed, constant or empty is found; a click draws what has samples, and its pin adds it to the board") {
         onPage(page) {
             fun pinOf(row: String) = "$row .pin"
             val before = elements("#board .graph").size
@@ -82,20 +60,32 @@ internal class LargeLogSpec : PageSpec({
             elements("#board .graph").size shouldBe before + 2
             click(pinOf("#constants tr"))
             elements("#board .graph").size shouldBe before + 1
+            script("document.querySelector('.listed-row').scrollIntoView({block: 'center', behavior: 'instant'})")
+            settle()
+            click(pinOf(".listed-row"))
+            elements("#board .graph").size shouldBe before
+            val drawn = graphNames
+            click(".listed-graph[data-name]")
+            graphNames.size shouldBe drawn.size + 1
+            graph(name).scrollTo().isDrawn shouldBe true
+            find("camera 27/inputsave")
+            seen("#empty-topics tr") shouldContainExactly listOf("NT:/photonvision/camera 27/inputSaveImgCmd")
+            find("wrist error")
+            namesInFolders() shouldContainExactly listOf("/Wrist/Error")
+            find("primitive 3/heading")
+            seen("#constants tr") shouldContain "NT:/Primitive 3/Heading 6.5"
+            click("#constants tr:not([hidden]) button")
+            graph("NT:/Primitive 3/Heading").isOnScreen shouldBe true
+            press(Keys.ESCAPE)
+            graphNames.size shouldBeLessThanOrEqual drawn.size + 2
         }
     }
 
-    browserTest("the folders are a tree, which a search opens") {
-        onPage(page, Screen(1366, 768)) {
-            seen(".folder-inner .folder-link").map { it.substringBefore(' ') } shouldContain "limelight-front"
-            find("frontleft speed")
-            seen(".folder-link") shouldContainExactly listOf("Chassis 1")
-        }
-    }
-
-    for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
-        browserTest("target and actual speed of a swerve module are compared after one search, ${screen.width}×${screen.height}") {
-            onPage(page, screen) {
+    browserTest("target and actual speed of a swerve module are compared after one search, on a laptop and on a phone") {
+        onPage(page) {
+            for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
+                show(screen)
+                script("scrollTo(0, 0)")
                 find("frontleft speed")
                 namesInFolders() shouldContainExactly listOf("Chassis/Module speeds")
                 val top = number("return document.querySelector('.content .graph:not([hidden]) canvas').getBoundingClientRect().top")
