@@ -25,7 +25,7 @@ internal class NotesSpec : PageSpec({
         return folder.resolve("match.html").also { HtmlExporter().export(log, it) }
     }
 
-    browserTest("notes beside a log are listed on its page and lead to their moments") {
+    browserTest("notes beside a log are listed and lead to their moments; a key marks the cursor's, without a dialog, and says where") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
         onPage(page) {
             texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "second\nline")
@@ -36,16 +36,9 @@ internal class NotesSpec : PageSpec({
             graph("Step 1").scrollTo()
             texts(".event-label").first() shouldBe "hit by 254 </script>"
             keepScreenshot("notes")
-        }
-    }
-
-    browserTest("a key marks the moment of the cursor, without a dialog, and says where") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254")), read = emptyList()) }
-        onPage(page) {
-            elements("#notes .event-go")[0].click()
             press("M")
             press("M")
-            texts("#notes .note-text") shouldBe listOf("hit by 254", "Mark 1", "Mark 2")
+            texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "Mark 1", "Mark 2", "second\nline")
             texts(".notice p").single() shouldStartWith "Marked at 3.00"
             element("#note-dialog").isDisplayed shouldBe false
         }
@@ -72,10 +65,6 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("a log without notes has no list of them") {
-        onPage(TestPages.of(stepBag(graphs = 1))) { element("#notes").isDisplayed shouldBe false }
-    }
-
     /** Writes [text] as a note at the cursor. */
     fun OpenPage.write(text: String) {
         press("m")
@@ -85,6 +74,7 @@ internal class NotesSpec : PageSpec({
 
     browserTest("a note is written at the cursor, changed and removed, and the page opens with it again") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
+            element("#notes").isDisplayed shouldBe false
             graph("Step 1").click(0.3)
             write("hit by 254")
             element("#note-dialog").isDisplayed shouldBe false

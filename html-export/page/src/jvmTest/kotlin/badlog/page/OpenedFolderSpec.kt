@@ -38,7 +38,7 @@ internal class OpenedFolderSpec : PageSpec({
     }
 
     /** Opens [folder] on the page without a log. */
-    fun onFolder(folder: Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = onPage(page, screen, state = "empty") {
+    fun onFolder(folder: Path, test: OpenPage.() -> Unit) = onPage(page, state = "empty") {
         elements("input[type=file]").last().sendKeys("$folder")
         await("the list") { elements(".log-table").isNotEmpty() }
         test()
@@ -71,15 +71,13 @@ internal class OpenedFolderSpec : PageSpec({
             keepScreenshot("folder")
             show(Screen.WIDE.copy(isDark = true))
             keepScreenshot("folder-dark")
-        }
-        onFolder(samples(), Screen.PHONE) {
-            awaitAll()
+            show(Screen.PHONE)
             (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
             keepScreenshot("phone-folder")
         }
     }
 
-    browserTest("a click on a title sorts, words search, and what is idle can be hidden") {
+    browserTest("a click on a title sorts, words search, and checked logs are drawn over each other") {
         onFolder(samples()) {
             awaitAll()
             click("#sort-BATTERY")
@@ -93,6 +91,13 @@ internal class OpenedFolderSpec : PageSpec({
             element("#search").sendKeys(" nothing")
             settle()
             text shouldContain "No log matches “"
+            element("#search").sendKeys(Keys.chord(Keys.CONTROL, "a"), "qualification")
+            settle()
+            element("#compare-logs").isEnabled shouldBe false
+            for (name in listOf("qualification-42.bag", "qualification-57.bag.gz")) click("[aria-label='Compare $name']")
+            click("#compare-logs")
+            awaitLog("Qualification 42")
+            await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
         }
     }
 
@@ -114,17 +119,6 @@ internal class OpenedFolderSpec : PageSpec({
             await("the list") { elements(".log-table").isNotEmpty() }
             awaitAll()
             column("FILE").size shouldBe 5
-        }
-    }
-
-    browserTest("checked logs are drawn over each other") {
-        onFolder(samples()) {
-            awaitAll()
-            element("#compare-logs").isEnabled shouldBe false
-            for (name in listOf("qualification-42.bag", "qualification-57.bag.gz")) click("[aria-label='Compare $name']")
-            click("#compare-logs")
-            awaitLog("Qualification 42")
-            await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
         }
     }
 

@@ -5,6 +5,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 
 internal class OpeningSpec : PageSpec({
     val titles = mapOf(
@@ -36,26 +37,16 @@ internal class OpeningSpec : PageSpec({
         }
     }
 
-    browserTest("values stand in their folders") {
+    browserTest("values stand in their folders, which are in order regardless of case, the top level first; Info holds the header") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             texts(".folder[data-name=''] .values dd") shouldContain "2024-03-16T10:41:07"
             texts(".folder[data-name='System'] .values dt") shouldContain "Brownout Voltage"
             texts(".folder[data-name='System'] .values dd") shouldContain "6.75"
-        }
-    }
-
-    browserTest("folders follow one another regardless of case, the top level first") {
-        onPage(TestPages.ofSample("qualification-42.bag")) {
             val names = elements(".folder").map { it.getDomAttribute("data-name").orEmpty() }
             names shouldBe names.sortedBy { it.lowercase() }
             names.first() shouldBe ""
-        }
-    }
-
-    browserTest("Info holds the header of the file") {
-        onPage(TestPages.ofSample("qualification-42.bag")) {
             click("#info summary")
-            texts("#info pre").single().contains("\"Mill Creek Regional\"") shouldBe true
+            texts("#info pre").single() shouldContain "\"Mill Creek Regional\""
         }
     }
 })

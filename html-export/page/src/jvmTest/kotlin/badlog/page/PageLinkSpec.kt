@@ -24,7 +24,8 @@ internal class PageLinkSpec : PageSpec({
 
     fun OpenPage.notice() = texts(".notice p").single()
 
-    fun OpenPage.drop(name: String, text: String) {
+    /** Drops a file with this [name] and [text], and waits until the page [says] what came of it. */
+    fun OpenPage.drop(name: String, text: String, says: String) {
         script(
             """
             const data = new DataTransfer()
@@ -34,7 +35,7 @@ internal class PageLinkSpec : PageSpec({
             name,
             text,
         )
-        await("what came of it") { notice().isNotEmpty() }
+        await("“$says”") { notice() == says }
         settle()
     }
 
@@ -170,14 +171,10 @@ internal class PageLinkSpec : PageSpec({
             layout = Files.readString(file)
         }
         onPage(page) {
-            drop("mine.badlog-layout.json", layout)
-            titles() shouldBe listOf("Current")
-            notice() shouldBe "Opened the layout."
-        }
-        onPage(page) {
-            drop("photo.json", "{}")
-            notice() shouldBe "photo.json is not a layout, or is damaged; select a file that badlog has saved."
+            drop("photo.json", "{}", says = "photo.json is not a layout, or is damaged; select a file that badlog has saved.")
             titles() shouldBe emptyList()
+            drop("mine.badlog-layout.json", layout, says = "Opened the layout.")
+            titles() shouldBe listOf("Current")
         }
     }
 

@@ -34,41 +34,39 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("a click on the path pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
-        onPage(page) {
-            hoverPath(0.47, 0.45)
-            val (x, y, width, height) = pathBox()
-            act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
-            elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
-            val before = script("return document.querySelector('.xy').toDataURL()")
-            script(
-                "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, clientX: arguments[0], clientY: arguments[1]}))",
-                x + width / 2,
-                y + height / 2,
-            )
-            settle()
-            script("return document.querySelector('.xy').toDataURL()") shouldNotBe before
-            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
-            script("return document.querySelector('.xy').toDataURL()") shouldBe before
-        }
-    }
-
-    browserTest("Escape gives up a drag over a path, a frame as well as a move") {
+    browserTest("Escape gives up a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
         onPage(page) {
             val (x, y, width, height) = pathBox()
-            fun picture() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
-            val before = picture()
+            fun picture() = script("return document.querySelector('.xy').toDataURL()")
+            fun pictures() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
+            val untouched = pictures()
+            // A frame as well as a move.
             for (key in listOf("", Keys.SHIFT)) {
                 act {
                     if (key.isNotEmpty()) keyDown(key)
-                    mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown().mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
+                    mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown()
+                    mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
                     sendKeys(Keys.ESCAPE).mouseTo((x + width * 0.99).toInt(), (y + height * 0.99).toInt()).mouseUp()
                     if (key.isNotEmpty()) keyUp(key)
                     this
                 }
                 act { mouseTo(3, 3) }
-                picture() shouldBe before
+                pictures() shouldBe untouched
             }
+            hoverPath(0.47, 0.45)
+            act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
+            elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
+            val before = picture()
+            script(
+                "const at = {clientX: arguments[0], clientY: arguments[1]};" +
+                    "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, ...at}))",
+                x + width / 2,
+                y + height / 2,
+            )
+            settle()
+            picture() shouldNotBe before
+            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
+            picture() shouldBe before
         }
     }
 

@@ -55,7 +55,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("the words in the bar are not cut") {
+    browserTest("the words in the bar are not cut, what is pressed is large enough for a finger, the event log is one tap away") {
         onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
             for ((selector, text) in listOf(".search-input" to "placeholder", ".folder-choice" to "value")) {
                 number(
@@ -72,6 +72,12 @@ internal class PhoneSpec : PageSpec({
                     text,
                 ) shouldBeGreaterThan 0.0
             }
+            val height = "return document.querySelector(arguments[0]).getBoundingClientRect().height"
+            val pressed = listOf("#download", "#reset", "#back", ".folder-toggle", ".search-input", ".legend-entry")
+            for (selector in pressed) number(height, selector) shouldBeGreaterThan 23.9
+            click(".events-link")
+            number("return document.querySelector('.events').getBoundingClientRect().top") shouldBeLessThan 300.0
+            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
         }
     }
 
@@ -109,7 +115,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a tap on a finding's mark shows what was found, on a page that is no wider than the phone") {
+    browserTest("a tap sets the cursor, and on a finding's mark says what was found; the page is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
         val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
@@ -119,6 +125,7 @@ internal class PhoneSpec : PageSpec({
             val middle = graph("Step 1").scrollTo().frame.at(0.5)
             touch(listOf(middle, middle))
             graph("Step 1").label shouldContain "Brownout"
+            graph("Step 1").value("Step 1") shouldBe "1"
             elements(".finding-label").any { it.isDisplayed } shouldBe true
             number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
         }
@@ -134,33 +141,23 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a sideways drag zooms to what it covers") {
+    browserTest("a finger zooms, and moves what is zoomed; two that part zoom into what is between them; a double tap shows everything") {
         onPage(page, Screen.PHONE) {
             val frame = graph("Step 1").scrollTo().frame
             touch(between(frame.at(0.2), frame.at(0.6)))
             graph("Step 1").steepest() shouldBe (0.25 plusOrMinus 0.02)
             visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
-        }
-    }
-
-    browserTest("two fingers that part zoom into what is between them") {
-        onPage(page, Screen.PHONE) {
-            val frame = graph("Step 1").scrollTo().frame
-            touch(between(frame.at(0.25), frame.at(0.1)), between(frame.at(0.35), frame.at(0.9)))
+            touch(between(frame.at(0.25), frame.at(0.5)))
+            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
+            click("#reset")
+            visibleRange shouldBe 0.0..10.0
+            val whole = graph("Step 1").scrollTo().frame
+            touch(between(whole.at(0.25), whole.at(0.1)), between(whole.at(0.35), whole.at(0.9)))
             val range = visibleRange
             range.endInclusive - range.start shouldBeLessThan 3.0
             // The step was in their middle.
             graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.06)
-        }
-    }
-
-    browserTest("a finger moves what is zoomed, and a double tap shows everything") {
-        onPage(page, Screen.PHONE) {
-            val frame = graph("Step 1").scrollTo().frame
-            touch(between(frame.at(0.2), frame.at(0.6)))
-            touch(between(frame.at(0.25), frame.at(0.5)))
-            graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.03)
-            taps(List(2) { frame.at(0.5) }, pause = 0.1)
+            taps(List(2) { whole.at(0.5) }, pause = 0.1)
             visibleRange shouldBe 0.0..10.0
         }
     }
@@ -178,40 +175,6 @@ internal class PhoneSpec : PageSpec({
             elements(".cursor-line.is-pinned").filter { it.isDisplayed }.size shouldBe 0
             taps(List(2) { x to y }, pause = 0.1)
             picture() shouldBe before
-        }
-    }
-
-    browserTest("a tap sets the cursor, whose values can be read") {
-        onPage(page, Screen.PHONE) {
-            val frame = graph("Step 1").scrollTo().frame
-            touch(List(2) { frame.at(0.8) })
-            graph("Step 1").value("Step 1") shouldBe "1"
-        }
-    }
-
-    browserTest("the event log is one tap away") {
-        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
-            click(".events-link")
-            number("return document.querySelector('.events').getBoundingClientRect().top") shouldBeLessThan 300.0
-            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
-        }
-    }
-
-    browserTest("two quick taps at different places are not a double tap") {
-        onPage(page, Screen.PHONE) {
-            val frame = graph("Step 1").scrollTo().frame
-            touch(between(frame.at(0.2), frame.at(0.6)))
-            taps(listOf(frame.at(0.8), frame.at(0.1)), pause = 0.1)
-            graph("Step 1").value("Step 1") shouldBe "0"
-            visibleRange.start shouldBe (2.0 plusOrMinus 0.1)
-        }
-    }
-
-    browserTest("what is pressed is large enough for a finger") {
-        onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
-            val height = "return document.querySelector(arguments[0]).getBoundingClientRect().height"
-            val pressed = listOf("#download", "#reset", "#back", ".folder-toggle", ".search-input", ".legend-entry")
-            for (selector in pressed) number(height, selector) shouldBeGreaterThan 23.9
         }
     }
 })

@@ -13,24 +13,30 @@ import org.openqa.selenium.Keys
 internal class PicturesSpec : PageSpec({
     val match = "qualification-42.bag"
 
-    for (isDark in listOf(false, true)) {
-        val colors = if (isDark) "dark" else "light"
-        browserTest("a match on a wide screen, $colors") {
-            onPage(TestPages.ofSample(match), Screen.WIDE.copy(isDark = isDark)) {
-                keepScreenshot("wide-$colors")
+    val colors = mapOf("light" to false, "dark" to true)
+
+    browserTest("a match on a wide screen, light and dark") {
+        onPage(TestPages.ofSample(match)) {
+            for ((color, isDark) in colors) {
+                show(Screen.WIDE.copy(isDark = isDark))
+                script("scrollTo(0, 0)")
+                settle()
+                keepScreenshot("wide-$color")
                 graph("System/Battery Voltage").scrollTo().hover(0.6)
-                keepScreenshot("wide-$colors-cursor")
+                keepScreenshot("wide-$color-cursor")
             }
         }
+    }
 
-        browserTest("a match on a phone, $colors") {
+    for ((color, isDark) in colors) {
+        browserTest("a match on a phone, $color") {
             onPage(TestPages.ofSample(match), Screen.PHONE.copy(isDark = isDark)) {
-                keepScreenshot("phone-$colors")
+                keepScreenshot("phone-$color")
                 graph("System/Battery Voltage").scrollTo()
                 press(Keys.ARROW_RIGHT)
-                keepScreenshot("phone-$colors-cursor")
+                keepScreenshot("phone-$color-cursor")
                 click("#values-button")
-                keepScreenshot("phone-$colors-values")
+                keepScreenshot("phone-$color-values")
             }
         }
     }
@@ -86,28 +92,11 @@ internal class PicturesSpec : PageSpec({
         }
     }
 
-    browserTest("a search, and one that finds nothing") {
-        onPage(TestPages.ofSample(match)) {
-            press("/")
-            press("current")
-            keepScreenshot("search")
-            press("xyz")
-            keepScreenshot("search-nothing")
-        }
-    }
-
     browserTest("a file that was cut by a loss of power") {
         onPage(TestPages.ofSample("practice.bag")) { keepScreenshot("cut") }
     }
 
-    browserTest("the help") {
-        onPage(TestPages.ofSample(match)) {
-            press("?")
-            keepScreenshot("help")
-        }
-    }
-
-    browserTest("the statistics and the info") {
+    browserTest("the statistics and the info, the help, a search, and one that finds nothing") {
         onPage(TestPages.ofSample(match)) {
             val graph = graph("System/Battery Voltage").scrollTo()
             script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)
@@ -115,6 +104,15 @@ internal class PicturesSpec : PageSpec({
             script("window.scrollTo(0, 1e6)")
             settle()
             keepScreenshot("info")
+            script("window.scrollTo(0, 0)")
+            press("?")
+            keepScreenshot("help")
+            press(Keys.ESCAPE)
+            press("/")
+            press("current")
+            keepScreenshot("search")
+            press("xyz")
+            keepScreenshot("search-nothing")
         }
     }
 })

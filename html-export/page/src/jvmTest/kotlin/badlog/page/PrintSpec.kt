@@ -97,19 +97,30 @@ internal class PrintSpec : PageSpec({
 })
 
 /** A PDF as people see it: the text and the picture of each page. */
-private class Pdf(val pages: List<String>, val pictures: List<BufferedImage>)
+private class Pdf(private val bytes: ByteArray) {
+    val pages: List<String> by lazy { read { output("pdftotext", "-layout", "$it", "-").trimEnd('\u000c').split('\u000c') } }
+
+    val pictures: List<BufferedImage> by lazy {
+        read { pdf ->
+            output("pdftoppm", "-r", "75", "-png", "$pdf", "${pdf.resolveSibling("picture")}")
+            pdf.parent.listDirectoryEntries("picture*.png").sortedBy { it.name }.map { ImageIO.read(it.toFile()) }
+        }
+    }
+
+    private fun <T> read(work: (Path) -> T): T {
+        val folder = Files.createTempDirectory("badlog-print")
+        return try {
+            work(Files.write(folder.resolve("page.pdf"), bytes))
+        } finally {
+            folder.toFile().deleteRecursively()
+        }
+    }
+}
 
 /** Prints the page as it is now. */
 private fun OpenPage.print(): Pdf {
-    val folder = Files.createTempDirectory("badlog-print")
     val result = driver.executeCdpCommand("Page.printToPDF", mapOf("paperWidth" to 8.27, "paperHeight" to 11.69))
-    val pdf = folder.resolve("page.pdf")
-    Files.write(pdf, Base64.getDecoder().decode(result["data"] as String))
-    val text = output("pdftotext", "-layout", "$pdf", "-")
-    output("pdftoppm", "-r", "75", "-png", "$pdf", "${folder.resolve("picture")}")
-    val pictures = folder.listDirectoryEntries("picture*.png").sortedBy { it.name }.map { ImageIO.read(it.toFile()) }
-    folder.toFile().deleteRecursively()
-    return Pdf(text.trimEnd('\u000c').split('\u000c'), pictures)
+    return Pdf(Base64.getDecoder().decode(result["data"] as String))
 }
 
 private fun output(vararg command: String): String {

@@ -111,17 +111,11 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("what an incident says is not listed below it again") {
+    browserTest("incidents stand above the findings, which do not repeat what they say, and each of their sentences goes to its place") {
         onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
             awaitRules()
             element("#findings").text.split("browned out").size shouldBe 2
             texts("#findings .unit").first() shouldContain "4 errors"
-        }
-    }
-
-    browserTest("incidents stand above the findings, and each of their sentences goes to its place") {
-        onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
-            awaitRules()
             element(".incident").text shouldContain "Likely cause: the robot drew more than its battery gives."
             element(".incident").text shouldContain "Next: "
             val browned = elements(".incident p").first { "browned out" in it.text }

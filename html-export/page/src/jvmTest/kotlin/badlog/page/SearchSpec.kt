@@ -27,17 +27,31 @@ internal class SearchSpec : PageSpec({
             },
         )
     }
+
+    /** Types [text] in place of what is in the field that has the focus. */
+    fun OpenPage.retype(text: String) = act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL).sendKeys(text) }
+
     val all = listOf("Drivetrain/Left Position", "Drivetrain/Right Position", "Elevator/Position", "Elevator/Current")
 
-    browserTest("a slash goes to the search, whose words must all occur, in any order and case") {
+    browserTest("a slash goes to the search, where keys are letters; it says how much it finds, or that it is nothing; Escape ends it") {
         onPage(page) {
             graphNames shouldBe all
             press("/")
-            press("POS elev")
+            press("0+-?/")
+            element("#search").getDomProperty("value") shouldBe "0+-?/"
+            elements("dialog[open]").size shouldBe 0
+            retype("POS elev")
             graphNames shouldBe listOf("Elevator/Position")
             texts(".search-count").single() shouldContain "1 graph"
             texts(".folder[data-name='Elevator'] .folder-toggle .count") shouldBe listOf("1")
             elements(".folder-link").single { it.isDisplayed }.text shouldContain "1"
+            retype("gyro")
+            graphNames shouldBe emptyList()
+            element(".nothing-found").isDisplayed shouldBe true
+            texts(".search-count").single() shouldContain "nothing"
+            press(Keys.ESCAPE)
+            graphNames shouldBe all
+            element("#search").getDomProperty("value") shouldBe ""
         }
     }
 
@@ -49,8 +63,7 @@ internal class SearchSpec : PageSpec({
             press("stalled")
             graphNames shouldBe emptyList()
             elements("tr.event").single { it.isDisplayed }.text shouldContain "elevator stalled"
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("blue")
+            retype("blue")
             elements(".values .value-row").filter { it.isDisplayed }.map { it.text }
                 .filter { "Blue" in it }.size shouldBe 1
         }
@@ -70,53 +83,15 @@ internal class SearchSpec : PageSpec({
         }
     }
 
-    browserTest("Escape shows everything again") {
+    browserTest("kinds of events and of topics are asked for") {
         onPage(page) {
             press("/")
-            press("current")
-            graphNames shouldBe listOf("Elevator/Current")
-            press(Keys.ESCAPE)
-            graphNames shouldBe all
-            element("#search").getDomProperty("value") shouldBe ""
-        }
-    }
-
-    browserTest("a search that finds nothing says so") {
-        onPage(page) {
-            press("/")
-            press("gyro")
-            graphNames shouldBe emptyList()
-            element(".nothing-found").isDisplayed shouldBe true
-            texts(".search-count").single() shouldContain "nothing"
-        }
-    }
-
-    browserTest("keys of the page are letters while one types") {
-        onPage(page) {
-            press("/")
-            press("0+-?/")
-            element("#search").getDomProperty("value") shouldBe "0+-?/"
-            elements("dialog[open]").size shouldBe 0
-        }
-    }
-
-    browserTest("a bar finds one or the other, a minus leaves out, and kinds are asked for") {
-        onPage(page) {
-            press("/")
-            press("current | left")
-            graphNames shouldBe listOf("Drivetrain/Left Position", "Elevator/Current")
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("position -elevator")
-            graphNames shouldBe listOf("Drivetrain/Left Position", "Drivetrain/Right Position")
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
             press("is:event")
             graphNames shouldBe emptyList()
             withClue(text.take(2000)) { elements("tr.event").count { it.isDisplayed } shouldBe 1 }
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("is:number -is:constant")
+            retype("is:number -is:constant")
             graphNames shouldBe all
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("-is:number")
+            retype("-is:number")
             graphNames shouldBe emptyList()
         }
     }
@@ -132,8 +107,7 @@ internal class SearchSpec : PageSpec({
             elements(".finding").size shouldBe 2
             element(".findings-hidden").isDisplayed shouldBe false
             graphNames shouldBe listOf("Step 1", "Step 2")
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("has:finding")
+            retype("has:finding")
             elements(".finding").size shouldBe 2
         }
     }

@@ -66,34 +66,33 @@ internal class ServedPageSpec : PageSpec({
     }
 
     browserTest("a phone in the robot's network lists its logs, newest first, and opens one with a tap, findings and all") {
-        val robot = logs("robot")
-        for (screen in listOf(Screen.PHONE, Screen.WIDE, Screen.WIDE.copy(isDark = true))) {
-            // Each at an address of its own: the browser knows from the first time when Qualification 42 really was, and sorts it elsewhere.
-            withRobot(robot) { address ->
-                onServedPage(address, screen) {
-                    awaitList()
-                    texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
-                    column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
-                    column("FILE").size shouldBe 4
-                    column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
-                    column("FILE").last() shouldBe "bench.bag"
-                    texts(".log-tools [role=status]").single() shouldBe "4 logs"
-                    elements(".log-table img").size shouldBe 0
+        withRobot(logs("robot")) { address ->
+            onServedPage(address, Screen.PHONE) {
+                awaitList()
+                texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
+                column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
+                column("FILE").size shouldBe 4
+                column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
+                column("FILE").last() shouldBe "bench.bag"
+                texts(".log-tools [role=status]").single() shouldBe "4 logs"
+                elements(".log-table img").size shouldBe 0
+                for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
+                    show(screen)
                     seriousForReaders() shouldBe emptyList()
                     (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
                     keepScreenshot("served-${screen.width}-${if (screen.isDark) "dark" else "light"}")
-                    if (!screen.isPhone) return@onServedPage
-                    openRow(1)
-                    awaitLog("Qualification 42")
-                    text shouldContain "Likely cause: the robot drew more than its battery gives."
-                    saved("FRC_20260307_140212_OHCL_Q42.bag") { click("#download") } shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
-                    click("#go-back")
-                    awaitList()
-                    await("what was opened to be read") { "6.73 V" in column("BATTERY") }
-                    // Rows are made anew while logs are read.
-                    script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes('img')).click()")
-                    awaitLog("<img src=x onerror=alert(1)> #1%.bag")
                 }
+                openRow(1)
+                awaitLog("Qualification 42")
+                text shouldContain "Likely cause: the robot drew more than its battery gives."
+                val bytes = saved("FRC_20260307_140212_OHCL_Q42.bag") { click("#download") }
+                bytes shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
+                click("#go-back")
+                awaitList()
+                await("what was opened to be read") { "6.73 V" in column("BATTERY") }
+                // Rows are made anew while logs are read.
+                script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes('img')).click()")
+                awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
         }
     }

@@ -46,37 +46,26 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("a topic whose samples are all NaN has no data") {
-        onPage(TestPages.of("$HEADER\nTime,A\n0,NaN\n1,NaN\n2,NaN\n")) { texts(".plot") shouldContain "No data" }
-    }
-
     browserTest("a unit that is written from the right leaves the order of what stands beside it alone") {
         onPage(TestPages.of("{\"topics\":[{\"name\":\"A\",\"unit\":\"متر\"}],\"values\":[]}\nA\n1\n2\n", "متر.bag")) {
             (elements(".fact") + elements(".graph-unit")).map { it.tagName }.toSet() shouldBe setOf("bdi")
         }
     }
 
-    browserTest("one sample among gaps can be seen") {
-        onPage(TestPages.of("$HEADER\nTime,A\n0,\n1,\n2,7\n3,\n4,\n")) {
-            graph("A").scrollTo().hover(0.5)
-            graph("A").value("A") shouldBe "7"
-            graph("A").pixelsOfLine(0) shouldBeGreaterThan 0
-        }
-    }
-
-    browserTest("nothing but gaps") {
-        onPage(TestPages.of("$HEADER\nTime,A\n0,\n1,\n2,\n")) {
-            graphNames shouldContain "A"
-            texts(".plot") shouldContain "No data"
-        }
-    }
-
-    browserTest("infinities and NaN leave gaps, and say what they are") {
-        onPage(TestPages.of("$HEADER\nTime,A\n0,1\n1,Infinity\n2,NaN\n3,-Infinity\n4,2\n")) {
+    browserTest("infinities say what they are, one sample among gaps can be seen, and topics of nothing but NaN or gaps have no data") {
+        val topics = listOf("Broken", "Gaps", "A", "One").joinToString("") { ",{\"name\":\"$it\",\"unit\":\"V\"}" }
+        val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\",\"hide\"]}$topics],\"values\":[]}"
+        val rows = listOf("0,NaN,,1,", "1,NaN,,Infinity,", "2,NaN,,NaN,7", "3,NaN,,-Infinity,", "4,NaN,,2,")
+        onPage(TestPages.of("$header\nTime,Broken,Gaps,A,One\n${rows.joinToString("\n")}\n")) {
+            graphNames shouldBe listOf("Broken", "Gaps", "A", "One")
+            await("two graphs without data") { texts(".plot").count { it == "No data" } == 2 }
             graph("A").scrollTo().hover(0.25)
             graph("A").value("A") shouldBe "∞"
             graph("A").hover(0.75)
             graph("A").value("A") shouldBe "-∞"
+            graph("One").scrollTo().hover(0.5)
+            graph("One").value("One") shouldBe "7"
+            graph("One").pixelsOfLine(0) shouldBeGreaterThan 0
         }
     }
 
@@ -94,36 +83,15 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("states and truth values are lanes with their texts") {
-        val topics = listOf(TIME, BagTopic("Gear"), BagTopic("Enabled"))
-        val bag = bagOf(topics, 100) { row, column ->
-            if (column == 0) {
-                row
-            } else if (column == 1) {
-                (if (row < 50) "LOW" else "HIGH")
-            } else {
-                row >= 50
-            }
-        }
-        onPage(TestPages.of(bag)) {
-            graph("States").hover(0.2)
-            graph("States").value("Gear") shouldBe "LOW"
-            graph("States").value("Enabled") shouldBe "false"
-            graph("States").hover(0.8)
-            graph("States").value("Gear") shouldBe "HIGH"
-            graph("States").value("Enabled") shouldBe "true"
-        }
-    }
-
-    browserTest("a sparse CSV file: each column has its values where it has them") {
-        val csv = "Timestamp,A,B,Mode\n" + (0 until 300).joinToString("") { row ->
+    browserTest("a sparse CSV file: each column has its values where it has them, and two of one name are two graphs") {
+        val csv = "Timestamp,A,A,Mode\n" + (0 until 300).joinToString("") { row ->
             val a = if (row % 10 == 0) "$row" else ""
             val b = if (row % 100 == 5) "$row" else ""
             "$row,$a,$b,${if (row == 150) "auto" else ""}\n"
         }
         onPage(TestPages.of(csv, "sparse.csv")) {
             graph("A").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
-            graph("B").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
+            graph("A (2)").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
         }
     }
 
@@ -154,13 +122,6 @@ internal class UnusualFilesSpec : PageSpec({
             graph("Folder 17/Topic 297").scrollTo().hover(0.999)
             graph("Folder 17/Topic 297").value("Topic 297").toInt() shouldBe 199 * 298
             elements("canvas").size.let { it < 20 } shouldBe true
-        }
-    }
-
-    browserTest("two topics of one name are two graphs") {
-        onPage(TestPages.of("Time,A,A\n0,1,5\n1,2,6\n", "twice.csv")) {
-            graphNames shouldContain "A"
-            graphNames shouldContain "A (2)"
         }
     }
 })

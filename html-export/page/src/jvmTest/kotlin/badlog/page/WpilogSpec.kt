@@ -62,7 +62,7 @@ internal class WpilogSpec : PageSpec({
         }
     }
 
-    browserTest("each topic is drawn at its own times, and the cursor reads what held there") {
+    browserTest("each topic is drawn at its own times, the cursor reads what held there, arrow keys go to the next sample of any") {
         onPage(TestPages.of(wpilog(), "run.wpilog")) {
             graph("/Arm/Angle").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
             graph("/Arm/Angle").steepest() shouldBe (0.5 plusOrMinus 0.02)
@@ -72,11 +72,6 @@ internal class WpilogSpec : PageSpec({
             graph("/Arm/Mode").scrollTo().value("Mode") shouldBe "move"
             graph("/Arm/Mode").hover(0.05)
             graph("/Arm/Mode").value("Mode") shouldBe "–"
-        }
-    }
-
-    browserTest("the arrow keys go from sample to sample of any topic") {
-        onPage(TestPages.of(wpilog(), "run.wpilog")) {
             graph("/Arm/Angle").scrollTo().hover(0.5)
             val places = List(2) {
                 press(Keys.ARROW_RIGHT)

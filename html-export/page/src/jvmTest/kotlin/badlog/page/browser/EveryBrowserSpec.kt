@@ -34,10 +34,22 @@ internal class EveryBrowserSpec : FunSpec({
             test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
         }
 
-        browserTest("a page opens from disk, inflates its log, and draws it") {
+        browserTest("a page opens from disk, inflates its log, draws it, for paper anew, and gives the file back byte for byte") {
             openPage(steps)
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldBe "Step 1,Step 2,Step 3"
             awaitThat { stepAt() shouldBe (0.3 plusOrMinus 0.01) }
+            evaluate("dispatchEvent(new Event('beforeprint'))")
+            evaluate("document.querySelectorAll('.graph > svg.paper').length") shouldBe "3"
+            evaluate("[...document.querySelectorAll('svg.paper text')].map(text => text.textContent).join()") shouldContain "Step 2 (V)"
+            evaluate("dispatchEvent(new Event('afterprint'))")
+            evaluate("document.querySelectorAll('svg.paper').length") shouldBe "0"
+            val file = browser.downloads.resolve("test.bag")
+            Files.deleteIfExists(file)
+            evaluate("document.querySelector('#download').click()")
+            awaitThat {
+                withClue(Files.list(browser.downloads).use { it.toList() }) { file.exists() shouldBe true }
+                file.readBytes() shouldBe stepBag(3)
+            }
         }
 
         browserTest("a log that was gzipped and cut opens with what there is, and says so") {
@@ -46,17 +58,13 @@ internal class EveryBrowserSpec : FunSpec({
             evaluate("document.querySelector('.problem-list')?.textContent ?? document.body.innerText") shouldContain "cut"
         }
 
-        browserTest("a drag zooms to what it covers, and a click on the button shows everything") {
+        browserTest("a drag zooms to what it covers, also that of a finger, and a click on the button shows everything") {
             openPage(steps)
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.2), placeAt(0.4), placeAt(0.6)))))
             awaitThat { visibleRange() shouldBe "2–6" }
             awaitThat { stepAt() shouldBe (0.25 plusOrMinus 0.01) }
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.5, "#reset")))))
             awaitThat { visibleRange() shouldBe "0–10" }
-        }
-
-        browserTest("a finger zooms by a sideways drag") {
-            openPage(steps)
             perform(listOf(path(Kind.TOUCH, List(9) { placeAt(0.2 + 0.05 * it) })))
             awaitThat { visibleRange() shouldBe "2–6" }
         }
@@ -74,16 +82,6 @@ internal class EveryBrowserSpec : FunSpec({
             await("document.activeElement.closest('#formula-dialog') != null")
             type("Half = Step 1 / 2" + Keys.ENTER)
             await("[...document.querySelectorAll('.graph')].some(graph => graph.dataset.name == 'Half')")
-        }
-
-        browserTest("a page is drawn anew for paper, and as before afterwards") {
-            openPage(steps)
-            evaluate("dispatchEvent(new Event('beforeprint'))")
-            // The browser remembers formulas of other tests, which are graphs as well.
-            evaluate("document.querySelectorAll('.graph > svg.paper').length") shouldBe evaluate("document.querySelectorAll('.graph').length")
-            evaluate("[...document.querySelectorAll('svg.paper text')].map(text => text.textContent).join()") shouldContain "Step 2 (V)"
-            evaluate("dispatchEvent(new Event('afterprint'))")
-            evaluate("document.querySelectorAll('svg.paper').length") shouldBe "0"
         }
 
         test("${browser.name}: a video that the reader opens follows the cursor, frame by frame").config(enabledOrReasonIf = { drawn(browser) }) {
@@ -126,17 +124,6 @@ internal class EveryBrowserSpec : FunSpec({
                     }
                 }
             }
-
-        browserTest("the file comes back byte for byte") {
-            openPage(steps)
-            val file = browser.downloads.resolve("test.bag")
-            Files.deleteIfExists(file)
-            evaluate("document.querySelector('#download').click()")
-            awaitThat {
-                withClue(Files.list(browser.downloads).use { it.toList() }) { file.exists() shouldBe true }
-                file.readBytes() shouldBe stepBag(3)
-            }
-        }
     }
 })
 

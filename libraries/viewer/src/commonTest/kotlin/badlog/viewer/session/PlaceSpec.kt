@@ -10,6 +10,14 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.checkAll
 
 class PlaceSpec : FunSpec({
+    test("a moment before or after the log is at its nearer end, one that is no number changes nothing, and one in sight moves no range") {
+        val place = Place(Viewport(Span(0.0, 10.0)))
+        place.at(1e308).cursors.pinned shouldBe 10.0
+        place.at(-5.0).cursors.pinned shouldBe 0.0
+        for (x in listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY)) place.at(x) shouldBe place
+        for (x in listOf(1e308, -5.0, 3.0)) place.at(x).range shouldBe place.range
+    }
+
     test("whoever is at the end of a log that grows stays there, whatever the rounding of its times, and goes back to where they were") {
         checkAll(Arb.double(1.0, 1000.0, false), Arb.double(0.001, 0.9, false), Arb.double(0.01, 5.0, false)) { end, share, step ->
             var place = Place(Viewport(Span(0.0, end)).showing(end * share, end)).atEnd()

@@ -104,6 +104,7 @@ class PlotGesturesSpec : FunSpec({
         gestures.stroke(pointer(300))
         gestures.move(pointer(800))
         plot.place.cursors.x shouldBe 30.0
+        plot.place.range shouldBe TestPlot().place.range
         gestures.leave()
         plot.place.cursors.hover.shouldBeNull()
         gestures.stroke(pointer(304, millis = 1000))
@@ -140,6 +141,19 @@ class PlotGesturesSpec : FunSpec({
         plot.visible shouldBe Span(0.0, 100.0)
         plot.parts shouldBe listOf(null)
         plot.place.cursors.pinned shouldBe 25.0
+    }
+
+    test("two quick clicks or taps far apart are no double click: each moves the cursor, and the range stays") {
+        for (finger in listOf(null, 1)) {
+            val plot = TestPlot(Span(20.0, 40.0))
+            val gestures = over(plot)
+            gestures.stroke(pointer(800, finger = finger))
+            plot.place.cursors.pinned shouldBe 36.0
+            gestures.stroke(pointer(100, millis = 100, finger = finger))
+            plot.place.cursors.pinned shouldBe 22.0
+            plot.visible shouldBe Span(20.0, 40.0)
+            plot.parts shouldBe emptyList()
+        }
     }
 
     test("Escape takes back a drag that pans, and forgets one that would zoom; its release does nothing") {

@@ -139,6 +139,14 @@ class PageAddressSpec : FunSpec({
         }
     }
 
+    test("a time that is no number is none") {
+        for (text in listOf("#t=", "#t=NaN", "#t=Infinity", "#t=-Infinity", "#t=1,5", "#t=%22", "#t=<img src=x>", "#t=1e999", "#x=3")) {
+            withClue(text) { pageAddressOf(text).moment shouldBe null }
+        }
+        pageAddressOf("#t=1e308").moment shouldBe 1e308
+        pageAddressOf("#t=-5").moment shouldBe -5.0
+    }
+
     test("anchors of the page and what a newer badlog wrote are ignored silently") {
         for (text in listOf("", "#", "#info", "#:~:text=Voltage", "#sound=loud")) {
             pageAddressOf(text).run { (isEmpty && problems.isEmpty()) shouldBe true }
