@@ -75,8 +75,12 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             next = Double.NaN
             window.clearTimeout(timer)
             if (!isSettling) waits = 0
-            if (!wanted.isNaN()) seek(wanted) else if (!isReturning) await()
+            val isBack = isReturning
             isReturning = false
+            when {
+                !wanted.isNaN() -> seek(wanted)
+                !isBack -> await()
+            }
         }
         if (video.asDynamic().requestVideoFrameCallback == null) on("timeupdate") { show(video.currentTime) } else watch()
     }
