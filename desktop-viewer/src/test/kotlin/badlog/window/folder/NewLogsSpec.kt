@@ -40,7 +40,7 @@ class NewLogsSpec : FunSpec({
     /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
     fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {
         val home = tempdir().toPath()
-        val logs = tempdir().toPath().also { it.putSamples() }
+        val logs = tempdir().toPath().also { it.putSamples(areSettled = true) }
         val name = "qualification-42.bag"
         val match = Files.move(logs / name, home / name)
         val viewer = Viewer(MainScope(), UserFolders(home, home))
