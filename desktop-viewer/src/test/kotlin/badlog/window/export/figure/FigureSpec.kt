@@ -7,15 +7,12 @@ import badlog.core.analysis.Span
 import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
-import badlog.core.recording.Severity
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
-import badlog.rules.Finding
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.cssColor
-import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.shown.cursor.Cursors
 import badlog.window.compare.DrawnRecording
 import badlog.window.export.armBag
@@ -172,8 +169,8 @@ class FigureSpec : FunSpec({
         Files.exists(file) shouldBe false
     }
 
-    test("twenty lines of a million samples each are less than two megabytes") {
-        val samples = 1_000_000
+    test("twenty lines of a hundred thousand samples each are less than two megabytes") {
+        val samples = 100_000
         val topics = List(20) { topicOf("Noise $it", DoubleArray(samples) { i -> sin(i * (1.7 + it)) }) }
         val long = OpenRecording(Path.of("long.bag").toAbsolutePath(), LogView.of(recordingOf(topics, samples)))
         val graphs = topics.chunked(4).mapIndexed { i, four -> BoardGraph(i, "Noise", four.map { it.name }) }
@@ -232,13 +229,6 @@ class FigureSpec : FunSpec({
         texts shouldContain "error · 93.710 s"
         texts.count { "The roboRIO browned out" in it } shouldBe 1
         picture("figure-notes.png", figure, graphs)
-    }
-
-    test("what a rule says is text in a figure, whatever signs it has") {
-        val found = Finding("<a href=''>", Severity.ERROR, null, "x < y && z", 1.0, emptyList(), 1, "s")
-        val timeline = FindingTimeline(listOf(found), { it.severity }, { it.places })
-        val figure = LogFigure(listOf(DrawnRecording(arm)), arm.span, findings = timeline)
-        textsIn(svgOf(figure, listOf(joint))).count { it.endsWith("<a href=''>: x < y && z") } shouldBe 1
     }
 
     test("the picture has the colors of the lines, on white, at twice the size") {
