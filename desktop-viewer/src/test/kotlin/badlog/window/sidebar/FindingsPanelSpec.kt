@@ -184,20 +184,6 @@ class FindingsPanelSpec : FunSpec({
         viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
     }
 
-    test("the key for the next finding goes through the incidents first, in the order of the list, and then through what belongs to none") {
-        val viewer = viewerOf(sample("qualification-42.bag"))
-        val list = findingsIn(viewer.current.recording.shouldNotBeNull())
-        viewer.findings.change { knowing(list) }
-        val gone = List(list.all.size) {
-            viewer.actions.perform(Action.NEXT_FINDING)
-            viewer.findings.selected.shouldNotBeNull()
-        }
-        gone.take(list.incidents.size) shouldBe list.incidents.map { it.first }
-        gone.drop(list.incidents.size).none { finding -> list.incidents.any { finding in it } } shouldBe true
-        repeat(list.all.size) { viewer.actions.perform(Action.PREVIOUS_FINDING) }
-        viewer.findings.selected shouldBe list.incidents.first().first
-    }
-
     test("a wrong file of rules, and a log in which nothing was found, are reported") {
         val viewer = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
         val nothing = findingsIn(counted(folderOf(ruleText("Never", "A > 1000"))))

@@ -127,13 +127,6 @@ class FigureSpec : FunSpec({
         moved - first shouldBe ((900 - 62 - 14) / 2.0 plusOrMinus 1.0)
     }
 
-    test("a gap stays a gap, and a sample alone between two gaps is a dot") {
-        val gappy = recordingOf(armBag(100) { if (it in 40..59 && it != 50) "" else it.toString() })
-        val drawn = svg(listOf(joint.copy(lines = listOf("Arm/Angle"))), gappy.span, gappy)
-        linesIn(drawn).single().getAttribute("d").count { it == 'M' } shouldBe 2
-        elements(drawn, "path").count { it.getAttribute("fill") == "#0b62c4" && "a" in it.getAttribute("d") } shouldBe 1
-    }
-
     test("y is as on the screen: what a person has selected, of both axes, and what graphs share") {
         fun numbers(graph: BoardGraph, board: List<BoardGraph> = emptyList(), open: OpenRecording = arm) = textsIn(svgOf(LogFigure(listOf(DrawnRecording(open)), open.span, board = board), listOf(graph)))
         numbers(joint.copy(yRange = Span(-3.0, 4.0))) shouldContainAll listOf("-2", "0", "4 deg")
@@ -177,11 +170,6 @@ class FigureSpec : FunSpec({
         val drawn = svg(graphs, long.span, long)
         drawn.length shouldBeLessThan 2_000_000
         linesIn(drawn) shouldHaveSize 20
-    }
-
-    test("a state that changes at every sample costs no more than the figure's width") {
-        val flicker = recordingOf("Index,Mode\n" + (0 until 100_000).joinToString("\n") { "$it,${if (it % 2 == 0) "on it" else "off it"}" })
-        svg(listOf(BoardGraph(1, "Mode", listOf("Mode"))), flicker.span, flicker).length shouldBeLessThan 2_000_000
     }
 
     test("names of any letters and any length make a document that can be read") {
