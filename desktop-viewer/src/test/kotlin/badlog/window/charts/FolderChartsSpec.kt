@@ -35,10 +35,10 @@ class FolderChartsSpec : FunSpec({
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val permits = Semaphore(0)
-        val charts = FolderCharts(viewer.scope, viewer.library, ChosenFiles(null), viewer.tasks, viewer.notices, { _, _, _ ->
+        val charts = FolderCharts(viewer.scope, viewer.library, ChosenFiles(null), viewer.tasks, viewer.notices) { _, _, _ ->
             permits.acquire()
             DrawnCharts(emptyList(), emptyList())
-        })
+        }
         val lists = MutableStateFlow(emptyList<LogEntry>())
         val following = launch { charts.follow(lists) }
         try {
