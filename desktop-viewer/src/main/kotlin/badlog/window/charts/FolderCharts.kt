@@ -1,5 +1,6 @@
 package badlog.window.charts
 
+import badlog.catalog.examine.ExaminedLog
 import badlog.catalog.folder.LogEntry
 import badlog.files.writeAtomically
 import badlog.window.export.figure.FigureFormat
@@ -44,13 +45,18 @@ internal data class ChartsState(
     }
 }
 
-/** The charts of the logs that the list of the folder shows. Use it only on the window's thread. */
+/**
+ * The charts of the logs that the list of the folder shows. Use it only on the window's thread.
+ *
+ * @param makeCharts draws charts, see [drawCharts].
+ */
 internal class FolderCharts(
     private val scope: CoroutineScope,
     private val library: Library,
     private val files: FileChoice,
     private val tasks: LongTasks,
     private val notices: Notices,
+    private val makeCharts: (List<LogEntry>, (LogEntry) -> ExaminedLog?, (Float) -> Unit) -> DrawnCharts = ::drawCharts,
 ) : StateHolder<ChartsState>(ChartsState()) {
     private var drawing: Job? = null
 
@@ -103,7 +109,7 @@ internal class FolderCharts(
         changedAt = null
         change { copy(charts = chartsFor(logs), asked = logs, isDrawing = true) }
         val examined = library.examined
-        val job = tasks.run("Drawing charts of ${logs.size} logs", { progress -> drawCharts(logs, examined, progress) }) { drawn ->
+        val job = tasks.run("Drawing charts of ${logs.size} logs", { progress -> makeCharts(logs, examined, progress) }) { drawn ->
             change { ChartsState(drawn, of = logs, asked = logs) }
         }
         drawing = job

@@ -27,6 +27,7 @@ import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.attribute.FileTime
 import javax.imageio.ImageIO
 
 /** The charts of a folder’s logs, as a person sees them. */
@@ -50,14 +51,14 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    fun sampleFolder() = tempdir().toPath().also { it.putSamples() }
+    fun sampleFolder() = tempdir().toPath().also { it.putSamples(areSettled = true) }
 
     /** Presses the key that shows the charts. */
     fun showCharts(viewer: Viewer) = viewer.commands.first { it.meaning == "Show or hide charts of the listed logs" }.action()
 
     fun names(viewer: Viewer) = viewer.charts.state.charts?.all.orEmpty().map { it.name }
 
-    test("a key shows charts of the listed logs, each with what it says, and what is lacking for others") {
+    test("a key shows charts of the listed logs, each with what it says, and what is lacking for others; shown again, they are there at once") {
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
             waitFor { names(viewer).isNotEmpty() }
@@ -66,6 +67,10 @@ class ChartsPaneSpec : FunSpec({
             viewer.charts.state.charts!!.lacking.first() shouldStartWith "“Packet loss” needs"
             showCharts(viewer)
             viewer.panels.state.main shouldBe MainView.GRAPHS
+            val drawn = viewer.charts.state.charts
+            showCharts(viewer)
+            waitForIdle()
+            viewer.charts.state.run { (charts === drawn) to isDrawing } shouldBe (true to false)
         }
     }
 
@@ -82,22 +87,17 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    test("what was drawn is there at once when the view is opened again") {
-        onFolder(sampleFolder()) { viewer ->
-            showCharts(viewer)
-            waitFor { names(viewer).isNotEmpty() }
-            val drawn = viewer.charts.state.charts
-            repeat(2) { showCharts(viewer) }
-            waitForIdle()
-            viewer.charts.state.run { (charts === drawn) to isDrawing } shouldBe (true to false)
-        }
-    }
-
-    test("a chart is saved as SVG and as PNG") {
+    test("drawing that a person stops says so, and can be asked for again; a chart is saved as SVG and as PNG") {
         val target = tempdir().toPath()
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
+            waitFor { viewer.tasks.all.any { "Drawing charts" in it.title } }
+            viewer.tasks.all.forEach { it.cancel() }
+            waitFor { viewer.charts.state.isStopped }
+            onNodeWithText("Drawing was stopped.").assertExists()
+            onNodeWithText("Draw").performClick()
             waitFor { names(viewer).isNotEmpty() }
+            viewer.charts.state.isStopped shouldBe false
             chosen.file = target.resolve("battery.svg")
             onNodeWithContentDescription("Save “Battery at its lowest” as SVG").performClick()
             waitForNotice(viewer, "Saved the chart to ${chosen.file}.")
@@ -109,21 +109,10 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    test("drawing that a person stops says so, and can be asked for again") {
-        onFolder(sampleFolder()) { viewer ->
-            showCharts(viewer)
-            waitFor { viewer.tasks.all.any { "Drawing charts" in it.title } }
-            viewer.tasks.all.forEach { it.cancel() }
-            waitFor { viewer.charts.state.isStopped }
-            onNodeWithText("Drawing was stopped.").assertExists()
-            onNodeWithText("Draw").performClick()
-            waitFor { names(viewer).isNotEmpty() }
-            viewer.charts.state.isStopped shouldBe false
-        }
-    }
-
     test("a folder of logs that rules cannot look into has a sentence for each chart") {
-        val folder = tempdir().toPath().also { it.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }) }
+        val folder = tempdir().toPath()
+        // Rules wait for logs that are written just now.
+        Files.setLastModifiedTime(folder.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }), FileTime.fromMillis(1_700_000_000_000))
         onFolder(folder) { viewer ->
             showCharts(viewer)
             waitFor { viewer.charts.state.charts != null }

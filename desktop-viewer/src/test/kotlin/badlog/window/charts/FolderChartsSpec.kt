@@ -1,8 +1,9 @@
 package badlog.window.charts
 
 import badlog.catalog.folder.LogEntry
-import badlog.catalog.folder.putSamples
+import badlog.catalog.folder.entry
 import badlog.files.UserFolders
+import badlog.viewer.catalog.LogFound
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
 import io.kotest.core.spec.style.FunSpec
@@ -17,47 +18,58 @@ import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.withTimeout
+import kotlinx.coroutines.yield
+import java.util.concurrent.Semaphore
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.minutes
 
-/** When charts of a folder’s logs are drawn, whatever shows them. */
+/** When charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
 class FolderChartsSpec : FunSpec({
+    val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = LogFound(0, emptyList())) }
+    val some = logs.take(2)
+
     suspend fun until(condition: () -> Boolean) = withTimeout(3.minutes) { while (!condition()) delay(5.milliseconds) }
 
-    /** Does [steps] with the sorted logs of a folder of samples, and with what makes charts of a list of them. */
-    suspend fun following(steps: suspend (FolderCharts, List<LogEntry>, MutableStateFlow<List<LogEntry>>) -> Unit) = withContext(Dispatchers.Main) {
+    /** Does [steps] with what makes charts of a list of logs, and with permits, each of which lets one drawing end. */
+    suspend fun following(steps: suspend (FolderCharts, MutableStateFlow<List<LogEntry>>, Semaphore) -> Unit) = withContext(Dispatchers.Main) {
         val home = tempdir().toPath()
-        val viewer = Viewer(MainScope(), UserFolders(home, home), files = ChosenFiles(null))
-        viewer.library.open(tempdir().toPath().also { it.putSamples() }, showsNewest = false)
-        until { viewer.library.state.run { hasLooked && entries.isNotEmpty() && entries.all { it.isGray || it.found != null } } }
+        val viewer = Viewer(MainScope(), UserFolders(home, home))
+        val permits = Semaphore(0)
+        val charts = FolderCharts(viewer.scope, viewer.library, ChosenFiles(null), viewer.tasks, viewer.notices) { _, _, _ ->
+            permits.acquire()
+            DrawnCharts(emptyList(), emptyList())
+        }
         val lists = MutableStateFlow(emptyList<LogEntry>())
-        val following = launch { viewer.charts.follow(lists) }
+        val following = launch { charts.follow(lists) }
         try {
-            steps(viewer.charts, viewer.library.state.entries.filter { it.isReadable && !it.isGray }.sortedBy { it.path }, lists)
+            steps(charts, lists, permits)
         } finally {
             following.cancelAndJoin()
-            viewer.library.close()
         }
     }
 
     test("a list that grows does not stop the drawing that runs; its own charts follow") {
-        following { charts, logs, lists ->
-            val more = logs + logs
-            lists.value = logs
+        following { charts, lists, permits ->
+            lists.value = some
             until { charts.state.isDrawing }
-            lists.value = more
+            lists.value = logs
+            // The other list is heard of while the first one is being drawn.
+            repeat(20) { yield() }
+            permits.release()
+            until { charts.state.of == some }
+            permits.release()
             until { charts.state.of == logs }
-            until { charts.state.of == more }
-            charts.state.asked shouldBe more
+            charts.state.asked shouldBe logs
         }
     }
 
     test("a list that is never calm has charts all the same") {
-        following { charts, logs, lists ->
+        following { charts, lists, permits ->
+            permits.release()
             var change = 0
             until {
                 // The rules look into one log after the other.
-                lists.value = logs.map { it.copy(found = it.found!!.copy(key = change)) }
+                lists.value = logs.map { it.copy(found = LogFound(change, emptyList())) }
                 change++
                 charts.state.charts != null
             }
@@ -66,20 +78,22 @@ class FolderChartsSpec : FunSpec({
     }
 
     test("charts that are right again while others are being drawn are not called stopped") {
-        following { charts, logs, lists ->
-            lists.value = logs
-            until { charts.state.of == logs }
+        following { charts, lists, permits ->
+            permits.release()
+            lists.value = some
+            until { charts.state.of == some }
             val drawn = charts.state.charts
-            lists.value = logs + logs
-            until { charts.state.isDrawing }
             lists.value = logs
+            until { charts.state.isDrawing }
+            lists.value = some
             until { !charts.state.isDrawing }
-            charts.state.run { listOf(this.charts === drawn, of == logs, isStopped) } shouldBe listOf(true, true, false)
+            charts.state.run { listOf(this.charts === drawn, of == some, isStopped) } shouldBe listOf(true, true, false)
         }
     }
 
     test("charts are not shown as those of a folder that shares no log with them") {
-        following { charts, logs, lists ->
+        following { charts, lists, permits ->
+            permits.release()
             lists.value = logs.take(1)
             until { charts.state.of.isNotEmpty() }
             charts.state.run { listOf(chartsFor(logs) === this.charts, chartsFor(logs.drop(1)), chartsFor(emptyList())) } shouldBe listOf(true, null, null)
@@ -87,6 +101,6 @@ class FolderChartsSpec : FunSpec({
     }
 
     test("logs over which the rules of today were not run are counted") {
-        following { _, logs, _ -> drawCharts(logs, { null }) {}.unknown shouldBe logs.size }
+        drawCharts(logs, { null }) {}.unknown shouldBe logs.size
     }
 })

@@ -17,21 +17,20 @@ import badlog.window.recordingOf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeSameInstanceAs
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.cancelAndJoin
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
 import java.nio.file.Files
 import java.nio.file.Path
-import kotlin.time.measureTime
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 
 class ShownRecordingsSpec : FunSpec({
     fun log(name: String) = recordingOf(bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" }), name)
@@ -73,19 +72,20 @@ class ShownRecordingsSpec : FunSpec({
         shouldThrow<CancellationException> { log("a.bag").with(wanted) { if (++begun > 3) throw CancellationException() } }
         begun shouldBe 4
 
-        val rows = List(50_000) { "$it,${it % 7}" }
-        val long = recordingOf(bagOf(listOf("Time", "Arm/Angle"), rows), "long.bag")
-        val many = RecordingChoices(definitions = List(100) { "F$it = ${List(20) { "Arm/Angle" }.joinToString(" + ")} + $it" })
-        // The first time, the code itself is slow.
-        val whole = List(2) { measureTime { long.with(many) } }.last()
-        val viewer = viewerOf(long)
-        val rest = withContext(Dispatchers.Swing) {
-            val following = launch { viewer.shown.run() }
-            viewer.formulas.replaceAll(many.definitions)
-            delay(whole / 10)
-            measureTime { following.cancelAndJoin() }
+        val slow = SlowDefinitions(wanted.definitions)
+        val viewer = viewerOf(log("a.bag"))
+        val choices = RecordingChoices(slow)
+        val shown = with(viewer) { ShownRecordings(current, compared, board, view, live, notices, { it() }, { null }) { choices } }
+        onWindow { shown.isWaiting } shouldBe true
+        withContext(Dispatchers.Swing) {
+            val following = launch { shown.run() }
+            withContext(Dispatchers.IO) { slow.awaitReader() }
+            following.cancel()
+            slow.goOn()
+            following.join()
         }
-        rest shouldBeLessThan whole / 2
+        // Whoever calculates to the end reads them once more, with what came of them.
+        slow.timesRead shouldBe 1
     }
 
     test("a choice is shown in the open log and in the compared ones, and nothing waits any more") {
@@ -179,3 +179,26 @@ class ShownRecordingsSpec : FunSpec({
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Angle"))
     }
 })
+
+/** Definitions of formulas, whose reader waits until [goOn] is called. */
+private class SlowDefinitions(private val all: List<String>) : AbstractList<String>() {
+    private val isRead = CountDownLatch(1)
+    private val mayGoOn = CountDownLatch(1)
+    private val lastReads = AtomicInteger()
+
+    /** How often the last of them was read. */
+    val timesRead: Int get() = lastReads.get()
+
+    override val size: Int get() = all.size
+
+    override fun get(index: Int): String {
+        isRead.countDown()
+        check(mayGoOn.await(60, TimeUnit.SECONDS)) { "Nobody lets the reader go on." }
+        if (index == all.lastIndex) lastReads.incrementAndGet()
+        return all[index]
+    }
+
+    fun awaitReader() = check(isRead.await(60, TimeUnit.SECONDS)) { "Nobody reads the definitions." }
+
+    fun goOn() = mayGoOn.countDown()
+}

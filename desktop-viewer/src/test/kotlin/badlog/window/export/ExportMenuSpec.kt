@@ -12,7 +12,6 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.defaultBoard
-import badlog.viewer.choices.range.Viewport
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.compare.Comparison
@@ -98,9 +97,10 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("a figure is saved with what was selected for it") {
+    test("a figure is saved with what was selected for it, has the values at the pinned cursor, and says where it stands") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
+            viewer.view.changeCursors { pinnedAt(1.0) }
             choose("Export", "Figure for a report…")
             onNodeWithText("3 of 3 graphs").assertExists()
             onNodeWithContentDescription("In the figure: Arm/Current").performClick()
@@ -111,21 +111,10 @@ class ExportMenuSpec : FunSpec({
             val svg = Files.readString(file)
             svg shouldContain "width=\"600\""
             svg shouldContain "Arm/Angle"
+            svg shouldContain "match.bag · 0.00"
+            svg shouldContain " s · cursor at 1.00"
             ("Arm/Current" in svg) shouldBe false
             files.questions shouldBe listOf("Save the figure")
-        }
-    }
-
-    test("a figure has the values at the pinned cursor, and says where it stands") {
-        val file = home.resolve("cursor.svg")
-        window(file) { viewer, _ ->
-            viewer.view.changeCursors { pinnedAt(1.0) }
-            choose("Export", "Figure for a report…")
-            onNodeWithContentDescription("File: SVG").performClick()
-            onNodeWithContentDescription("Save the figure").performClick()
-            waitForNotice(viewer, "Saved $file")
-            Files.readString(file) shouldContain "match.bag · 0.00"
-            Files.readString(file) shouldContain " s · cursor at 1.00"
         }
     }
 
@@ -138,39 +127,30 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the selection is saved rather than the visible range, when there is one") {
+    test("the selection is saved rather than the visible range, when there is one, also of the topics of the graphs alone, with their units") {
         val file = home.resolve("part.csv")
-        window(file) { viewer, _ ->
+        window(file) { viewer, files ->
             viewer.view.select(Span(1.0, 1.1))
             choose("Export", "The selection as CSV…")
             waitForNotice(viewer, "Wrote 6 rows to $file")
             Files.readAllLines(file).size shouldBe 7
-        }
-    }
-
-    test("the topics of the graphs alone are a table for a spreadsheet, with their units") {
-        val file = home.resolve("board.csv")
-        window(file) { viewer, _ ->
+            val table = home.resolve("board.csv")
+            files.file = table
             viewer.board.change { without(graphs.first { "Arm/Angle" in it.lines }.id) }
-            viewer.view.select(Span(1.0, 1.1))
             choose("Export", "The graphs as CSV…")
-            waitForNotice(viewer, "Wrote 6 rows to $file")
-            Files.readAllLines(file).first() shouldBe "Time (s),Arm/Current (A),Arm/Mode"
+            waitForNotice(viewer, "Wrote 6 rows to $table")
+            Files.readAllLines(table).first() shouldBe "Time (s),Arm/Current (A),Arm/Mode"
         }
     }
 
-    test("who thinks better of it gets nothing, and hears nothing") {
+    test("who thinks better of it gets nothing, and hears nothing; a file that is there is not replaced when the person has not named it in full") {
+        val there = Files.writeString(home.resolve("there.csv"), "mine")
         window(null) { viewer, files ->
             choose("Export", "The visible range as a bag…")
             files.questions.size shouldBe 1
             viewer.tasks.all.shouldBeEmpty()
             viewer.notices.all.shouldBeEmpty()
-        }
-    }
-
-    test("a file that is there is not replaced when the person has not named it in full") {
-        val there = Files.writeString(home.resolve("there.csv"), "mine")
-        window(home.resolve("there")) { viewer, _ ->
+            files.file = home.resolve("there")
             choose("Export", "The visible range as CSV…")
             waitForNotice(viewer, "there.csv exists already")
             Files.readString(there) shouldBe "mine"

@@ -37,9 +37,4 @@ class FindingListSpec : FunSpec({
         found.placeNear(finding, 1e6) shouldBe 90.0
         found.placeNear(found.all.single { it.rule == "Whole" }, 43.0).isNaN() shouldBe true
     }
-
-    test("a finding is marked where it holds, and where to look first") {
-        list.timeline.places.map { "${it.finding.rule} ${it.span.from.toInt()} ${it.span.to.toInt()}" } shouldContainExactly
-            list.all.filter { it.time.isFinite() }.flatMap { finding -> finding.spans.map { "${finding.rule} ${it.from.toInt()} ${it.to.toInt()}" } }
-    }
 })

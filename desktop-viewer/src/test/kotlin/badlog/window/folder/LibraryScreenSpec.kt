@@ -66,13 +66,16 @@ class LibraryScreenSpec : FunSpec({
 
     fun shown(viewer: Viewer) = viewer.library.state.visible.map { it.title }
 
-    test("the samples are listed with their matches, and a click opens one") {
+    test("the samples are listed with their matches, a click opens one, and page up the one above the selected one") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithText("Qualification 42", substring = true).assertExists()
             onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.73 V").assertExists()
             onNodeWithContentDescription("Log practice.bag").performClick()
             waitFor { viewer.current.recording?.file?.fileName.toString() == "practice.bag" }
             onNodeWithContentDescription("Log practice.bag").assertIsSelected()
+            viewer.library.change { copy(selected = visible[1].file) }
+            libraryCommands(viewer.library, viewer.panels, viewer.opener, viewer::showNewLog).single { it.keys.single().key == Key.PageUp }.action()
+            waitFor { viewer.current.recording?.file == viewer.library.state.visible[0].file }
         }
     }
 
@@ -89,8 +92,10 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("a search leaves what has all words, and can be taken back") {
+    test("a search, which the slash puts the keyboard into, leaves what has all words, and can be taken back") {
         onFolder(sampleFolder()) { viewer ->
+            viewer.commands.first { it.meaning == "Search the logs" }.action()
+            onNodeWithContentDescription("Search logs").assertIsFocused()
             onNodeWithContentDescription("Search logs").performTextInput("qual blue")
             shown(viewer) shouldContainExactly listOf("Qualification 42")
             onNodeWithText("1 of 4 logs").assertExists()
@@ -99,13 +104,6 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithContentDescription("Search logs").performTextInput(" nothing")
             onNodeWithText("List all logs").performClick()
             shown(viewer).size shouldBe 4
-        }
-    }
-
-    test("the slash puts the keyboard into the search") {
-        onFolder(sampleFolder()) { viewer ->
-            viewer.commands.first { it.meaning == "Search the logs" }.action()
-            onNodeWithContentDescription("Search logs").assertIsFocused()
         }
     }
 
@@ -130,7 +128,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("the keyboard goes through the table, and Enter opens the log in the graphs") {
+    test("the keyboard goes through the table, and Enter opens the log in the graphs; so does a double click, and a click selects a row") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             val table = onNodeWithContentDescription("Table of logs")
             table.performKeyInput { pressKey(Key.MoveHome) }
@@ -141,11 +139,8 @@ class LibraryScreenSpec : FunSpec({
             table.performKeyInput { pressKey(Key.Enter) }
             waitFor { viewer.current.recording?.file == second }
             viewer.panels.state.main shouldBe MainView.GRAPHS
-        }
-    }
-
-    test("a click on a row of the table selects it, a double click opens it") {
-        onFolder(sampleFolder(), MainView.LOGS) { viewer ->
+            viewer.panels.change { copy(main = MainView.LOGS) }
+            waitForIdle()
             onNodeWithContentDescription("Log practice.bag").performMouseInput { click() }
             viewer.library.state.selected?.fileName.toString() shouldBe "practice.bag"
             viewer.panels.state.main shouldBe MainView.LOGS
@@ -187,14 +182,6 @@ class LibraryScreenSpec : FunSpec({
             onNodeWithContentDescription("Search topics for the preview").performTextInput("pos elevator/")
             onNode(hasText("Elevator/Position")).performClick()
             viewer.settings.state.previewTopic shouldBe "Elevator/Position"
-        }
-    }
-
-    test("page up and page down open the logs one after the other") {
-        onFolder(sampleFolder()) { viewer ->
-            viewer.library.change { copy(selected = viewer.library.state.visible[1].file) }
-            libraryCommands(viewer.library, viewer.panels, viewer.opener, viewer::showNewLog).single { it.keys.single().key == Key.PageUp }.action()
-            waitFor { viewer.current.recording?.file == viewer.library.state.visible[0].file }
         }
     }
 })

@@ -6,23 +6,16 @@ import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.shown.folder.LogColumn
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 
 class LibraryStateSpec : FunSpec({
-    fun names(state: LibraryState) = state.visible.map { it.fileName }
-
     val match9 = entry("a.bag", MatchOfLog("Mill Creek Regional", "Qualification", "9", "Red"), 300)
     val match10 = entry("b.bag", MatchOfLog("Mill Creek Regional", "Qualification", "10", "Blue"), 200)
     val bench = entry("day2/bench.csv", second = 100)
     val reboot = entry("reboot.bag", second = 400, content = Content.NO_SAMPLES)
     val foreign = entry("groceries.csv", content = Content.NO_LOG)
     val state = LibraryState().knowing(listOf(bench, match9, reboot, match10, foreign))
-
-    test("the newest stands at the top, and what is not a log does not stand there") {
-        names(state) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
-    }
 
     test("the newest log is one in which something happened") {
         state.newest shouldBe match9

@@ -11,6 +11,9 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.LogEntry
+import badlog.catalog.folder.bag
+import badlog.catalog.folder.matchValues
+import badlog.catalog.folder.put
 import badlog.catalog.folder.putSamples
 import badlog.files.LogFile
 import badlog.files.UserFolders
@@ -40,7 +43,7 @@ class NewLogsSpec : FunSpec({
     /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
     fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {
         val home = tempdir().toPath()
-        val logs = tempdir().toPath().also { it.putSamples() }
+        val logs = tempdir().toPath().also { it.putSamples(areSettled = true) }
         val name = "qualification-42.bag"
         val match = Files.move(logs / name, home / name)
         val viewer = Viewer(MainScope(), UserFolders(home, home))
@@ -67,15 +70,10 @@ class NewLogsSpec : FunSpec({
         onNodeWithText("Browned out at 1:33.", substring = true).assertExists()
     }
 
-    test("the logs that a folder has when it is opened did not arrive") {
-        onFolder { viewer, _ ->
+    test("what a folder has when it is opened did not arrive; a log that arrives is announced, takes nothing away, and is shown at the worst in it") {
+        onFolder { viewer, arrives ->
             waitFor { viewer.library.state.entries.all { it.found != null || it.isGray } }
             onAllNodesWithContentDescription("New log").assertCountEquals(0)
-        }
-    }
-
-    test("a log that arrives is announced, takes nothing away, and is shown at the worst in it") {
-        onFolder { viewer, arrives ->
             val before = viewer.current.recording
             arrives()
             awaitBar(viewer)
@@ -124,11 +122,11 @@ class NewLogsSpec : FunSpec({
             awaitBar(viewer)
             onNodeWithText("Later").performClick()
             viewer.newLogs.state.latest shouldBe null
-        }
-        onFolder { viewer, arrives ->
-            arrives()
-            awaitBar(viewer)
-            onNodeWithContentDescription("Log qualification-42.bag").performClick()
+            val other = tempdir().toPath().put("other.bag", bag(values = matchValues(36)))
+            Files.setLastModifiedTime(other, FileTime.fromMillis(System.currentTimeMillis() - 3_600_000))
+            Files.move(other, checkNotNull(viewer.library.state.folder) / "other.bag")
+            waitFor { viewer.newLogs.state.latest != null }
+            onNodeWithContentDescription("Log other.bag").performClick()
             waitFor { viewer.newLogs.state.latest == null }
         }
     }

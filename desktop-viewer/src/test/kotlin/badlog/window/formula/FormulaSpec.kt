@@ -1,7 +1,6 @@
 package badlog.window.formula
 
 import androidx.compose.ui.text.AnnotatedString
-import badlog.catalog.folder.loggedTopic
 import badlog.expression.ExpressionError
 import badlog.expression.VirtualTopic
 import badlog.viewer.choices.board.Board
@@ -12,7 +11,6 @@ import badlog.window.layout.fitted
 import badlog.window.recordingOf
 import badlog.window.sidebar.statisticsRow
 import badlog.window.theme.Palette
-import badlog.window.wpilogRecording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
@@ -58,14 +56,6 @@ class FormulaSpec : FunSpec({
         // A layout that draws it is whole all the same.
         fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
         fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
-    }
-
-    test("topics with times of their own make formulas, too") {
-        val log = wpilogRecording(loggedTopic("A", 0.0 to 1.0, 2.0 to 3.0), loggedTopic("B", 1.0 to 10.0))
-        val open = log.withFormulas(listOf("S = A + B"))
-        val series = open.signal("S").shouldNotBeNull().series
-        series.x.toList() shouldContainExactly listOf(0.0, 1.0, 2.0)
-        series.y.toList().drop(1) shouldContainExactly listOf(11.0, 13.0)
     }
 
     test("the place of a mistake is underlined; where something is missing, what stands before it") {

@@ -113,10 +113,10 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("ten thousand topics of states make graphs of some lanes each") {
-        val names = (0 until 10_000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
-        val row = (0 until 10_000).joinToString(",") { "A" }
-        val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 10_000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
+    test("a thousand topics of states make graphs of some lanes each") {
+        val names = (0 until 1000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
+        val row = (0 until 1000).joinToString(",") { "A" }
+        val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 1000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
         viewer.board.replace(defaultBoard(checkNotNull(viewer.current.recording).view))
         viewer.board.state.graphs.all { it.lines.size <= 16 } shouldBe true
         runDesktopComposeUiTest(900, 600) {

@@ -34,16 +34,6 @@ class LiveViewSpec : FunSpec({
         viewer.live.newest shouldBe 20.0
     }
 
-    test("whoever goes elsewhere and back to the old end is not taken to the new one") {
-        val viewer = growing()
-        viewer.view.change { showing(1.0, 3.0) }
-        viewer.shown.show(log(12))
-        viewer.view.change { showing(8.0, 12.0) }
-        viewer.shown.show(log(13))
-        viewer.view.cursors.pinned shouldBe 10.0
-        viewer.live.isStaying shouldBe false
-    }
-
     test("a log that no longer grows has no newest moment") {
         val viewer = growing()
         viewer.live.grows(null)

@@ -4,7 +4,6 @@ import badlog.viewer.choices.board.defaultBoard
 import badlog.window.graph.recordingOf
 import badlog.window.graph.sample
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 
@@ -30,12 +29,6 @@ class StandardGraphsSpec : FunSpec({
         )
         graphs.size shouldBeLessThanOrEqual 24
         open.signals.size shouldBe names.size
-    }
-
-    test("a signal that never changes is not among them") {
-        val names = List(100) { "Dashboard $it/Value" } + "/SystemStats/BatteryVoltage"
-        val open = logOf(names) { name, row -> if (name.endsWith("Voltage")) "12" else "$row" }
-        open.standardGraphs.graphs.flatMap { it.lines } shouldNotContain "/SystemStats/BatteryVoltage"
     }
 
     test("a log that a person can look through begins with what explains most of a match, then all else that its attributes ask for") {

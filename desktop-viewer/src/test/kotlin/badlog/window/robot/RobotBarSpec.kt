@@ -103,7 +103,8 @@ class RobotBarSpec : FunSpec({
         FakeRobot(tempdir().toPath()).use { robot ->
             DriverStation().use { station ->
                 beside({ listOf(robot.address(station.port)) }, tempdir().toPath()) { viewer ->
-                    connect()
+                    onNodeWithContentDescription("Team number or address").performTextInput("1014")
+                    onNodeWithContentDescription("Fetch logs from the robot").performClick()
                     awaitText("Trust it?")
                     onNodeWithContentDescription("Do not trust this robot").performClick()
                     awaitText("10.10.14.2 is not trusted, so nothing was fetched.")

@@ -1,7 +1,5 @@
 package badlog.window.screen
 
-import badlog.catalog.folder.putSamples
-import badlog.window.sidebar.InspectorTab
 import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -9,7 +7,6 @@ import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.math.abs
 
@@ -29,28 +26,6 @@ class FindingsWindowSpec : FunSpec({
             window.look { viewer -> viewer.settings.change { copy(theme = Theme.DARK) } }
             window.awaitGraphs()
             window.picture("evidence-dark", guide = "viewer-dark")
-        }
-    }
-
-    test("from the table of logs to why a match browned out takes one click").config(enabledOrReasonIf = { needsDisplay }) {
-        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
-        RealWindow(tempdir().toPath(), folder, width = 1366, height = 768).use { window ->
-            window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
-            window.press(KeyEvent.VK_T)
-            window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
-            window.click("Findings of qualification-42.bag")
-            window.awaitState("the match, and the worst that was found in it") { viewer ->
-                viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.selected != null
-            }
-            window.awaitState("what shows it, all on the screen") { viewer ->
-                viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })
-            }
-            window.look { viewer -> viewer.board.evidence.graphs.flatMap { it.lines } } shouldContainAll
-                listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
-            window.look { viewer -> 93.7096 in viewer.view.viewport.visible } shouldBe true
-            window.look { viewer -> viewer.panels.state.inspector } shouldBe InspectorTab.FINDINGS
-            window.awaitGraphs()
-            window.picture("from-table")
         }
     }
 

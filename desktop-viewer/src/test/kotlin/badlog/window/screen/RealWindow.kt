@@ -234,7 +234,7 @@ internal class RealWindow(
      * into docs, as the picture [guide] of the guides.
      */
     fun picture(name: String, guide: String? = null): BufferedImage {
-        Thread.sleep(PICTURE_MILLIS)
+        Thread.sleep(if (guide == null || System.getenv("BADLOG_WRITE_GUIDE") == null) LOOK_MILLIS else PICTURE_MILLIS)
         val picture = capture()
         val folder = Files.createDirectories(Path.of("build/screenshots"))
         ImageIO.write(picture, "png", folder.resolve("$name.png").toFile())
@@ -330,7 +330,10 @@ internal class RealWindow(
         /** Clicks within this time are a double click. */
         const val DOUBLE_CLICK_MILLIS = 300L
 
-        /** So long a picture may still be on its way to the screen. */
+        /** So long a picture may still be on its way to the screen, which one that is published waits for. */
         const val PICTURE_MILLIS = 400L
+
+        /** So long it usually is. */
+        const val LOOK_MILLIS = 150L
     }
 }

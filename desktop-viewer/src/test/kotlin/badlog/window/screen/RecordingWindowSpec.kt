@@ -30,7 +30,7 @@ class RecordingWindowSpec : FunSpec({
                 window.click("Record until stopped")
                 window.awaitState("the log that is recorded, live") { it.current.recording != null && it.live.isStaying }
                 window.awaitText("Stop recording")
-                window.awaitState("more of it") { it.current.recording!!.span.width > 12 }
+                window.awaitState("more of it") { it.current.recording!!.span.width > 2 }
                 window.press(KeyEvent.VK_M, KeyEvent.VK_SHIFT)
                 window.awaitState("a mark") { viewer -> viewer.notes.all.any { it.text == "Mark 1" } }
                 window.picture("recording-live")

@@ -1,9 +1,12 @@
 package badlog.window.screen
 
 import badlog.catalog.folder.putSamples
+import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 import java.nio.file.Path
@@ -12,11 +15,11 @@ import kotlin.math.abs
 
 /** What the moving picture of the window shows: a person with a mouse, from a folder of logs to why a match went wrong. */
 class TourSpec : FunSpec({
-    test("from the table of logs a person comes to the brownout, looks at it closely, and compares it with another match").config(
+    test("from the table of logs a person comes to the brownout by one click, looks at it closely, and compares it with another match").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val film = Film(Path.of("build/tour"))
-        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
+        val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples(areSettled = true) }
         RealWindow(tempdir().toPath(), folder, WIDTH, HEIGHT).use { window ->
             fun show(millis: Int) = film.add(window, millis)
             window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
@@ -34,6 +37,10 @@ class TourSpec : FunSpec({
             window.awaitState("what shows it, all on the screen") { viewer ->
                 viewer.board.evidence.graphs.isNotEmpty() && viewer.board.inSight.orEmpty().containsAll(viewer.board.evidence.graphs.map { it.id })
             }
+            window.look { viewer -> viewer.board.evidence.graphs.flatMap { it.lines } } shouldContainAll
+                listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Left Output")
+            window.look { viewer -> 93.7096 in viewer.view.viewport.visible } shouldBe true
+            window.look { viewer -> viewer.panels.state.inspector } shouldBe InspectorTab.FINDINGS
             window.awaitState("the graphs") { it.panels.state.main == MainView.GRAPHS }
             window.awaitGraphs()
             val first = checkNotNull(window.look { it.view.cursor })
@@ -70,17 +77,21 @@ class TourSpec : FunSpec({
     }
 })
 
-/** Pictures of a window in [folder], one after the other; nothing else is there. */
+/** Pictures of a window in [folder], one after the other; nothing else is there. Only the task `tour` has them taken, see build.gradle. */
 private class Film(private val folder: Path) {
+    private val isTaken = System.getenv("BADLOG_TOUR") != null
     private var count = 0
 
     init {
-        folder.toFile().deleteRecursively()
-        Files.createDirectories(folder)
+        if (isTaken) {
+            folder.toFile().deleteRecursively()
+            Files.createDirectories(folder)
+        }
     }
 
     /** Takes what [window] shows now, to be shown for [millis] milliseconds. */
     fun add(window: RealWindow, millis: Int) {
+        if (!isTaken) return
         val name = "%02d-%d.png".format(count++, millis)
         ImageIO.write(window.captureWithPointer(), "png", folder.resolve(name).toFile())
     }

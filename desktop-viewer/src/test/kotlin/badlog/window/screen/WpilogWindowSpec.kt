@@ -12,23 +12,15 @@ import java.awt.event.KeyEvent
 import java.nio.file.Files
 
 class WpilogWindowSpec : FunSpec({
-    test("a log of 700 topics begins with closed folders and what can be looked through").config(enabledOrReasonIf = { needsDisplay }) {
-        val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")
-        Files.write(file, largeLog())
-        RealWindow(tempdir().toPath(), file, width = 1366, height = 768).use { window ->
-            window.awaitText("Folder Chassis")
-            window.look { it.topics.state.folded.contains("Chassis") } shouldBe true
-            window.awaitGraphs()
-            window.picture("large-log", guide = "viewer-large")
-        }
-    }
-
-    test("target and actual speed of a swerve module are compared after one search and one click").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a log of 700 topics begins with closed folders and what can be looked through; one search and one click compare target and actual speed").config(enabledOrReasonIf = { needsDisplay }) {
         val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")
         Files.write(file, largeLog())
         val speeds = listOf("/Chassis/ActualFrontLeftModuleState/speed", "/Chassis/TargetFrontLeftModuleState/speed")
         RealWindow(tempdir().toPath(), file, width = 1366, height = 768).use { window ->
             window.awaitText("Folder Chassis")
+            window.look { it.topics.state.folded.contains("Chassis") } shouldBe true
+            window.awaitGraphs()
+            window.picture("large-log", guide = "viewer-large")
             window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
             window.type("frontleft speed")
             window.awaitState("the search") { it.topics.state.query == "frontleft speed" }

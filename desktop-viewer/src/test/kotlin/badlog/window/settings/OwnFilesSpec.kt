@@ -33,7 +33,6 @@ class OwnFilesSpec : FunSpec({
                 waitFor { viewer.current.recording != null && viewer.library.state.reading == null }
                 onNodeWithContentDescription("Theme: system").performClick()
                 steps(viewer)
-                rest()
                 viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
                 rest()
             }

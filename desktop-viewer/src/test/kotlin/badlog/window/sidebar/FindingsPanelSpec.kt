@@ -184,30 +184,15 @@ class FindingsPanelSpec : FunSpec({
         viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
     }
 
-    test("the key for the next finding goes through the incidents first, in the order of the list, and then through what belongs to none") {
-        val viewer = viewerOf(sample("qualification-42.bag"))
-        val list = findingsIn(viewer.current.recording.shouldNotBeNull())
-        viewer.findings.change { knowing(list) }
-        val gone = List(list.all.size) {
-            viewer.actions.perform(Action.NEXT_FINDING)
-            viewer.findings.selected.shouldNotBeNull()
-        }
-        gone.take(list.incidents.size) shouldBe list.incidents.map { it.first }
-        gone.drop(list.incidents.size).none { finding -> list.incidents.any { finding in it } } shouldBe true
-        repeat(list.all.size) { viewer.actions.perform(Action.PREVIOUS_FINDING) }
-        viewer.findings.selected shouldBe list.incidents.first().first
-    }
-
     test("a wrong file of rules, and a log in which nothing was found, are reported") {
-        val wrong = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
+        val viewer = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
+        val nothing = findingsIn(counted(folderOf(ruleText("Never", "A > 1000"))))
         runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(wrong) } }
+            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
             savePicture("findings-wrong-rules")
-        }
-        val nothing = inspecting(counted(folderOf(ruleText("Never", "A > 1000"))))
-        runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(nothing) } }
+            runOnIdle { viewer.findings.change { knowing(nothing) } }
+            waitForIdle()
             onNodeWithText("Nothing was found.").assertExists()
         }
     }
@@ -215,22 +200,24 @@ class FindingsPanelSpec : FunSpec({
     test("sixty findings are marked on the time axis, and the pointer on one shows its text") {
         val severities = listOf("error", "warning", "note")
         val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
-        for (theme in listOf(Theme.LIGHT, Theme.DARK)) {
-            val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))
-            viewer.settings.change { copy(theme = theme) }
-            runDesktopComposeUiTest(1200, 700) {
-                setContent { ViewerScreen(viewer) }
+        val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))
+        runDesktopComposeUiTest(1200, 700) {
+            setContent { ViewerScreen(viewer) }
+            val strip = onNodeWithContentDescription("Findings on the time axis")
+            for (theme in listOf(Theme.DARK, Theme.LIGHT)) {
+                runOnIdle { viewer.settings.change { copy(theme = theme) } }
                 waitForPictures(viewer)
-                val strip = onNodeWithContentDescription("Findings on the time axis")
                 strip.performMouseInput { moveTo(Offset(width * 0.45f, height / 2f)) }
                 val pointed = viewer.findings.state.pointed.shouldNotBeNull()
                 onNodeWithText("${pointed.severity.word}: ${pointed.rule}").assertExists()
                 savePicture("findings-${theme.name.lowercase()}")
-                strip.performMouseInput { click(Offset(width * 0.45f, height / 2f)) }
-                runOnIdle { viewer.view.cursor shouldBe pointed.time }
                 strip.performMouseInput { exit() }
                 runOnIdle { viewer.findings.state.pointed shouldBe null }
             }
+            strip.performMouseInput { moveTo(Offset(width * 0.45f, height / 2f)) }
+            val pointed = viewer.findings.state.pointed.shouldNotBeNull()
+            strip.performMouseInput { click(Offset(width * 0.45f, height / 2f)) }
+            runOnIdle { viewer.view.cursor shouldBe pointed.time }
         }
     }
 })

@@ -13,7 +13,6 @@ import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.range.Viewport
 import badlog.viewer.shown.statistics.Histogram
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
@@ -137,13 +136,14 @@ class InspectorPaneSpec : FunSpec({
             bagOf(listOf("Time|xaxis", long, "$long 2|log"), listOf("0,1,$long", "NaN,2,$long"), mapOf(long to long)),
         )
         for (text in odd) {
-            for (tab in InspectorTab.entries) {
-                val viewer = viewerOf(recordingOf(text), tab)
-                viewer.board.replace(Board().withGraph(listOf(long, "A")))
-                runDesktopComposeUiTest(320, 600) {
-                    setContent { ViewerTheme(Theme.DARK) { TestInspector(viewer) } }
-                    onNodeWithText(tab.title).assertExists()
+            val viewer = viewerOf(recordingOf(text), InspectorTab.entries.first())
+            viewer.board.replace(Board().withGraph(listOf(long, "A")))
+            runDesktopComposeUiTest(320, 600) {
+                setContent { ViewerTheme(Theme.DARK) { TestInspector(viewer) } }
+                for (tab in InspectorTab.entries) {
+                    runOnIdle { viewer.panels.change { copy(inspector = tab) } }
                     waitForIdle()
+                    onNodeWithText(tab.title).assertExists()
                 }
             }
         }

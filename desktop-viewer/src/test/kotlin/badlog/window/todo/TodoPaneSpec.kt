@@ -48,7 +48,7 @@ import kotlin.io.path.writeText
 class TodoPaneSpec : FunSpec({
     fun onFolder(main: MainView = MainView.TODO, page: Path? = null, steps: DesktopComposeUiTest.(Viewer, Path) -> Unit) {
         val home = tempdir().toPath()
-        val folder = tempdir().toPath().also { it.putSamples() }
+        val folder = tempdir().toPath().also { it.putSamples(areSettled = true) }
         folder.resolve("checklist.md").writeText("# Before each match\n- [ ] Bumpers are tight\n")
         val viewer = Viewer(MainScope(), UserFolders(home, home), files = ChosenFiles(page))
         viewer.panels.change { copy(main = main) }

@@ -96,18 +96,6 @@ class WelcomeSpec : FunSpec({
         unpacked().size.toLong() shouldBe Files.size(samples.resolve("qualification-42.bag"))
     }
 
-    test("a folder without logs leaves the invitation, and the first log that comes takes its place") {
-        val folder = tempdir().toPath()
-        atFirstStart(ChosenFiles(folder)) { viewer ->
-            onNodeWithContentDescription("Open a folder of your logs").performClick()
-            waitFor { viewer.library.state.hasLooked }
-            onNodeWithContentDescription("Welcome").assertExists()
-            folder.put("first.bag", bag())
-            waitFor { viewer.current.recording != null }
-            onNodeWithContentDescription("Welcome").assertDoesNotExist()
-        }
-    }
-
     test("a log that is opened there is shown with its folder") {
         val log = samples.resolve("practice.bag").toAbsolutePath().normalize()
         atFirstStart(ChosenFiles(log)) { viewer ->

@@ -13,7 +13,6 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performMultiModalInput
-import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
@@ -151,24 +150,6 @@ class XyPaneSpec : FunSpec({
                 (id in viewer.graphs.planes) shouldBe false
                 menus.closeLast() shouldBe false
             }
-        }
-    }
-
-    test("two fingers zoom into the field around what is between them") {
-        path { viewer ->
-            val id = viewer.board.state.graphs[0].id
-            val whole = pictureOf(viewer).seen(null, 1000.0, 400.0)!!
-            plot().performTouchInput {
-                down(0, center - Offset(40f, 0f))
-                down(1, center + Offset(40f, 0f))
-                moveTo(0, center - Offset(80f, 0f))
-                moveTo(1, center + Offset(80f, 0f))
-                up(0)
-                up(1)
-            }
-            val zoomed = viewer.graphs.planes[id].shouldNotBeNull()
-            zoomed.y.width shouldBe (whole.y.width / 2 plusOrMinus 0.2)
-            zoomed.x.from + zoomed.x.to shouldBe (whole.x.from + whole.x.to plusOrMinus 0.2)
         }
     }
 

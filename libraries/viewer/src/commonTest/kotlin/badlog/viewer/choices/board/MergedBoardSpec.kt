@@ -99,6 +99,39 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
+    fun Board.idOf(title: String) = checkNotNull(named(title)).id
+
+    /** What a tab does with the graph of a title, and whether that is on a board. */
+    class Edit(val what: String, val done: Board.(String) -> Board, val isDone: Board.(String) -> Boolean)
+
+    val edits = listOf(
+        Edit("adds", { withGraph(listOf("New", it)) }, { graphs.count { graph -> graph.lines == listOf("New", it) } == 1 }),
+        Edit("removes", { without(idOf(it)) }, { named(it) == null }),
+        Edit("renames", { with(checkNotNull(named(it)).copy(title = "Own $it")) }, { graphs.count { graph -> graph.title == "Own $it" } == 1 }),
+        Edit("moves", { movedBefore(idOf(it), null) }, { graphs.count { graph -> graph.title == it } == 1 }),
+        Edit("resizes", { resized(idOf(it), 200) }, { named(it)?.height == 200 }),
+        Edit("adds a line to", { withLine(idOf(it), "New") }, { named(it)?.lines == listOf(it, "New") }),
+    )
+
+    for (mine in edits) {
+        test("a tab that ${mine.what} a graph keeps what another tab did with another one, in any order") {
+            for (theirs in edits) {
+                for (isFirst in listOf(true, false)) {
+                    val store = Store(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C")))
+                    val (a, b) = List(2) { Tab(store) }
+                    a.later { changed(mine.done(now, "A")) }
+                    b.later { changed(theirs.done(now, "B")) }
+                    for (tab in if (isFirst) listOf(a, b) else listOf(b, a)) tab.save()
+                    repeat(2) { listOf(a, b).forEach(Tab::save) }
+                    store.board.graphs.map { it.id }.shouldBeUnique()
+                    (mine.isDone(store.board, "A") to theirs.isDone(store.board, "B")) shouldBe (true to true)
+                    store.board.graphs.count { it.title == "C" } shouldBe 1
+                    listOf(a.board, b.board) shouldBe List(2) { store.board }
+                }
+            }
+        }
+    }
+
     test("undoing in one tab takes back its own changes, and none of another's") {
         checkAll(200, Arb.list(Arb.int(0..7), 0..30)) { all ->
             val store = Store(start)

@@ -31,6 +31,7 @@ class SampleAtCursorSpec : FunSpec({
 
     test("a number that was measured row by row is the nearest, a dash for a gap, and the dot stands on it") {
         rows.textAt("A", 0.4) shouldBe "1"
+        rows.textAt("A", 0.5) shouldBe "1"
         rows.textAt("A", 0.6) shouldBe "–"
         rows.textAt("A", 1.6) shouldBe "3"
         rows.line("A").dotAt(1.6) shouldBe 2.0

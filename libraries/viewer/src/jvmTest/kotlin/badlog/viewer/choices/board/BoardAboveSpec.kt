@@ -7,6 +7,7 @@ import badlog.rules.RuleSet
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 
@@ -38,6 +39,9 @@ class BoardAboveSpec : FunSpec({
     test("topics that never change, and those of which nothing is known, are not among them") {
         above(logOf(12, topic(VOLTAGE, "V"), topic(CURRENT, "A", to = 1.0))) shouldBe listOf(VOLTAGE to listOf(VOLTAGE))
         above(logOf(12)) shouldBe emptyList()
+        val large = above(logOf(70, topic(VOLTAGE, "V"), topic(CURRENT, "A", to = 1.0))).map { it.second }
+        large.first() shouldBe listOf(VOLTAGE)
+        large.flatten() shouldNotContain CURRENT
     }
 
     test("for a large log, what findings point at comes after the signals, and there are no more graphs than a person looks through") {
