@@ -47,8 +47,8 @@ import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
 import badlog.viewer.shown.folder.problemText
 import badlog.viewer.text.dateText
+import badlog.viewer.text.word
 import badlog.window.findings.findingColor
-import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameCut

@@ -12,7 +12,6 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.page.view.graphsOf
-import badlog.page.view.word
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
@@ -25,6 +24,7 @@ import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.with
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.text.countText
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**

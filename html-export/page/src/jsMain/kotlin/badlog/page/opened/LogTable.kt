@@ -11,6 +11,7 @@ import badlog.viewer.shown.folder.foundLines
 import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
 import badlog.viewer.text.countText
+import badlog.viewer.text.word
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
@@ -124,7 +125,7 @@ internal class LogTable(
                         else -> shown
                     }
                 } else {
-                    val look = "text-button is-${worst.name.lowercase()}"
+                    val look = "text-button is-${worst.word}"
                     addButton(look, shown, foundLines(log)) { onOpen(log, true) }.id = "found:${log.path}"
                 }
             }

@@ -8,6 +8,7 @@ import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
+import badlog.viewer.text.word
 import kotlin.math.floor
 
 /** Whether the battery came near the voltage at which a roboRIO cuts outputs. */
@@ -58,4 +59,4 @@ fun foundText(log: ListedLog): String? {
 }
 
 /** Returns everything that the rules found, one per line; empty for nothing. */
-fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }
+fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.word}: ${it.name}" }
