@@ -10,6 +10,7 @@ import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
 import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
+import badlog.viewer.shown.folder.problemSeverity
 import badlog.viewer.text.countText
 import badlog.viewer.text.word
 import kotlinx.browser.document
@@ -130,7 +131,10 @@ internal class LogTable(
                 }
             }
 
-            LogColumn.PROBLEMS -> add("span", if (log.isReadable) "" else "is-error", shown).title = problemSentence(log)
+            LogColumn.PROBLEMS -> {
+                val look = log.problemSeverity?.let { "is-${it.word}" }.orEmpty() + if (log.isReadable) "" else " is-unreadable"
+                add("span", look, shown).title = problemSentence(log)
+            }
 
             LogColumn.BATTERY -> {
                 add("span", if (log.isNearBrownout) "is-error" else "", shown)

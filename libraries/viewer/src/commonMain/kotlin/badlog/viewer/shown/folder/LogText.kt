@@ -1,5 +1,6 @@
 package badlog.viewer.shown.folder
 
+import badlog.core.recording.Severity
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.secondsOf
 import badlog.viewer.text.NO_NUMBER
@@ -34,6 +35,14 @@ fun problemText(log: ListedLog): String? = when {
     !log.isReadable -> "unreadable"
     else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.toString()
 }
+
+/** How serious the worst of its problems that matter is; null if there are none. */
+val ListedLog.problemSeverity: Severity?
+    get() = when {
+        !isReadable || summary.problems.errors > 0 -> Severity.ERROR
+        summary.problems.warnings > 0 -> Severity.WARNING
+        else -> null
+    }
 
 /** Returns the problems in words, for a tip. */
 fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.summary.problems) {
