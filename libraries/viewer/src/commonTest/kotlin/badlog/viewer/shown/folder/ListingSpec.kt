@@ -59,6 +59,8 @@ class ListingSpec : FunSpec({
     test("the newest is at the top, and a file that is not a log is not listed") {
         names(listing) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
         listing.size shouldBe 4
+        listing.count shouldBe "4 logs"
+        listing.copy(filter = "bench").count shouldBe "1 of 4 logs"
     }
 
     test("match 9 comes before match 10, and what is not a match comes last either way round") {
