@@ -40,10 +40,10 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.comparison.Alignment
 import badlog.viewer.choices.comparison.OFFSET_STEPS
+import badlog.viewer.choices.comparison.OffsetStep
 import badlog.viewer.choices.comparison.offsetOf
-import badlog.viewer.choices.comparison.roundedOffset
+import badlog.viewer.choices.comparison.offsetText
 import badlog.viewer.shown.comparison.shortLabel
-import badlog.viewer.text.exactText
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
@@ -116,17 +116,16 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
             Text("open", Modifier.padding(end = 8.dp), color = palette.muted)
         } else {
             val moveTo = { offset: Double -> compared.change { movedTo(recording.file, offset, open) } }
-            for (step in OFFSET_STEPS.reversed()) Nudge(drawn.name, "-", step) { moveTo(roundedOffset(drawn.offset - step)) }
+            val (back, on) = OFFSET_STEPS.partition { it.by < 0 }
+            val nudge = @Composable { step: OffsetStep ->
+                ToolButton(step.hintFor(drawn.name), text = step.label) { moveTo(drawn.offset + step.by) }
+            }
+            for (step in back) nudge(step)
             OffsetField(drawn.name, drawn.offset, moveTo)
-            for (step in OFFSET_STEPS) Nudge(drawn.name, "+", step) { moveTo(roundedOffset(drawn.offset + step)) }
+            for (step in on) nudge(step)
             ToolButton("Stop comparing with ${drawn.name}", Icons.Close) { compared.remove(recording.file) }
         }
     }
-}
-
-@Composable
-private fun Nudge(label: String, sign: String, step: Double, onClick: () -> Unit) {
-    ToolButton("Move $label by $sign$step", text = "$sign${step.toString().removePrefix("0").removeSuffix(".0")}", onClick = onClick)
 }
 
 /** Shows the offset of the recording called [label], and accepts a typed number; Enter or leaving the field moves it. */
@@ -142,7 +141,7 @@ internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit
         draft = null
     }
     BasicTextField(
-        draft ?: exactText(roundedOffset(offset)),
+        draft ?: offsetText(offset),
         { draft = it },
         Modifier
             .width(88.dp)

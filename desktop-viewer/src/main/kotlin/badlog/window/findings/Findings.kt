@@ -7,11 +7,10 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.rules.worstFirst
 import badlog.viewer.draw.mark.FindingTimeline
-import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
+import badlog.viewer.shown.finding.FindingSearch
+import badlog.viewer.shown.finding.SearchedFindings
 import badlog.viewer.shown.search.Query
-import badlog.viewer.shown.search.findsFound
-import badlog.viewer.shown.search.searchedText
 import java.nio.file.Path
 
 /**
@@ -66,6 +65,8 @@ internal class FindingList(
 
     val all: List<Finding> = found.worstFirst()
 
+    private val search = FindingSearch(all, incidents)
+
     /** The names of the topics that one of them is about. */
     val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
 
@@ -86,18 +87,8 @@ internal class FindingList(
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
 
     /** Returns what a search for [text] finds in it. */
-    fun foundBy(text: String): SearchedFindings {
-        val query = Query(text)
-        if (query.isEmpty) return SearchedFindings(incidents, all)
-        return SearchedFindings(incidents.filter { query.findsFound(it.searchedText) }, all.filter { query.findsFound(it.searchedText) })
-    }
+    fun foundBy(text: String): SearchedFindings = search.foundBy(Query(text))
 }
 
 /** As many as a person assigns at a time. */
 private const val MOST_LACKING = 5
-
-/** The [incidents] and the [findings] that a search leaves, in their order. */
-internal class SearchedFindings(val incidents: List<Incident>, val findings: List<Finding>) {
-    /** Those of [findings] that stand below the incidents. */
-    val beside = BesideIncidents(findings, incidents)
-}

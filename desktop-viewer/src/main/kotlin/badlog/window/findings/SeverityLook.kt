@@ -4,9 +4,6 @@ import androidx.compose.ui.graphics.Color
 import badlog.core.recording.Severity
 import badlog.window.theme.Palette
 
-/** The name of a severity in the window. */
-internal val Severity.word: String get() = name.lowercase()
-
 /** Returns the color of a finding's mark. */
 internal fun Palette.findingColor(severity: Severity): Color = when (severity) {
     Severity.ERROR -> error

@@ -149,13 +149,7 @@ internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: M
 /** The number of listed logs. */
 @Composable
 internal fun LogCount(listing: Listing<LogEntry>, modifier: Modifier = Modifier) {
-    val all = when (listing.size) {
-        0 -> "No logs"
-        1 -> "1 log"
-        else -> "${listing.size} logs"
-    }
-    val text = if (listing.visible.size == listing.size) all else "${listing.visible.size} of $all"
-    Text(text, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
+    Text(listing.count, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
 }
 
 /** Hides idle logs. */

@@ -39,16 +39,18 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.core.recording.Severity
 import badlog.viewer.shown.folder.batteryText
 import badlog.viewer.shown.folder.durationText
 import badlog.viewer.shown.folder.foundLines
 import badlog.viewer.shown.folder.foundText
 import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
+import badlog.viewer.shown.folder.problemSeverity
 import badlog.viewer.shown.folder.problemText
 import badlog.viewer.text.dateText
+import badlog.viewer.text.word
 import badlog.window.findings.findingColor
-import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameCut
@@ -213,7 +215,7 @@ internal fun AllianceMark(entry: LogEntry) {
 internal fun ProblemBadge(entry: LogEntry) {
     val text = problemText(entry) ?: return
     val palette = LocalPalette.current
-    val isError = entry.summary.problems.errors > 0 || !entry.isReadable
+    val isError = entry.problemSeverity == Severity.ERROR
     val color = if (isError) palette.error else palette.warning
     Tip(problemSentence(entry)) {
         Row(

@@ -41,6 +41,7 @@ import badlog.catalog.folder.LogEntry
 import badlog.core.recording.Severity
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
+import badlog.viewer.shown.folder.problemSeverity
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameCut
@@ -210,7 +211,7 @@ private fun cellColor(entry: LogEntry, column: LogColumn, palette: Palette): Col
         column == LogColumn.BATTERY -> batteryColor(entry, palette, usual)
         column == LogColumn.FINDINGS -> foundColor(entry, palette, usual)
         column != LogColumn.PROBLEMS -> usual
-        entry.summary.problems.errors > 0 || !entry.isReadable -> palette.error
+        entry.problemSeverity == Severity.ERROR -> palette.error
         else -> palette.warning
     }
 }

@@ -67,7 +67,7 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
             HorizontalDivider()
         }
         val isInUse = isHovered || isMenuOpen
-        if (isInUse || spec.yRange != null || spec.sharesY || spec.id in scene.planes) {
+        if (isInUse || spec.isYFixed || spec.sharesY || spec.id in scene.planes) {
             val menu = @Composable { GraphMenu(scene, spec, isMenuOpen) { isMenuOpen = it } }
             // Over the plot, a person reads the legend, which all buttons would cover.
             GraphButtons(scene, spec, hasAll = isHeaderHovered || isMenuOpen, menu, Modifier.align(Alignment.TopEnd).hoverable(header))
@@ -92,7 +92,7 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, m
         if (spec.isXy && spec.id in scene.planes) {
             ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }
         }
-        if (spec.yRange != null && !spec.isXy) {
+        if (spec.isYFixed && !spec.isXy) {
             ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
         }
         if (spec.sharesY) {

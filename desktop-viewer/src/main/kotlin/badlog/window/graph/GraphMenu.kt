@@ -12,15 +12,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.choices.board.FieldOrigin
-import badlog.viewer.choices.board.GraphHeight
-import badlog.viewer.choices.board.canSwapAxes
-import badlog.viewer.draw.axis.AxisSide
-import badlog.viewer.draw.path.xyLabelOf
+import badlog.viewer.session.GraphOffer
+import badlog.viewer.session.GraphOffers
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.xy.xyPictureOf
 import badlog.window.log.GraphBoard
 import badlog.window.menu.MenuBox
 import badlog.window.menu.MenuLine
@@ -34,63 +30,38 @@ internal class GraphAction(val label: String, val isOn: Boolean = false, val run
 /** Returns the actions for [spec], in groups; the last group adds it to another graph. */
 internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
     val board = scene.board
+    val offers = GraphOffers(board.state, spec, scene.current.recording?.paths?.poses.orEmpty())
+    fun List<GraphOffer>.actions() = map { GraphAction(it.label, it.isOn == true) { board.change(it.change) } }
     return listOf(
-        listOfNotNull(
-            GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) },
-            GraphAction("Move to the top") {
-                board.change { moved(spec.id, -graphs.size) }
-            }.takeIf { board.state.graphs.indexOf(spec) > 0 },
-            GraphAction("Only this graph") { board.change { Board(listOf(spec)) } },
-            GraphAction("Remove this graph") { board.change { without(spec.id) } },
+        listOfNotNull(GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) }) +
+            offers.moves.actions() +
+            GraphAction("Only this graph") { board.change { Board(listOf(spec)) } } +
+            listOf(offers.removal).actions() +
             GraphAction("Remove all graphs") { board.change { Board() } },
-        ),
-        GraphHeight.entries.map { height ->
-            GraphAction("Height: ${height.label.lowercase()}", spec.height == height.pixels) {
-                board.change { resized(spec.id, height.pixels) }
-            }
-        } + GraphAction("Height: as the others", spec.height == null) { board.change { resized(spec.id, null) } },
-        listOf(
-            GraphAction("Fix the y limits", spec.yRange != null) { fixY(scene, spec) },
-            GraphAction("Share the y limits", spec.sharesY) { board.change { withSharedY(spec.id, !spec.sharesY) } },
-        ).takeUnless { spec.isXy }.orEmpty(),
-        listOfNotNull(
-            GraphAction("Add topics…") { scene.addTopics(spec.id) },
-            GraphAction(xyLabelOf(spec.lines, scene.current.recording?.paths?.poses.orEmpty()), spec.isXy) {
-                board.change { withXy(spec.id, !spec.isXy) }
-            }
-                .takeIf { spec.lines.size > 1 },
-            GraphAction("Swap axes") { board.change { withSwappedAxes(spec.id) } }
-                .takeIf { spec.canSwapAxes(scene.current.recording?.paths?.poses.orEmpty()) },
-            GraphAction("A graph for each line") { board.change { separated(spec.id) } }.takeIf { spec.lines.size > 1 },
-        ),
-        if (spec.isXy && xyPictureOf(spec, scene.recordings).isField) fieldActions(scene, spec) else emptyList(),
-        additionsOf(board, spec),
+        offers.heights(usual = null).actions() +
+            GraphAction("Height: as the others", spec.height == null) { board.change { resized(spec.id, null) } },
+        offers.limits { shownY(scene, spec) }.actions(),
+        listOf(GraphAction("Add topics…") { scene.addTopics(spec.id) }) + (offers.planes + listOfNotNull(offers.separation)).actions(),
+        offers.origins.actions().let { if (it.isEmpty()) it else it + fieldActions(scene) },
+        offers.additions(board.state.graphs.map { shortTitle(board, it) }).actions(),
     ).filter { it.isNotEmpty() }
 }
 
-private fun fieldActions(scene: GraphScene, spec: BoardGraph) = FieldOrigin.entries.map { origin ->
-    GraphAction(origin.label, spec.origin == origin) { scene.board.change { withOrigin(spec.id, origin) } }
-} + listOfNotNull(
+private fun fieldActions(scene: GraphScene) = listOfNotNull(
     GraphAction("Select a field file…", scene.fields.isSelected, scene.fields::askForField),
     GraphAction("Deselect the field file", run = scene.fields::deselect).takeIf { scene.fields.isSelected },
 )
 
-private fun additionsOf(board: GraphBoard, spec: BoardGraph) = board.state.graphs.filter { it.id != spec.id }.map { other ->
-    GraphAction("Add to ${quoted(board, other)}") { board.change { joined(other.id, spec.id) } }
-}
+/** Returns the parts of y that [spec] shows now, that of the left axis first. */
+private fun shownY(scene: GraphScene, spec: BoardGraph) =
+    scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty().map { it.shown }
 
 /** Returns the title of [graph], one of those of [board], for a menu. */
-internal fun quoted(board: GraphBoard, graph: BoardGraph): String = "“${shortLabel(board.titleOf(graph), TITLE_LETTERS)}”"
+internal fun quoted(board: GraphBoard, graph: BoardGraph): String = "“${shortTitle(board, graph)}”"
+
+private fun shortTitle(board: GraphBoard, graph: BoardGraph) = shortLabel(board.titleOf(graph), TITLE_LETTERS)
 
 private const val TITLE_LETTERS = 36
-
-/** Fixes or unfixes the visible y range of [spec]. */
-private fun fixY(scene: GraphScene, spec: BoardGraph) {
-    if (spec.yRange != null || spec.rightYRange != null) return scene.board.change { withYRange(spec.id, null) }
-    val axes = scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty()
-    fun shown(side: AxisSide) = axes.find { it.side == side }?.shown
-    scene.board.change { withYRange(spec.id, shown(AxisSide.LEFT), shown(AxisSide.RIGHT)) }
-}
 
 /** A button that opens the menu of [spec]; [onOpen] is called with whether it is open. */
 @Composable

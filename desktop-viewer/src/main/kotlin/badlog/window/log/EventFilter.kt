@@ -11,9 +11,6 @@ import badlog.viewer.shown.search.Query
  * @property topics the names of the topics whose events count; empty, or of other recordings, for all.
  */
 internal data class EventFilter(val text: String = "", val topics: Set<String> = emptySet()) {
-    /** Whether it lets everything through. */
-    val isOff: Boolean get() = text.isBlank() && topics.isEmpty()
-
     /** Returns those of [events], the events of [logs], that pass it. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 

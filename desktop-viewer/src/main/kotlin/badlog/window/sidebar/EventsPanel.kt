@@ -37,7 +37,7 @@ import badlog.core.analysis.EventLog
 import badlog.core.analysis.Units
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.shown.comparison.shortLabel
-import badlog.viewer.text.countText
+import badlog.viewer.text.countOf
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
@@ -76,7 +76,7 @@ internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecor
         }
         if (open.eventLogs.size > 1) EventTopics(events, open.eventLogs)
         Text(
-            if (filter.isOff) countText(all.size, "event") else "${countText(found.size)} of ${countText(all.size, "event")}",
+            countOf(found.size, all.size, "event"),
             Modifier.padding(horizontal = 12.dp, vertical = 2.dp),
             color = LocalPalette.current.muted,
         )

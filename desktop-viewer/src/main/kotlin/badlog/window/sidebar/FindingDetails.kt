@@ -16,6 +16,8 @@ import androidx.compose.ui.unit.sp
 import badlog.rules.Finding
 import badlog.viewer.choices.board.evidenceOffers
 import badlog.viewer.choices.board.with
+import badlog.viewer.shown.finding.placeNumber
+import badlog.viewer.shown.finding.placesInOrder
 import badlog.window.findings.LogFindings
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
@@ -38,14 +40,13 @@ internal fun FindingDetails(
     times: EventTimes,
 ) {
     val palette = LocalPalette.current
-    val places = finding.places
+    val places = remember(finding) { finding.placesInOrder }
     if (places.size > 1) {
         val shown by remember(finding, view) { derivedStateOf { maxOf(0, places.indexOfFirst { it.from == view.cursor }) } }
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp), Alignment.CenterVertically) {
             ToolButton("Previous place", Icons.Up, isEnabled = shown > 0) { findings.stepWithin(-1) }
             ToolButton("Next place", Icons.Down, isEnabled = shown < places.lastIndex) { findings.stepWithin(1) }
-            val more = if (finding.spanCount > places.size) ", the first of ${finding.spanCount}" else ""
-            Text("${shown + 1} of ${places.size}$more: ${times.logged(places[shown].from)}", color = palette.muted, fontSize = 12.sp)
+            Text("${finding.placeNumber(places[shown])}: ${times.logged(places[shown].from)}", color = palette.muted, fontSize = 12.sp)
         }
         Text(finding.textAt(places[shown]), fontSize = 12.sp)
     }

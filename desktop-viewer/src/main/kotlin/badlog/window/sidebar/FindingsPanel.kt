@@ -40,20 +40,19 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
-import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.SkippedRule
 import badlog.viewer.input.Action
+import badlog.viewer.shown.finding.SearchedFindings
 import badlog.viewer.shown.folder.Changes
-import badlog.viewer.shown.search.hiddenBySearch
 import badlog.viewer.text.countText
+import badlog.viewer.text.word
 import badlog.viewer.todo.taskOf
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.FindingList
 import badlog.window.findings.LogFindings
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
-import badlog.window.findings.word
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -120,7 +119,7 @@ internal fun FindingsPanel(
     }
     Column(modifier) {
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-            Text(summaryOf(list), Modifier.weight(1f), fontWeight = FontWeight.Medium)
+            Text(summaryOf(list, found), Modifier.weight(1f), fontWeight = FontWeight.Medium)
             ToolButton("Previous finding (${Action.PREVIOUS_FINDING.shortcut})", Icons.Up, isEnabled = list.timeline.places.isNotEmpty()) {
                 perform(Action.PREVIOUS_FINDING)
             }
@@ -138,7 +137,7 @@ internal fun FindingsPanel(
         list.trouble?.let { Box(Modifier.padding(horizontal = 12.dp, vertical = 4.dp)) { PointedText(it) } }
         if (list.all.isNotEmpty()) {
             SearchField(query, "Search findings", Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { query = it }
-            HiddenLine(hiddenBySearch(list.incidents.size - found.incidents.size, list.all.size - found.findings.size)) { query = "" }
+            HiddenLine(found.hidden) { query = "" }
         }
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
@@ -200,12 +199,9 @@ private suspend fun showWhole(list: LazyListState, index: Int) {
     }
 }
 
-/** Returns `1 error, 5 warnings, 2 notes`, omitting zeros. */
-internal fun summaryOf(list: FindingList): String = Severity.entries.reversed()
-    .map { severity -> severity to list.all.count { it.severity == severity } }
-    .filter { it.second > 0 }
-    .joinToString { (severity, count) -> countText(count, severity.word) }
-    .ifEmpty { if (list.trouble == null) "Nothing was found." else "" }
+/** Returns what [found] counts of [list]; empty if it is not known whether something was found. */
+private fun summaryOf(list: FindingList, found: SearchedFindings): String =
+    found.counts.ifEmpty { if (list.trouble == null) SearchedFindings.NOTHING else "" }
 
 @Composable
 private fun Small(text: String) {

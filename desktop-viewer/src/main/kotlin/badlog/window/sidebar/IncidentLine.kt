@@ -22,9 +22,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.viewer.text.word
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
-import badlog.window.findings.word
 import badlog.window.theme.LocalPalette
 
 /**

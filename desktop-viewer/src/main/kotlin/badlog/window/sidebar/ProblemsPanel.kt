@@ -29,9 +29,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.recording.Problem
-import badlog.core.recording.ProblemKind
 import badlog.core.recording.Severity
 import badlog.viewer.text.placeTextOf
+import badlog.viewer.text.problemSummary
+import badlog.viewer.text.word
 import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
@@ -67,7 +68,7 @@ private fun ProblemLine(problem: Problem) {
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
         Text(
-            problem.severity.title,
+            problem.word,
             Modifier
                 .width(58.dp)
                 .background(palette.softOf(problem.severity), RoundedCornerShape(4.dp))
@@ -98,28 +99,5 @@ private fun Palette.softOf(severity: Severity?): Color = when (severity) {
     Severity.NOTE, null -> raised
 }
 
-/** Its name in the window. */
-internal val Severity.title: String
-    get() = when (this) {
-        Severity.ERROR -> "lost"
-        Severity.WARNING -> "warning"
-        Severity.NOTE -> "hint"
-    }
-
 /** Returns losses, then warnings, then hints; those of one severity stay in order. */
 internal fun worstFirst(problems: List<Problem>): List<Problem> = problems.sortedByDescending { it.severity }
-
-/** Returns a sentence that says what [problems] mean for someone who relies on the file. */
-internal fun problemSummary(problems: List<Problem>): String {
-    val losses = problems.filter { it.severity == Severity.ERROR }
-    val warnings = problems.count { it.severity == Severity.WARNING }
-    val unreadable = losses.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING || it.kind == ProblemKind.EMPTY_FILE }
-    return when {
-        unreadable != null -> unreadable.message
-        losses.size == 1 -> "Data is missing from this file: ${losses.single().message}"
-        losses.isNotEmpty() -> "Data is missing from this file in ${losses.size} places: ${losses.first().message}"
-        warnings == 1 -> "Complete, 1 warning."
-        warnings > 1 -> "Complete, $warnings warnings."
-        else -> "Complete."
-    }
-}

@@ -14,7 +14,6 @@ import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.exactText
-import badlog.viewer.text.numberText
 import badlog.viewer.text.shortNames
 import badlog.window.compare.DrawnRecording
 import badlog.window.log.DrawableTopic
@@ -122,7 +121,7 @@ private fun cellsOf(signal: DrawableTopic, statistics: SeriesStatistics, xUnit: 
     val shown = if (statistics.mean.isNaN()) listOf(Statistic.SAMPLES, Statistic.GAPS) else Statistic.entries
     return shown.map {
         val value = it.of(statistics)
-        StatCell(it.title, numberText(value), it.unitOf(signal.unit, xUnit), exact = exactText(value))
+        StatCell(it.title, it.textOf(value), it.unitOf(signal.unit, xUnit), exact = exactText(value))
     }
 }
 

@@ -4,7 +4,6 @@ import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
 import badlog.viewer.text.exactText
-import badlog.viewer.text.numberText
 import badlog.viewer.text.shortNames
 import badlog.viewer.text.withUnit
 import java.nio.file.Path
@@ -49,7 +48,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
         DateColumn -> row.date
 
         is FigureColumn -> withUnit(
-            numberText(column.of(row)),
+            column.statistic.textOf(column.of(row)),
             if (unitOf(column) == null) column.unitIn(row) else Topic.UNITLESS,
         )
     }

@@ -25,11 +25,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.viewer.text.word
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.lines
 import badlog.window.findings.findingColor
-import badlog.window.findings.word
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton

@@ -112,13 +112,13 @@ internal class LogVideo(
     fun alignEnabled() {
         val open = current.recording ?: return
         val x = enabledStart(open.enabled.map { it.span }, view.viewport.visible)
-        if (x == null) notices.complain("This log does not say when the robot was enabled.") else align(x)
+        if (x == null) notices.complain(VideoAlignment.NEVER_ENABLED) else align(x)
     }
 
     /** Unlinks video and cursor; if they are unlinked, aligns the current frame with the cursor. */
     fun toggleLink() {
         if (state.alignment == null) {
-            val x = view.cursor ?: return notices.complain("Click a graph first.")
+            val x = view.cursor ?: return notices.complain(VideoAlignment.NO_CURSOR)
             return align(x)
         }
         change { copy(alignment = null) }

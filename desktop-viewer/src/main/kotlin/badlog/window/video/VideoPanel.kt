@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import badlog.viewer.session.video.alignmentHint
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -86,15 +87,7 @@ private fun ColumnScope.ShownFrame(video: LogVideo, shown: ShownVideo, frame: Vi
         }
         ToolButton("Link video and cursor", Icons.Link, isOn = shown.alignment != null, onClick = video::toggleLink)
     }
-    if (shown.alignment == null) {
-        Hint(
-            if (hasEnabled) {
-                "Find the first frame in which the robot is enabled, and click “Enabled here”."
-            } else {
-                "Move the cursor to the time of this frame, and click the link button."
-            },
-        )
-    }
+    if (shown.alignment == null) Hint(alignmentHint(hasEnabled))
 }
 
 @Composable

@@ -85,7 +85,7 @@ class ComparedRecordingsSpec : FunSpec({
         runDesktopComposeUiTest(1300, 700) {
             setContent { ViewerScreen(viewer) }
             onNodeWithContentDescription("Move other.bag by +0.1").performClick()
-            onNodeWithContentDescription("Move other.bag by +1.0").performClick()
+            onNodeWithContentDescription("Move other.bag by +1").performClick()
             runOnIdle { viewer.compared.drawn[1].offset shouldBe 1.1 }
             onNodeWithContentDescription("Offset of other.bag").performTextReplacement("-2,5")
             onNodeWithContentDescription("Offset of other.bag").performKeyInput { pressKey(Key.Enter) }

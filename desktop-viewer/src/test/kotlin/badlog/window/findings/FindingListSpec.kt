@@ -1,7 +1,6 @@
 package badlog.window.findings
 
 import badlog.core.recording.Severity
-import badlog.window.sidebar.summaryOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -24,7 +23,7 @@ class FindingListSpec : FunSpec({
         list.timeline.places.map { it.finding.rule } shouldContainExactly listOf("Early", "Middle", "Late")
         list.worst shouldBe Severity.ERROR
         list.skipped.single().rule shouldBe "Missing"
-        summaryOf(list) shouldBe "2 errors, 1 warning, 1 note"
+        list.foundBy("").counts shouldBe "2 errors, 1 warning, 1 note"
     }
 
     test("each mark of a finding leads to its own place, and what lies between two of them to the nearer one") {

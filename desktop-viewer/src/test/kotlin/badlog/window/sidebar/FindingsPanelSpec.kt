@@ -17,7 +17,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.text.TextLayoutResult
 import badlog.viewer.input.Action
-import badlog.viewer.shown.search.hiddenBySearch
+import badlog.viewer.text.word
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
@@ -25,7 +25,6 @@ import badlog.window.findings.counted
 import badlog.window.findings.findingsIn
 import badlog.window.findings.findingsOf
 import badlog.window.findings.ruleText
-import badlog.window.findings.word
 import badlog.window.findings.writeRules
 import badlog.window.graph.sample
 import badlog.window.graph.savePicture
@@ -127,9 +126,9 @@ class FindingsPanelSpec : FunSpec({
             onNodeWithContentDescription("Search findings").performTextInput("brown -arm")
             val left = list.foundBy("brown -arm")
             left.findings.map { it.rule } shouldContain "Browned out"
-            onNodeWithText(hiddenBySearch(list.incidents.size - left.incidents.size, list.all.size - left.findings.size)).assertExists()
+            onNodeWithText(left.hidden).assertExists()
             onNodeWithContentDescription("Search findings").performTextReplacement("no such thing")
-            onNodeWithText(hiddenBySearch(list.incidents.size, list.all.size)).assertExists()
+            onNodeWithText(list.foundBy("no such thing").hidden).assertExists()
             savePicture("findings-searched")
             onNodeWithText("Show them").performClick()
             onNodeWithContentDescription("Incident: ${list.incidents.first().name}").assertExists()

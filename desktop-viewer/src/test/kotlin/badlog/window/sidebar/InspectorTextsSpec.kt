@@ -12,20 +12,11 @@ import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain
 
 class InspectorTextsSpec : FunSpec({
     val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
     val note = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
     val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
-
-    test("a sentence says whether something is lost") {
-        problemSummary(emptyList()) shouldBe "Complete."
-        problemSummary(listOf(note)) shouldBe "Complete."
-        problemSummary(listOf(note, warning)) shouldBe "Complete, 1 warning."
-        problemSummary(listOf(cut)) shouldBe "Data is missing from this file: A row is cut."
-        problemSummary(listOf(cut, cut.copy(line = 13))) shouldContain "in 2 places"
-    }
 
     test("problems come worst first") {
         worstFirst(listOf(note, warning, cut)) shouldContainExactly listOf(cut, warning, note)

@@ -106,7 +106,7 @@ internal class BoardSpec : PageSpec({
             press("amp")
             elements("#board .graph").filter { it.isDisplayed }.map { it.getDomAttribute("data-name") } shouldBe listOf("Volt")
             elements("#board .legend-entry").filter { it.isDisplayed }.map { it.getDomAttribute("data-series") } shouldBe listOf("Amp")
-            element("#board header").text shouldContain "1 of 2 graphs found"
+            element("#board header").text shouldContain "1 of 2 graphs"
             press(Keys.ESCAPE)
             elements("#board .graph").count { it.isDisplayed } shouldBe 2
             element("#board header").text shouldContain "2 graphs"

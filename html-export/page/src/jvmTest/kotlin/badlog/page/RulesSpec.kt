@@ -160,7 +160,7 @@ internal class RulesSpec : PageSpec({
         ).rules
         onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
             awaitRules()
-            element("#findings").text shouldContain "nothing was found"
+            element("#findings").text shouldContain "Nothing was found."
             texts(".findings-skipped summary").single() shouldBe "1 rule ran; 1 could not, since this log lacks their topics."
         }
     }

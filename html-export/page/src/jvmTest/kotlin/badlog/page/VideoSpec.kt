@@ -236,7 +236,7 @@ internal class VideoSpec : PageSpec({
             texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
             // A video that can be played takes the place of it.
             pick()
-            texts("#video [role=status]").single() shouldContain "Find the frame"
+            texts("#video [role=status]").single() shouldContain "Find the first frame"
         }
     }
 

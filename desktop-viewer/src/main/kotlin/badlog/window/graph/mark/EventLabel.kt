@@ -13,18 +13,18 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.draw.mark.saidNear
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.labelFrame
-import kotlin.math.abs
 
 /**
  * The text of the note or event near the pointer, or else near the cursor, at its place above the graphs, which stay visible.
  */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
-    val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidNear(scene, it) } } }
+    val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidAt(it, scene) } } }
     val shown = event ?: return
     val palette = LocalPalette.current
     BoxWithConstraints(Modifier.fillMaxWidth().padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)) {
@@ -49,16 +49,8 @@ internal fun EventLabel(scene: GraphScene) {
     }
 }
 
-private class Said(val x: Double, val text: String)
+private fun saidAt(cursor: Double, scene: GraphScene) =
+    saidNear(cursor, scene.view.viewport.visible, scene.notes.all, scene.events.matching)
 
-private fun saidNear(scene: GraphScene, cursor: Double): Said? {
-    val reach = scene.view.viewport.visible.width * REACH
-    val note = scene.notes.all.minByOrNull { abs(it.x - cursor) }?.takeIf { abs(it.x - cursor) <= reach }
-    if (note != null) return Said(note.x, note.text)
-    return scene.events.matching.nearest(cursor, reach)?.let { Said(it.x, it.text) }
-}
-
-/** The maximum distance between the cursor and the event it reads, as a fraction of the screen's width. */
-private const val REACH = 0.008
 private const val SIDE = 8
 private const val MAX_LETTERS = 400

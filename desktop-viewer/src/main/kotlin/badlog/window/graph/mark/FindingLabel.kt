@@ -17,8 +17,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.Span
 import badlog.rules.Finding
+import badlog.viewer.text.word
 import badlog.window.findings.findingColor
-import badlog.window.findings.word
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette

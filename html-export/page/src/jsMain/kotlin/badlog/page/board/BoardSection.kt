@@ -16,7 +16,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.input.Action
 import badlog.viewer.shown.search.Query
-import badlog.viewer.text.countText
+import badlog.viewer.text.countOf
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -134,10 +134,8 @@ internal class BoardSection(
 
     private fun showFound() {
         for (item in items) item.filter(query)
-        val all = items.size
         val found = items.count { !it.element.isHidden }
-        val share = if (found == all) "" else "${countText(found)} of "
-        count.showText(if (all == 0) "" else share + countText(all, "graph") + if (found == all) "" else " found")
+        count.showText(if (items.isEmpty()) "" else countOf(found, items.size, "graph"))
     }
 
     private fun remove(item: BoardItem) {

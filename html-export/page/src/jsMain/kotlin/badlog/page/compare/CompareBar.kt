@@ -13,11 +13,11 @@ import badlog.page.reading.FileReading
 import badlog.page.view.Notice
 import badlog.viewer.choices.comparison.Alignment
 import badlog.viewer.choices.comparison.OFFSET_STEPS
+import badlog.viewer.choices.comparison.OffsetStep
 import badlog.viewer.choices.comparison.offsetOf
-import badlog.viewer.choices.comparison.roundedOffset
+import badlog.viewer.choices.comparison.offsetText
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.shown.comparison.ComparedLog
-import badlog.viewer.text.exactText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
@@ -135,17 +135,18 @@ internal class CompareBar(private val comparison: PageComparison, private val no
     }
 
     private fun HTMLElement.fill(index: Int, log: ComparedLog) {
-        val moveTo = { offset: Double -> comparison.move(index, roundedOffset(offset)) }
-        val shown = exactText(roundedOffset(log.offset))
+        val moveTo = { offset: Double -> comparison.move(index, offset) }
+        val shown = offsetText(log.offset)
+        val (back, on) = OFFSET_STEPS.partition { it.by < 0 }
         addName(index + 1, log.name)
         add("span", "compared-moves") {
-            for (step in OFFSET_STEPS.reversed()) addStep("-", step, log) { moveTo(log.offset - step) }
+            for (step in back) addStep(step, log) { moveTo(log.offset + step.by) }
             val typed = add("input", "compared-offset").unsafeCast<HTMLInputElement>()
             typed.value = shown
             typed.setAttribute("inputmode", "decimal")
             typed.setAttribute("aria-label", "Offset of ${log.name}")
             typed.addEventListener("change", { offsetOf(typed.value)?.let(moveTo) ?: run { typed.value = shown } })
-            for (step in OFFSET_STEPS) addStep("+", step, log) { moveTo(log.offset + step) }
+            for (step in on) addStep(step, log) { moveTo(log.offset + step.by) }
             addIconButton("", Icon.CLOSE, "Stop comparing with ${log.name}") { comparison.remove(index) }
         }
     }
@@ -155,9 +156,8 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         add("bdi", "", name)
     }
 
-    private fun HTMLElement.addStep(sign: String, step: Double, log: ComparedLog, onClick: () -> Unit) {
-        val shown = sign + exactText(step).removePrefix("0")
-        addButton("compared-step", shown, "Move ${log.name} by $sign${exactText(step)}", onClick)
-            .setAttribute("aria-label", "Move ${log.name} by $sign${exactText(step)}")
+    private fun HTMLElement.addStep(step: OffsetStep, log: ComparedLog, onClick: () -> Unit) {
+        val hint = step.hintFor(log.name)
+        addButton("compared-step", step.label, hint, onClick).setAttribute("aria-label", hint)
     }
 }

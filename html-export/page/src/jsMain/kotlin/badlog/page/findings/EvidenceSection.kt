@@ -12,7 +12,6 @@ import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.page.view.graphsOf
-import badlog.page.view.word
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
@@ -24,7 +23,8 @@ import badlog.viewer.choices.board.evidenceOffers
 import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.with
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.text.countText
+import badlog.viewer.shown.finding.placeNumber
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -92,14 +92,13 @@ internal class EvidenceSection(
      */
     fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val finding = place.finding
-        val places = scene.findings.placesOf(finding)
         val whole = incident.takeIf { isWhole }
         val word = (whole?.severity ?: finding.severity).word
         severity.className = "severity is-$word"
         severity.showText(word)
         heading.showText(whole?.name ?: finding.rule)
-        steps.isHidden = whole != null || places.size < 2
-        number.showText("${countText(places.indexOfFirst { it.span == place.span } + 1)} of ${countText(finding.spanCount)}")
+        steps.isHidden = whole != null || finding.places.size < 2
+        number.showText(finding.placeNumber(place.span))
         text.textContent = ""
         val sentences = whole?.sentences?.map { it.text } ?: listOf(finding.textAt(place.span))
         for (sentence in sentences) text.add("p", "evidence-text", sentence)

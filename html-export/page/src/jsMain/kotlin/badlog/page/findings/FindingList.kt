@@ -1,6 +1,5 @@
 package badlog.page.findings
 
-import badlog.core.recording.Severity
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
@@ -17,13 +16,11 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.session.link.FindingName
-import badlog.viewer.shown.finding.BesideIncidents
 import badlog.viewer.shown.finding.FindingOrder
+import badlog.viewer.shown.finding.FindingSearch
+import badlog.viewer.shown.finding.SearchedFindings
 import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.shown.search.Query
-import badlog.viewer.shown.search.findsFound
-import badlog.viewer.shown.search.hiddenBySearch
-import badlog.viewer.shown.search.searchedText
 import badlog.viewer.text.countText
 import badlog.viewer.text.decimalsFor
 import kotlinx.browser.window
@@ -46,19 +43,19 @@ internal class FindingList(
     private val onVisit: (FindingPlace<Finding>, Incident?, isWhole: Boolean) -> Unit,
     private val onPin: (Finding, Incident?) -> Unit,
 ) {
-    private var all = emptyList<Finding>()
-    private var haystacks = emptyList<String>()
-    private var incidents = emptyList<Incident>()
+    private var search = FindingSearch(emptyList(), emptyList())
     private var query = Query("")
+    private var found = search.foundBy(query)
     private val decimals = decimalsFor(scene.range.full.width)
     private val rows = HashMap<Finding, HTMLElement>()
     private val incidentRows = LinkedHashMap<Incident, HTMLElement>()
-    private var found = all
 
     // Those of them that no incident above the list mentions; first those that belong to none, `outside` in number.
-    private var unmentioned = all
+    private var unmentioned = emptyList<Finding>()
     private var outside = 0
     private var listed = 0
+    private val all: List<Finding> get() = search.all
+    private val incidents: List<Incident> get() = search.incidents
     private val current: Finding? get() = scene.visited?.finding
 
     /** The order in which keys go through them. */
@@ -124,11 +121,9 @@ internal class FindingList(
         incidents: List<Incident> = emptyList(),
         notLookedAt: NotLookedAt? = null,
     ) {
-        this.incidents = incidents
         isSearching = false
-        all = scene.findings.worstFirst
+        search = FindingSearch(scene.findings.worstFirst, incidents)
         order = FindingOrder(scene.findings, incidents)
-        haystacks = all.map { it.searchedText }
         element.classList.toggle("has-spans", all.any { it.end > it.time })
         val (wrong, lacking) = skippedRules.partition { it.isMistake }
         mistakes.textContent = ""
@@ -156,15 +151,14 @@ internal class FindingList(
     fun filter(query: Query): Int {
         this.query = query
         show(query)
-        return if (query.isEmpty) 0 else found.size
+        return if (query.isEmpty) 0 else found.findings.size
     }
 
     private fun show(query: Query) {
-        found = if (query.isEmpty) all else all.filterIndexed { i, _ -> query.findsFound(haystacks[i]) }
-        showIncidents(query)
-        val beside = BesideIncidents(found, incidentRows.keys.toList())
-        unmentioned = beside.outside + beside.within
-        outside = beside.outside.size
+        found = search.foundBy(query)
+        showIncidents()
+        unmentioned = found.beside.outside + found.beside.within
+        outside = found.beside.outside.size
         showFound()
     }
 
@@ -214,30 +208,24 @@ internal class FindingList(
         }
     }
 
-    private fun showIncidents(query: Query) {
+    private fun showIncidents() {
         incidentList.textContent = ""
         incidentRows.clear()
-        val shown = incidents.filter { query.findsFound(it.searchedText) }
-        for (incident in shown) {
+        for (incident in found.incidents) {
             val pin = { onPin(incident.sentences.first().finding, incident) }
             val row = incidentRow(incident, decimals, pin) { finding, isWhole -> visit(firstPlaceOf(finding), incident, isWhole) }
             incidentRows[incident] = row
             incidentList.appendChild(row)
         }
-        incidentList.isHidden = shown.isEmpty()
+        incidentList.isHidden = found.incidents.isEmpty()
     }
 
     private fun showFound() {
-        val share = if (found.size == all.size) "" else "${countText(found.size)} of ${countText(all.size)}: "
-        val parts = Severity.entries.reversed().mapNotNull { severity ->
-            val number = found.count { it.severity == severity }
-            if (number == 0) null else countText(number, severity.name.lowercase())
-        }
-        val waiting = if (isSearching) listOf("running the rules…") else emptyList()
-        count.showText(if (all.isEmpty() && haveRun) "nothing was found" else share + (parts + waiting).joinToString())
-        val hidden = hiddenBySearch(incidents.size - incidentRows.size, all.size - found.size)
-        hiddenNote.isHidden = hidden.isEmpty()
-        hiddenCount.showText("$hidden ")
+        val waiting = if (isSearching) "running the rules…" else ""
+        val texts = if (all.isEmpty() && haveRun) listOf(SearchedFindings.NOTHING) else listOf(found.counts, waiting)
+        count.showText(texts.filter { it.isNotEmpty() }.joinToString())
+        hiddenNote.isHidden = found.hidden.isEmpty()
+        hiddenCount.showText("${found.hidden} ")
         element.isHidden = all.isEmpty() && !isSearching && !haveRun && mistakes.isHidden
         fold()
     }

@@ -7,10 +7,10 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.view.end
 import badlog.page.view.isPlaced
-import badlog.page.view.word
 import badlog.rules.Finding
 import badlog.viewer.text.countText
 import badlog.viewer.text.fixedText
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -21,7 +21,7 @@ import org.w3c.dom.HTMLElement
  */
 internal fun findingRow(finding: Finding, decimals: Int, pin: (Finding) -> Unit, go: (Finding) -> Unit): HTMLElement =
     element("li", "finding") {
-        add("span", "severity is-${finding.word}", finding.word)
+        finding.severity.word.let { add("span", "severity is-$it", it) }
         if (finding.isPlaced) {
             addButton("event-go", timeText(finding, decimals), "Zoom to it") { go(finding) }
         } else {

@@ -9,6 +9,7 @@ import badlog.page.view.isPlaced
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.viewer.text.fixedText
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -20,8 +21,7 @@ import org.w3c.dom.HTMLElement
  */
 internal fun incidentRow(incident: Incident, decimals: Int, pin: () -> Unit, go: (Finding, isWhole: Boolean) -> Unit): HTMLElement =
     element("li", "incident") {
-        val word = incident.severity.name.lowercase()
-        add("span", "severity is-$word", word)
+        incident.severity.word.let { add("span", "severity is-$it", it) }
         add("div", "incident-text") {
             for (sentence in incident.sentences) {
                 add("p") {

@@ -13,6 +13,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
+import badlog.viewer.text.countOf
 import badlog.viewer.text.countText
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
@@ -73,9 +74,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private fun showFound() {
         body.textContent = ""
         listed = 0
-        val all = log.events.size
-        val share = if (found.size == all) "" else "${countText(found.size)} of "
-        count.showText(share + countText(all, "event"))
+        count.showText(countOf(found.size, log.events.size, "event"))
         listMore()
     }
 

@@ -4,9 +4,9 @@ import badlog.page.dom.add
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
-import badlog.page.view.word
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.plot.PlotFrame
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and finding under the cursor. */

@@ -132,7 +132,7 @@ internal class GraphCard(
     fun show(wanted: BoardGraph) {
         look = wanted
         drawn.show(wanted.hidden)
-        resetButton.isHidden = wanted.yRange == null && wanted.rightYRange == null
+        resetButton.isHidden = !wanted.isYFixed
         redraw()
     }
 

@@ -26,7 +26,6 @@ import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
-import badlog.viewer.text.numberText
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -90,7 +89,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                         }
                         for (statistic in Statistic.entries) {
                             val value = statistic.of(found)
-                            add("td", "", if (statistic.isCount) countText(value.toInt()) else numberText(value)).title = exactText(value)
+                            add("td", "", statistic.textOf(value)).title = exactText(value)
                         }
                     }
                 }

@@ -11,6 +11,8 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.viewer.text.countText
 import badlog.viewer.text.placeTextOf
+import badlog.viewer.text.problemSummary
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -44,7 +46,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         setAttribute("aria-label", "Problems of this file")
         toggle = addButton("problems-toggle", "") { open(list.isHidden) }.apply {
             appendChild(Icon.CHEVRON.draw())
-            add("span", "", summary())
+            add("span", "", problemSummary(view.problems, others = additions.size))
         }
         list = add("ul", "problem-list")
     }
@@ -57,14 +59,6 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
     fun print(isOnPaper: Boolean) {
         if (isOnPaper) wasOpen = !list.isHidden
         open(wasOpen || (isOnPaper && isListedAtOnce))
-    }
-
-    private fun summary(): String {
-        val parts = ArrayList<String>()
-        if (errors > 0) parts += if (errors == 1) "Data is missing in 1 place" else "Data is missing in ${countText(errors)} places"
-        if (warnings > 0) parts += countText(warnings, "warning")
-        if (hints > 0) parts += countText(hints, "hint")
-        return parts.joinToString()
     }
 
     private fun open(isOpen: Boolean) {
@@ -93,12 +87,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
 
     private fun row(problem: Problem): HTMLElement = element("li", "problem") {
         setAttribute("data-kind", problem.kind.name)
-        val name = when (problem.severity) {
-            Severity.ERROR -> "lost"
-            Severity.WARNING -> "warning"
-            Severity.NOTE -> "hint"
-        }
-        add("span", "severity is-$name", name)
+        add("span", "severity is-${problem.word}", problem.word)
         add("span", "problem-text") {
             add("span", "", problem.message)
             val place = placeTextOf(problem)

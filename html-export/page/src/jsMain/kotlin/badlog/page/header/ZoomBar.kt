@@ -12,9 +12,9 @@ import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
 import badlog.page.view.textNear
-import badlog.page.view.word
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.text.differenceText
+import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
@@ -112,11 +112,11 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         showLink(scene.cursor.now.pinned)
         scene.cursor.now.second?.let { second.showText("B ${scene.xText(it)} · ${differenceText(x, it, scene.xAxis)}") }
         val findings = scene.newsAt(x)
-        event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].word}"
+        event.className = "event-readout" + if (findings.isEmpty()) "" else " is-${findings[0].severity.word}"
         if (findings.isNotEmpty()) {
             event.isHidden = false
             event.showText(shortFindingText(findings, x))
-            event.title = findings.joinToString("\n") { "${it.word} · ${it.rule}: ${it.textNear(x)}" }
+            event.title = findings.joinToString("\n") { "${it.severity.word} · ${it.rule}: ${it.textNear(x)}" }
             return
         }
         val last = scene.lastEventAt(x) ?: return

@@ -10,7 +10,7 @@ import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.choices.note.Note
 import badlog.viewer.shown.search.Query
-import badlog.viewer.text.countText
+import badlog.viewer.text.countOf
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
 import org.w3c.dom.HTMLElement
@@ -53,8 +53,7 @@ internal class NoteList(private val scene: Scene, private val notes: PageNotes, 
         val found = all.filter { query.matches(it.text) }
         rows.textContent = ""
         for (note in found) rows.appendChild(row(note))
-        val share = if (found.size == all.size) "" else "${countText(found.size)} of "
-        count.showText(share + countText(all.size, "note"))
+        count.showText(countOf(found.size, all.size, "note"))
         element.isHidden = found.isEmpty()
         return found.size
     }

@@ -8,6 +8,7 @@ import badlog.page.dom.element
 import badlog.page.dom.isPlain
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.arrivalText
+import badlog.viewer.text.word
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
@@ -61,7 +62,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         val match = arrivals.latest
         val log = match?.worst
         val severity = log?.found?.verdict?.severity ?: Severity.NOTE
-        element.className = if (log == null) "arrival is-empty" else "arrival is-${severity.name.lowercase()}"
+        element.className = if (log == null) "arrival is-empty" else "arrival is-${severity.word}"
         say(log?.title.orEmpty(), if (match == null || log == null) "" else arrivalText(log, arrivals.waiting.size - match.logs.size))
     }
 

@@ -4,7 +4,6 @@ import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
@@ -18,7 +17,7 @@ import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.changesOf
 import badlog.viewer.shown.folder.earlierThan
 import badlog.viewer.shown.folder.logsOfRobots
-import badlog.viewer.text.countText
+import badlog.viewer.text.countOf
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -307,8 +306,7 @@ internal class FolderScreen(
         if (isPit) pit.show(listing.entries, willRead = { it.isUnread && watch?.isGrowing(it.path) != true })
         table.show(listing, checked)
         val left = listing.entries.count { it.isUnread }
-        val all = countText(listing.size, "log")
-        progress.showText(if (left == 0) all else "${listing.size - left} of $all read")
+        progress.showText(if (left == 0) listing.count else "${countOf(listing.size - left, listing.size, "log")} read")
         groups.isHidden = listing.events < 2
         batteries.show(listing.entries)
         statistics.show(checked.mapNotNull(known::get))

@@ -10,7 +10,6 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
-import badlog.viewer.text.numberText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
@@ -92,7 +91,7 @@ internal class LogStatistics {
         add("th", "", if (unit == Topic.UNITLESS || unit.isEmpty()) name else "$name [$unit]").setAttribute("scope", "row")
         for (topic in topics) {
             val value = topic?.let { statistic.of(it.statistics) }
-            add("td", "is-number", value?.let(::numberText).orEmpty()).title = value?.let(::exactText).orEmpty()
+            add("td", "is-number", value?.let(statistic::textOf).orEmpty()).title = value?.let(::exactText).orEmpty()
         }
     }
 

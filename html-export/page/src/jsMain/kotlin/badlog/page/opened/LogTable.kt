@@ -10,7 +10,9 @@ import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.foundLines
 import badlog.viewer.shown.folder.isNearBrownout
 import badlog.viewer.shown.folder.problemSentence
+import badlog.viewer.shown.folder.problemSeverity
 import badlog.viewer.text.countText
+import badlog.viewer.text.word
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
@@ -124,12 +126,15 @@ internal class LogTable(
                         else -> shown
                     }
                 } else {
-                    val look = "text-button is-${worst.name.lowercase()}"
+                    val look = "text-button is-${worst.word}"
                     addButton(look, shown, foundLines(log)) { onOpen(log, true) }.id = "found:${log.path}"
                 }
             }
 
-            LogColumn.PROBLEMS -> add("span", if (log.isReadable) "" else "is-error", shown).title = problemSentence(log)
+            LogColumn.PROBLEMS -> {
+                val look = log.problemSeverity?.let { "is-${it.word}" }.orEmpty() + if (log.isReadable) "" else " is-unreadable"
+                add("span", look, shown).title = problemSentence(log)
+            }
 
             LogColumn.BATTERY -> {
                 add("span", if (log.isNearBrownout) "is-error" else "", shown)

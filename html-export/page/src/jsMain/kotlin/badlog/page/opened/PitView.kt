@@ -13,6 +13,7 @@ import badlog.viewer.shown.folder.logsOfRobots
 import badlog.viewer.shown.folder.pitEmptiness
 import badlog.viewer.shown.folder.pitFacts
 import badlog.viewer.shown.folder.verdictText
+import badlog.viewer.text.word
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
@@ -96,7 +97,7 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
     private fun verdictOf(log: OpenedLog) = if (log.found == null && !isReading(log)) "Not read yet" else verdictText(log.found)
 
     private fun HTMLElement.addLog(log: OpenedLog, id: String, build: HTMLElement.() -> Unit) {
-        val severity = log.found?.verdict?.severity?.name?.lowercase()
+        val severity = log.found?.verdict?.severity?.word
         addButton("pit-log has-$severity", "", "Show what was found in ${log.title}") { onOpen(log) }.apply {
             this.id = id
             setAttribute("data-path", log.path)

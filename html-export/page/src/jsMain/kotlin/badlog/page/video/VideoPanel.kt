@@ -13,6 +13,7 @@ import badlog.page.view.Scene
 import badlog.viewer.session.video.VIDEO_SPEEDS
 import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.session.video.VideoNote
+import badlog.viewer.session.video.alignmentHint
 import badlog.viewer.session.video.enabledStart
 import badlog.viewer.session.video.videoNoteOf
 import badlog.viewer.session.video.within
@@ -156,16 +157,20 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
             ".",
     )
 
-    private fun alignEnabled() = alignAt(enabledStart(scene.enabled.map { it.span }, scene.range.now) ?: Double.NaN)
+    private fun alignEnabled() {
+        val x = enabledStart(scene.enabled.map { it.span }, scene.range.now)
+        if (x == null) scene.notice.say(VideoAlignment.NEVER_ENABLED) else alignAt(x)
+    }
 
     private fun toggleLink() {
-        if (sync.alignment == null) return alignAt(scene.cursor.x)
+        if (sync.alignment == null) {
+            return if (scene.cursor.isPlaced) alignAt(scene.cursor.x) else scene.notice.say(VideoAlignment.NO_CURSOR)
+        }
         use(null)
         remember()
     }
 
     private fun alignAt(x: Double) {
-        if (x.isNaN()) return scene.notice.say("Click a graph first.")
         sync.align(x)
         use(sync.alignment)
         remember()
@@ -175,7 +180,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         linked = null
         sync.alignment = alignment
         link.setAttribute("aria-pressed", (alignment != null).toString())
-        hint.showText(if (alignment == null) "Find the frame where the robot is enabled." else "")
+        hint.showText(if (alignment == null) alignmentHint(scene.enabled.isNotEmpty()) else "")
     }
 
     private fun remember() {

@@ -208,10 +208,11 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     private fun lead(time: Double) {
         val x = alignment?.xAt(time, secondsOfX) ?: return
+        // Not x: a video may be longer than the log.
+        val led = scene.place.now.at(x)
         isLeading = true
-        place = x
-        scene.cursor.change { pinnedAt(x) }
-        scene.range.change { revealing(x) }
+        place = led.cursors.x ?: Double.NaN
+        scene.place.change { led }
         isLeading = false
     }
 

@@ -1,9 +1,9 @@
 package badlog.page.view
 
-import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.text.countText
+import badlog.viewer.text.word
 
 /** Returns [findings] by their places on the x axis. */
 internal fun timelineOf(findings: List<Finding>): FindingTimeline<Finding> = FindingTimeline(findings, { it.severity }, { it.places })
@@ -14,19 +14,13 @@ internal val Finding.isPlaced: Boolean get() = time.isFinite()
 /** Where its first span ends, or its time if it has none. */
 internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
 
-/** Its severity as a word, which is also the name of its style. */
-internal val Finding.word: String get() = severity.word
-
-/** As a word, which is also the name of its style. */
-internal val Severity.word: String get() = name.lowercase()
-
 /** Returns what was found at its place nearest to [x]. */
 internal fun Finding.textNear(x: Double): String = placeNear(x)?.let(::textAt) ?: text
 
 /** Returns the first of [findings] with its severity and what was found near [x], and how many more there are. */
 internal fun findingText(findings: List<Finding>, x: Double): String {
     val first = findings.firstOrNull() ?: return ""
-    return "${first.word} · ${shortFindingText(findings, x)}"
+    return "${first.severity.word} · ${shortFindingText(findings, x)}"
 }
 
 /** Returns the same without the severity. */

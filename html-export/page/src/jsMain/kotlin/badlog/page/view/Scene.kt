@@ -16,7 +16,9 @@ import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.draw.mark.MARK_REACH
 import badlog.viewer.draw.mark.ModeTimeline
+import badlog.viewer.draw.mark.saidNear
 import badlog.viewer.draw.path.Field
 import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.draw.plot.PlotMarks
@@ -29,7 +31,6 @@ import badlog.viewer.shown.statistics.Channels
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
-import kotlin.math.abs
 
 /** What all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
 internal class Scene(
@@ -95,9 +96,6 @@ internal class Scene(
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
-    /** Returns the note under the cursor at [x], or null. */
-    fun noteAt(x: Double): Note? = notes.minByOrNull { abs(it.x - x) }?.takeIf { abs(it.x - x) <= range.now.width * REACH }
-
     /** When it was in which mode. */
     val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
 
@@ -110,15 +108,12 @@ internal class Scene(
     /** Returns the name of the finding that a person went to at [x]; null if nobody did. */
     fun visitedAt(x: Double): FindingName? = visited?.takeIf { it.span.from == x }?.let { FindingName.of(it.finding) }
 
-    /** Returns the event under the cursor at [x], or null. */
-    fun eventAt(x: Double): Event? = events.nearest(x, range.now.width * REACH)
-
     /** Returns the last event at or before [x], with the precision of a pixel; null before the first. */
     fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
 
     /** Returns the findings under the cursor at [x]: first the one that it was moved to, then the worst. */
     fun findingsAt(x: Double): List<Finding> {
-        val all = findings.at(x, range.now.width * REACH)
+        val all = findings.at(x, range.now.width * MARK_REACH)
         val here = visited?.takeIf { it.span.from == x }?.finding ?: return all
         return listOf(here) + (all - here)
     }
@@ -127,17 +122,17 @@ internal class Scene(
 
     /** Returns what is under the cursor at [x], worked out once for all graphs that show it. */
     fun pointedAt(x: Double): Pointed {
-        val asked = listOf(x, range.now, findings, visited)
+        val asked = listOf(x, range.now, findings, visited, notes)
         pointed?.takeIf { it.first == asked }?.let { return it.second }
         val found = findingsAt(x)
-        return Pointed(noteAt(x)?.text ?: eventAt(x)?.text, found.firstOrNull()?.severity, findingText(found, x))
+        return Pointed(saidNear(x, range.now, notes, events)?.text, found.firstOrNull()?.severity, findingText(found, x))
             .also { pointed = asked to it }
     }
 
     /** Returns those of [findingsAt] that did not begin before the last event at or before [x], so that they are newer. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
-        val from = last.x - range.now.width * REACH
+        val from = last.x - range.now.width * MARK_REACH
         return findingsAt(x).filter { finding -> finding.places.any { it.from >= from } }
     }
 
@@ -156,9 +151,6 @@ internal class Scene(
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
-        /** The maximum distance between the cursor and what it points at, as a fraction of the screen's width. */
-        const val REACH = 0.008
-
         /** The precision of a mouse, as a fraction of the screen's width: without it, the last event could not be reached. */
         const val ONE_PIXEL = 0.002
     }

@@ -17,6 +17,9 @@ fun countText(count: Int): String {
 /** Returns a count with its noun: `1 graph`, `7 graphs`. */
 fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
+/** Returns how many of [all] are [shown], with their noun: `3 of 12 events`, or `12 events` if all are. */
+fun countOf(shown: Int, all: Int, one: String): String = (if (shown == all) "" else "${countText(shown)} of ") + countText(all, one)
+
 /** Returns a number of bytes for people. */
 fun bytesText(bytes: Double): String = when {
     bytes < 1000 -> "${bytes.toInt()} bytes"

@@ -1,6 +1,7 @@
 package badlog.viewer.todo
 
 import badlog.core.recording.Severity
+import badlog.viewer.text.word
 
 /**
  * Returns the list and the [checklist] before the next match as a page: one file of HTML without scripts, for a browser or for paper, light or
@@ -47,7 +48,7 @@ private fun StringBuilder.appendItems(items: List<TodoItem>) {
             else -> ""
         }
         append("<li$kind>${box(!item.isOpen)}<div><b>${html(item.title)}</b>")
-        if (severity != null) append(" <span>${severity.name.lowercase()}</span>")
+        if (severity != null) append(" <span>${severity.word}</span>")
         if (item.person.isNotEmpty()) append(" <span>${html(item.person)}</span>")
         for (line in item.lines) append("<p>${html(line)}</p>")
         append("</div></li>\n")

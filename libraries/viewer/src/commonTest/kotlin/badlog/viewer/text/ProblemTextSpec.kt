@@ -3,9 +3,22 @@ package badlog.viewer.text
 import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
 class ProblemTextSpec : FunSpec({
+    test("a sentence says whether something is lost, and counts what else is wrong") {
+        val hint = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
+        val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.")
+        val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.")
+        problemSummary(emptyList()) shouldBe "Complete."
+        problemSummary(listOf(hint, warning)) shouldBe "Complete, 1 warning, 1 hint."
+        problemSummary(listOf(cut)) shouldBe "Data is missing in 1 place."
+        problemSummary(listOf(cut, warning, cut), others = 1) shouldBe "Data is missing in 2 places, 2 warnings."
+        problemSummary(listOf(hint, Problem(ProblemKind.EMPTY_FILE, "The file is empty."))) shouldBe "The file is empty."
+        listOf(cut, warning, hint).map { it.word } shouldContainExactly listOf("lost", "warning", "hint")
+    }
+
     test("a problem says where and how often it occurred") {
         val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
         placeTextOf(cut) shouldBe "line 12 · 3 times"

@@ -209,6 +209,9 @@ data class BoardGraph(
     /** The part of the plane that a person selected in a graph of y over x; null for all of it. */
     val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
 
+    /** Whether a person selected the part of y on one of its axes. */
+    val isYFixed: Boolean get() = yRange != null || rightYRange != null
+
     internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
 
     companion object {

@@ -1,5 +1,7 @@
 package badlog.viewer.choices.comparison
 
+import badlog.viewer.text.exactText
+import kotlin.math.abs
 import kotlin.math.round
 
 /**
@@ -24,11 +26,11 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
         return LogOffsets(wanted, if (isFirstByHand) moments.keys.associateWith { of(it, open, moments) } else byHand)
     }
 
-    /** Moves [log] to [offset] beside [open], which makes the alignment manual. An offset that is not a number is ignored. */
+    /** Moves [log] to [offset], to a millionth, beside [open], which makes the alignment manual. One that is no number is ignored. */
     fun moved(log: K, offset: Double, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         if (!offset.isFinite() || log == open) return this
         val byHand = alignedBy(Alignment.MANUAL, open, moments)
-        return byHand.copy(byHand = byHand.byHand + (log to byHand.handOffset(open) + offset))
+        return byHand.copy(byHand = byHand.byHand + (log to byHand.handOffset(open) + rounded(offset)))
     }
 
     /** Forgets the manual offset of [log]. */
@@ -46,10 +48,27 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
 /** Returns the number that a person has typed as an offset, with a comma or a point; null for none. */
 fun offsetOf(text: String): Double? = text.trim().replace(',', '.').toDoubleOrNull()?.takeIf { it.isFinite() }
 
-/** Returns [offset] without the rounding errors of steps. */
-fun roundedOffset(offset: Double): Double = if (offset.isFinite()) round(offset * MILLION) / MILLION else offset
+/** Returns [offset] as the text that [offsetOf] reads, without the rounding errors of steps. */
+fun offsetText(offset: Double): String = exactText(rounded(offset))
 
-/** The steps by which a click moves a log, in units of x. */
-val OFFSET_STEPS: List<Double> = listOf(0.02, 0.1, 1.0)
+/**
+ * A step by which a click moves a log.
+ *
+ * @property by how far it moves the log, in units of x.
+ */
+class OffsetStep(val by: Double) {
+    private val distance = (if (by < 0) "-" else "+") + exactText(abs(by))
+
+    /** What its button says, such as `+.1`. */
+    val label: String get() = distance.replace("0.", ".")
+
+    /** Returns what it does to the log called [name]. */
+    fun hintFor(name: String): String = "Move $name by $distance"
+}
+
+/** The steps that front ends offer, from the longest to the left to the longest to the right. */
+val OFFSET_STEPS: List<OffsetStep> = listOf(-1.0, -0.1, -0.02, 0.02, 0.1, 1.0).map(::OffsetStep)
+
+private fun rounded(offset: Double) = round(offset * MILLION) / MILLION
 
 private const val MILLION = 1e6

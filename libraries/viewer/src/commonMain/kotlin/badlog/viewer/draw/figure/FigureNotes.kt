@@ -11,6 +11,7 @@ import badlog.viewer.text.cursorText
 import badlog.viewer.text.differenceText
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
+import badlog.viewer.text.word
 
 /**
  * The texts of an exported figure besides its graphs, which make it self-explanatory.
@@ -46,7 +47,7 @@ class FigureNotes private constructor(val place: String, val findings: List<Name
             ).joinToString(" · ")
             val seen = found?.worstFirst.orEmpty().mapNotNull { finding ->
                 val span = finding.places.firstOrNull { it.from <= visible.to && it.to >= visible.from } ?: return@mapNotNull null
-                val head = "${finding.severity.name.lowercase()} · ${withUnit(at(span.from), axis.unit)}"
+                val head = "${finding.severity.word} · ${withUnit(at(span.from), axis.unit)}"
                 NamedFinding(finding.severity, head, "${finding.rule}: ${finding.textAt(span)}")
             }
             return FigureNotes(place, seen.take(MAX_NAMED), maxOf(0, seen.size - MAX_NAMED))

@@ -28,7 +28,7 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
         .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
 
     /** Returns the places of [finding], in the order of x. */
-    fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
+    private fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
     /** Returns the place at [x] of the finding for which [isMeant] is true, or else of the worst one that begins there; null for none. */
     fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =

@@ -22,8 +22,21 @@ class VideoAlignment(startSeconds: Double) {
         /** Returns the alignment of a video that shows [x] at [seconds] from its start; one unit of x is [secondsOfX] seconds. */
         fun of(seconds: Double, x: Double, secondsOfX: Double): VideoAlignment = VideoAlignment(x * secondsOfX - seconds)
 
+        /** Why a frame cannot be aligned with the cursor. */
+        const val NO_CURSOR: String = "Click a graph first."
+
+        /** Why a frame cannot be aligned with the moment at which the robot was enabled. */
+        const val NEVER_ENABLED: String = "This log does not say when the robot was enabled."
+
         private const val PER_SECOND = 10_000.0
     }
+}
+
+/** Returns how a person aligns a video with a log; [hasEnabled] says whether that shows when the robot was enabled. */
+fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
+    "Find the first frame in which the robot is enabled, and click “Enabled here”."
+} else {
+    "Move the cursor to the time of this frame, and click the link button."
 }
 
 /**

@@ -1,10 +1,10 @@
 package badlog.viewer.shown.finding
 
-import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.text.word
 
 /**
  * A step of a person who goes through the findings with a key.
@@ -16,12 +16,10 @@ class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?) {
     /** What a screen reader says of it: the whole incident, or what was found at the place. */
     val spoken: String
         get() = if (incident == null) {
-            "${wordOf(place.severity)}: ${place.finding.rule}. ${place.finding.textAt(place.span)}"
+            "${place.severity.word}: ${place.finding.rule}. ${place.finding.textAt(place.span)}"
         } else {
-            "${wordOf(incident.severity)}: ${incident.sentences.joinToString(" ") { it.text }}"
+            "${incident.severity.word}: ${incident.sentences.joinToString(" ") { it.text }}"
         }
-
-    private fun wordOf(severity: Severity) = severity.name.lowercase()
 }
 
 /**

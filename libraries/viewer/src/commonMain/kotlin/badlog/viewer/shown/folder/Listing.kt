@@ -5,6 +5,7 @@ import badlog.signals.match.NaturalOrder
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countOf
 import badlog.viewer.text.countText
 import badlog.viewer.text.dateText
 import badlog.viewer.text.isoText
@@ -46,6 +47,9 @@ data class Listing<E : ListedLog>(
 
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
+
+    /** How many of them are listed: `3 of 12 logs`, or `12 logs`. */
+    val count: String get() = countOf(visible.size, size, "log")
 
     /** Why none of them is listed, as a sentence, though there are some. */
     val emptiness: String

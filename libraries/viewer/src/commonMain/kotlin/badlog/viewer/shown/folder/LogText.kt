@@ -1,5 +1,6 @@
 package badlog.viewer.shown.folder
 
+import badlog.core.recording.Severity
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.secondsOf
 import badlog.viewer.text.NO_NUMBER
@@ -8,6 +9,7 @@ import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
+import badlog.viewer.text.word
 import kotlin.math.floor
 
 /** Whether the battery came near the voltage at which a roboRIO cuts outputs. */
@@ -34,6 +36,14 @@ fun problemText(log: ListedLog): String? = when {
     else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.toString()
 }
 
+/** How serious the worst of its problems that matter is; null if there are none. */
+val ListedLog.problemSeverity: Severity?
+    get() = when {
+        !isReadable || summary.problems.errors > 0 -> Severity.ERROR
+        summary.problems.warnings > 0 -> Severity.WARNING
+        else -> null
+    }
+
 /** Returns the problems in words, for a tip. */
 fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.summary.problems) {
     listOfNotNull(
@@ -58,4 +68,4 @@ fun foundText(log: ListedLog): String? {
 }
 
 /** Returns everything that the rules found, one per line; empty for nothing. */
-fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.name.lowercase()}: ${it.name}" }
+fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.word}: ${it.name}" }

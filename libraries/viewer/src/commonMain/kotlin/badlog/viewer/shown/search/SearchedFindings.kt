@@ -5,17 +5,18 @@ import badlog.rules.incident.Incident
 import badlog.viewer.text.countText
 
 /** The text that a [Query] searches, in lower case: the rule, the severity and the message. */
-val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
+internal val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
 
 /** The text that a [Query] searches, in lower case: everything that the incident says, and all findings that are part of it. */
-val Incident.searchedText: String
+internal val Incident.searchedText: String
     get() = "$name ${sentences.joinToString(" ") { it.text }} $next ${(causes + effects).joinToString(" ") { it.searchedText }}".lowercase()
 
 /** Returns whether this finds a finding or an incident with [searchedText]. */
-fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)
+internal fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)
 
 /** Returns a sentence that says how many [incidents] and [findings] a search hides; empty if it hides none. */
-fun hiddenBySearch(incidents: Int, findings: Int): String = listOf("incident" to incidents, "finding" to findings).filter { it.second > 0 }
+internal fun hiddenBySearch(incidents: Int, findings: Int): String = listOf("incident" to incidents, "finding" to findings)
+    .filter { it.second > 0 }
     .joinToString(" and ") { (name, number) -> countText(number, name) }
     .let { if (it.isEmpty()) "" else "$it hidden by the search." }
 

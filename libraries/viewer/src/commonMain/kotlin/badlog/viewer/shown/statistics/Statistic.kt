@@ -3,6 +3,8 @@ package badlog.viewer.shown.statistics
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Units
 import badlog.core.recording.Topic
+import badlog.viewer.text.countText
+import badlog.viewer.text.numberText
 
 /**
  * A number that describes the samples of a range. Statistics that could be weighted by samples or by time are weighted by
@@ -69,6 +71,9 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
         SAMPLES -> statistics.count.toDouble()
         GAPS -> statistics.gaps.toDouble()
     }
+
+    /** Returns [value], one that [of] returned, for people: counts in full, other numbers with a few digits; `–` for none. */
+    fun textOf(value: Double): String = if (isCount && !value.isNaN()) countText(value.toInt()) else numberText(value)
 
     /** Its unit for a topic of [unit] over an x of [xUnit], null if that is not known; `ul` for none. */
     fun unitOf(unit: String, xUnit: String?): String = when {

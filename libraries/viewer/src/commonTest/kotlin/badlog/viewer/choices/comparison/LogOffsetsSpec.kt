@@ -1,6 +1,7 @@
 package badlog.viewer.choices.comparison
 
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -54,6 +55,13 @@ class LogOffsetsSpec : FunSpec({
         offsetOf(" -1,25 ") shouldBe -1.25
         offsetOf("fast") shouldBe null
         offsetOf("Infinity") shouldBe null
-        roundedOffset(0.1 + 0.2) shouldBe 0.3
+        offsetText(0.1 + 0.2) shouldBe "0.3"
+    }
+
+    test("steps lead to the left and to the right, and leave no dust") {
+        OFFSET_STEPS.map { it.label } shouldContainExactly listOf("-1", "-.1", "-.02", "+.02", "+.1", "+1")
+        OFFSET_STEPS.map { it.hintFor("Q42") }.drop(4) shouldContainExactly listOf("Move Q42 by +0.1", "Move Q42 by +1")
+        val moved = LogOffsets<String>(Alignment.NONE).moved("other", 0.1 + 0.2, "open", moments)
+        moved.offset("other") shouldBe 0.3
     }
 })

@@ -10,6 +10,7 @@ import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
+import badlog.viewer.catalog.ProblemCounts
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -58,6 +59,8 @@ class ListingSpec : FunSpec({
     test("the newest is at the top, and a file that is not a log is not listed") {
         names(listing) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
         listing.size shouldBe 4
+        listing.count shouldBe "4 logs"
+        listing.copy(filter = "bench").count shouldBe "1 of 4 logs"
     }
 
     test("match 9 comes before match 10, and what is not a match comes last either way round") {
@@ -126,5 +129,14 @@ class ListingSpec : FunSpec({
         foundText(log("a.bag").copy(found = null)) shouldBe "…"
         foundText(log("a.bag").copy(found = LogFound(0, null))) shouldBe "–"
         foundLines(log("a.bag", found = two)) shouldBe "error: Browned out\nwarning: Loop slow"
+    }
+
+    test("a log is as wrong as the worst of its problems that matter, and a log that cannot be read is lost") {
+        fun severityOf(problems: ProblemCounts, trouble: String? = null) =
+            match9.copy(summary = match9.summary.copy(problems = problems, trouble = trouble)).problemSeverity
+        severityOf(ProblemCounts(notes = 3)) shouldBe null
+        severityOf(ProblemCounts(warnings = 2, notes = 3)) shouldBe Severity.WARNING
+        severityOf(ProblemCounts(errors = 1, warnings = 2)) shouldBe Severity.ERROR
+        severityOf(ProblemCounts(), trouble = "It cannot be read.") shouldBe Severity.ERROR
     }
 })
