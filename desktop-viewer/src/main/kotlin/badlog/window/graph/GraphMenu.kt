@@ -53,8 +53,7 @@ private fun fieldActions(scene: GraphScene) = listOfNotNull(
 )
 
 /** Returns the parts of y that [spec] shows now, that of the left axis first. */
-private fun shownY(scene: GraphScene, spec: BoardGraph) =
-    scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty().map { it.shown }
+private fun shownY(scene: GraphScene, spec: BoardGraph) = scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty().map { it.shown }
 
 /** Returns the title of [graph], one of those of [board], for a menu. */
 internal fun quoted(board: GraphBoard, graph: BoardGraph): String = "“${shortTitle(board, graph)}”"

@@ -132,8 +132,7 @@ class ListingSpec : FunSpec({
     }
 
     test("a log is as wrong as the worst of its problems that matter, and a log that cannot be read is lost") {
-        fun severityOf(problems: ProblemCounts, trouble: String? = null) =
-            match9.copy(summary = match9.summary.copy(problems = problems, trouble = trouble)).problemSeverity
+        fun severityOf(problems: ProblemCounts, trouble: String? = null) = match9.copy(summary = match9.summary.copy(problems = problems, trouble = trouble)).problemSeverity
         severityOf(ProblemCounts(notes = 3)) shouldBe null
         severityOf(ProblemCounts(warnings = 2, notes = 3)) shouldBe Severity.WARNING
         severityOf(ProblemCounts(errors = 1, warnings = 2)) shouldBe Severity.ERROR

@@ -18,8 +18,7 @@ class IncidentOrderSpec : FunSpec({
         val incidents = RuleSet.BUILT_IN.incidentsIn(all)
         val order = FindingOrder(FindingTimeline(all, { it.severity }, { it.places }), incidents)
 
-        fun from(first: FindingStep?, steps: Int) =
-            generateSequence(first) { order.beside(it.place.finding, it.place.span.from, steps) }.take(4).map { it.place.finding.rule }.toList()
+        fun from(first: FindingStep?, steps: Int) = generateSequence(first) { order.beside(it.place.finding, it.place.span.from, steps) }.take(4).map { it.place.finding.rule }.toList()
         incidents.map { it.first.rule } shouldBe listOf("Motor stalled")
         from(order.beside(null, Double.NaN, 1), 1) shouldBe listOf("Motor stalled", "Early rule", "Own rule", "Own rule")
         from(order.beside(null, Double.NaN, -1), -1) shouldBe listOf("Own rule", "Early rule", "Motor stalled", "Motor stalled")
