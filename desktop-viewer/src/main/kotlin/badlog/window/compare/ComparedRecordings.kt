@@ -68,9 +68,8 @@ internal class ComparedRecordings(
     }
 
     private fun nameOf(recording: OpenRecording): LogName {
-        val file = recording.file.fileName.toString()
         val match = recording.match
-        return LogName(match.event, match.match, recording.label, file)
+        return LogName(match.event, match.match, recording.label, recording.file.joinToString("/"))
     }
 
     private fun load(file: Path) {

@@ -5,7 +5,6 @@ import badlog.rules.Finding
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
-import badlog.rules.worstFirst
 import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.shown.finding.FindingOrder
 import badlog.viewer.shown.finding.FindingSearch
@@ -42,7 +41,7 @@ internal data class Findings(
 /**
  * What rules found in a recording.
  *
- * @property all the findings, the worst first, and of one severity in the order of time.
+ * @property all the findings, the worst first, and of one severity in the order of x.
  * @property skipped the rules that were skipped for it.
  * @property rulesFile where the rules come from; null for the built-in ones.
  * @property incidents which of them belong together, and what came first; the worst first.
@@ -63,15 +62,15 @@ internal class FindingList(
     /** The signals that most rules lack, which a topic can be assigned to. */
     val lacking: List<String> = NotLookedAt(ran, skipped).lacking.take(MOST_LACKING)
 
-    val all: List<Finding> = found.worstFirst()
+    /** The findings by their places on x. */
+    val timeline: FindingTimeline<Finding> = FindingTimeline(found, { it.severity }, { it.places })
+
+    val all: List<Finding> get() = timeline.worstFirst
 
     private val search = FindingSearch(all, incidents)
 
     /** The names of the topics that one of them is about. */
     val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
-
-    /** The findings by their places on x. */
-    val timeline: FindingTimeline<Finding> = FindingTimeline(all, { it.severity }, { it.places })
 
     /** The order in which keys go through them. */
     val order: FindingOrder by lazy { FindingOrder(timeline, incidents) }

@@ -81,7 +81,7 @@ internal class LogVideo(
     /** Shows [file] beside the log, aligned as a video of that name was before. */
     fun open(file: Path) {
         if (current.recording == null) return sayNoLog(notices)
-        if (secondsOfX == null) return notices.complain("The x axis of this log is not a time, so no video can be shown beside it.")
+        if (secondsOfX == null) return notices.complain(VideoAlignment.NO_TIME)
         show(file, remembered()?.takeIf { Path.of(it.name).fileName == file.fileName }?.alignment)
         remember()
     }

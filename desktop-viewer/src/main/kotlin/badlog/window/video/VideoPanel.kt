@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.session.video.alignmentHint
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
@@ -34,7 +35,7 @@ internal fun VideoPanel(video: LogVideo, open: OpenRecording, modifier: Modifier
         val shown = video.state
         val file = shown.file
         if (video.secondsOfX == null) {
-            Hint("The x axis of this log is not a time, so no video can be shown beside it.")
+            Hint(VideoAlignment.NO_TIME)
             return@Column
         }
         Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {

@@ -2,7 +2,7 @@ package badlog.window.robot
 
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.hasText
+import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -70,6 +70,9 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
+    /** Waits until [text] is shown, or until it no longer [isShown]: the window follows what it shows a moment later. */
+    fun DesktopComposeUiTest.await(text: String, isShown: Boolean = true) = waitFor { onAllNodesWithText(text, substring = true).fetchSemanticsNodes().isNotEmpty() == isShown }
+
     fun DesktopComposeUiTest.record(choice: String) {
         onNodeWithContentDescription("Record what the robot publishes").performClick()
         onNodeWithText(choice).performClick()
@@ -85,7 +88,7 @@ class RobotRecordingSpec : FunSpec({
                 val log = viewer.current.recording!!.file
                 log.name shouldStartWith "FRC_"
                 viewer.live.isStaying shouldBe true
-                onNodeWithText("Stop recording").assertExists()
+                await("Stop recording")
                 val end = viewer.current.recording!!.span.to
                 waitFor { viewer.current.recording!!.span.to > end + 0.5 && viewer.view.cursors.pinned == viewer.current.recording!!.span.to }
                 waitFor { viewer.notes.state.log == log }
@@ -105,7 +108,7 @@ class RobotRecordingSpec : FunSpec({
 
                 onNodeWithText("Stop recording").performClick()
                 waitForNotice(viewer, "${log.name} is recorded: ")
-                onNodeWithText("Stop recording").assertDoesNotExist()
+                await("Stop recording", isShown = false)
                 waitFor { !viewer.live.isGrowing }
                 folder.listDirectoryEntries("*.wpilog") shouldBe listOf(log)
             }
@@ -122,7 +125,7 @@ class RobotRecordingSpec : FunSpec({
                 waitFor { "Connected to the robot" in viewer.recording.state.connection }
                 viewer.loader.open(samples.resolve("practice.bag"))
                 waitFor { viewer.current.recording != null }
-                onNodeWithText("A log begins when the robot is enabled.", substring = true).assertExists()
+                await("A log begins when the robot is enabled.")
                 folder.listDirectoryEntries("*.wpilog").shouldBeEmpty()
                 server.start()
                 waitForNotice(viewer, "is being recorded.")
@@ -160,8 +163,8 @@ class RobotRecordingSpec : FunSpec({
         val folder = tempdir().toPath()
         beside(null, folder) { viewer ->
             record("Record until stopped")
-            waitFor { onAllNodes(hasText("Looking for the robot at 127.0.0.1.", substring = true)).fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithText("A log begins when the robot answers.", substring = true).assertExists()
+            await("Looking for the robot at 127.0.0.1.")
+            await("A log begins when the robot answers.")
             onNodeWithContentDescription("Stop recording the robot").performClick()
             waitFor { !viewer.recording.state.isOn }
             folder.listDirectoryEntries().shouldBeEmpty()

@@ -196,7 +196,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("a kind of log that pages cannot read is named, with what to do, and what is no log is said not to be one") {
+    browserTest("a log of a kind that pages cannot read is refused with what to do instead, and a file that is not a log with a sentence") {
         onEmptyPage {
             for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
                 drop(name to byteArrayOf(1, 2, 3))

@@ -4,6 +4,7 @@ import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.viewer.session.video.VideoAlignment
 import io.kotest.assertions.withClue
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
@@ -225,13 +226,7 @@ internal class VideoSpec : PageSpec({
 
     browserTest("a file that the browser cannot play is said to be one, a dropped one too, and a layout is still opened") {
         onPage(page) {
-            script(
-                """
-                const data = new DataTransfer()
-                data.items.add(new File(['no pictures'], 'phone.mov', {type: 'video/quicktime'}))
-                document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
-                """.trimIndent(),
-            )
+            script(DROP)
             await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
             texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
             // A video that can be played takes the place of it.
@@ -286,10 +281,21 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a page whose log has no time on x offers no video") {
-        onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) { element("#video-button").isDisplayed shouldBe false }
+    browserTest("a page whose log has no time on x offers no video, and says why it does not show one that is dropped") {
+        onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
+            element("#video-button").isDisplayed shouldBe false
+            script(DROP)
+            await("the sentence") { VideoAlignment.NO_TIME in texts(".notice").joinToString() }
+        }
     }
 })
+
+/** Drops a file that is called a video. */
+private const val DROP = """(() => {
+const data = new DataTransfer()
+data.items.add(new File(['no pictures'], 'phone.mov', {type: 'video/quicktime'}))
+document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))
+})()"""
 
 /**
  * Lets the browser report frames `reports.delay` milliseconds late, and while `reports.areLost` not at all; if that is true, only until the

@@ -125,12 +125,13 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         }
     }
 
-    /** Shows [file] if it is a video. Returns false otherwise. */
+    /** Shows [file] if it is a video, or says why it cannot be shown. Returns whether it is one. */
     fun open(file: File): Boolean {
         val isVideo = file.type.startsWith("video/") || file.name.endsWith(".mkv")
-        if (secondsOfX == null || !isVideo) return false
-        show(file.name, URL.createObjectURL(file))
-        return true
+        if (isVideo) {
+            if (secondsOfX == null) scene.notice.say(VideoAlignment.NO_TIME) else show(file.name, URL.createObjectURL(file))
+        }
+        return isVideo
     }
 
     /** Shows the frame [count] after this one, or before it if negative. */

@@ -36,7 +36,6 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     /** Whether the video ended before that: it goes back to its end then, because only from there does it play again from its start. */
     private var isAtEnd = false
-    private var isReturning = false
 
     /** Whether the browser does not report which frame is shown after a seek. */
     private var isSilent = false
@@ -75,12 +74,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
             next = Double.NaN
             window.clearTimeout(timer)
             if (!isSettling) waits = 0
-            val isBack = isReturning
-            isReturning = false
-            when {
-                !wanted.isNaN() -> seek(wanted)
-                !isBack -> await()
-            }
+            if (!wanted.isNaN()) seek(wanted) else await()
         }
         if (video.asDynamic().requestVideoFrameCallback == null) on("timeupdate") { show(video.currentTime) } else watch()
     }
@@ -168,11 +162,11 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         if (isAtEnd) returnToEnd()
     }
 
-    /** Which frame the video shows at its end is known already. */
+    /** Unlike a seek to somewhere else, this leaves known which frame the video shows. */
     private fun returnToEnd() {
         isAtEnd = false
+        isSettling = false
         isOwnSeek = true
-        isReturning = true
         video.currentTime = video.duration
     }
 

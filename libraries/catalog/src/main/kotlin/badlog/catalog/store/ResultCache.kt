@@ -6,10 +6,12 @@ import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.protobuf.ProtoBuf
 import java.io.IOException
+import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.util.zip.CRC32
+import java.util.zip.Deflater
 import java.util.zip.GZIPInputStream
 import java.util.zip.GZIPOutputStream
 import kotlin.time.Duration
@@ -50,6 +52,13 @@ class ResultCache<R : Any>(
     // Two questions may have files with the same name.
     @Serializable
     private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
+
+    /** While a folder is read, all that is known of it is written every few seconds. */
+    private class FastGzip(out: OutputStream) : GZIPOutputStream(out) {
+        init {
+            def.setLevel(Deflater.BEST_SPEED)
+        }
+    }
 
     init {
         addStored()
@@ -94,7 +103,7 @@ class ResultCache<R : Any>(
             val body = ProtoBuf.encodeToByteArray(serializer, Kept(asked, known.values.toList()))
             val draft = Files.createTempFile(folder, PREFIX, ".draft")
             try {
-                GZIPOutputStream(Files.newOutputStream(draft)).use { it.write(body) }
+                FastGzip(Files.newOutputStream(draft)).use { it.write(body) }
                 Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING)
             } finally {
                 Files.deleteIfExists(draft)

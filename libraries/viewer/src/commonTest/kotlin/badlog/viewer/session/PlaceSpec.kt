@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.checkAll
 
 class PlaceSpec : FunSpec({
-    test("a moment before or after the log is at its nearer end, one that is no number changes nothing, and one in sight moves no range") {
+    test("a moment outside of the log becomes its nearer end, NaN and infinity change nothing, and a visible moment leaves the range as it is") {
         val place = Place(Viewport(Span(0.0, 10.0)))
         place.at(1e308).cursors.pinned shouldBe 10.0
         place.at(-5.0).cursors.pinned shouldBe 0.0

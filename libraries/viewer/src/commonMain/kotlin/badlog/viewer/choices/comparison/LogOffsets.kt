@@ -26,7 +26,10 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
         return LogOffsets(wanted, if (isFirstByHand) moments.keys.associateWith { of(it, open, moments) } else byHand)
     }
 
-    /** Moves [log] to [offset], to a millionth, beside [open], which makes the alignment manual. One that is no number is ignored. */
+    /**
+     * Moves [log] to [offset] beside [open], which makes the alignment manual. The offset is rounded to six decimals; one that is not a
+     * number is ignored.
+     */
     fun moved(log: K, offset: Double, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         if (!offset.isFinite() || log == open) return this
         val byHand = alignedBy(Alignment.MANUAL, open, moments)

@@ -28,6 +28,9 @@ class VideoAlignment(startSeconds: Double) {
         /** Why a frame cannot be aligned with the moment at which the robot was enabled. */
         const val NEVER_ENABLED: String = "This log does not say when the robot was enabled."
 
+        /** Why no video can be aligned with a log. */
+        const val NO_TIME: String = "The x axis of this log is not a time, so no video can be shown beside it."
+
         private const val PER_SECOND = 10_000.0
     }
 }

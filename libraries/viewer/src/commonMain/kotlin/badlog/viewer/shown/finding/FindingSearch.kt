@@ -4,9 +4,6 @@ import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.viewer.shown.search.Query
-import badlog.viewer.shown.search.findsFound
-import badlog.viewer.shown.search.hiddenBySearch
-import badlog.viewer.shown.search.searchedText
 import badlog.viewer.text.countText
 import badlog.viewer.text.word
 

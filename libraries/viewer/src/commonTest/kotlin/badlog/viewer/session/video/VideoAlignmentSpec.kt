@@ -55,7 +55,7 @@ class VideoAlignmentSpec : FunSpec({
         enabledStart(emptyList(), Span(0.0, 200.0)) shouldBe null
     }
 
-    test("where no log says when the robot was enabled, nobody is told to find that frame") {
+    test("the hint asks for the frame of enabling only if the log says when the robot was enabled") {
         alignmentHint(hasEnabled = true) shouldContain "“Enabled here”"
         alignmentHint(hasEnabled = false) shouldNotContain "enabled"
     }

@@ -21,6 +21,14 @@ class LogNamesSpec : FunSpec({
             listOf("Qualification 3 (a.bag)", "Qualification 3 (b.bag)", "bench.csv (bench.csv)")
     }
 
+    test("files of one name are distinguished by as many of their folders as that takes") {
+        fun names(vararg paths: String) = namesBeside(paths.map { match("Lake", 3, it) }).map { it.substringAfter('(').removeSuffix(")") }
+        names("2026/lake/friday/q3.bag", "2026/lake/saturday/q3.bag") shouldBe listOf("friday/q3.bag", "saturday/q3.bag")
+        names("2026/lake/q3.bag", "2026/lake/q3-2.bag") shouldBe listOf("q3.bag", "q3-2.bag")
+        names("q3.bag", "lake/q3.bag") shouldBe listOf("q3.bag", "lake/q3.bag")
+        names("lake/q3.bag", "lake/q3.bag") shouldBe listOf("lake/q3.bag", "lake/q3.bag")
+    }
+
     test("a long name keeps its end, by which matches differ") {
         shortLabel("Mill Creek Regional Qualification 42", 15) shouldBe "Mill Cr…tion 42"
         shortLabel("Qualification 4", 15) shouldBe "Qualification 4"

@@ -6,6 +6,8 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.incident.incidentsIn
 import badlog.rules.over
+import badlog.viewer.shown.finding.findsFound
+import badlog.viewer.shown.finding.searchedText
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.io.File

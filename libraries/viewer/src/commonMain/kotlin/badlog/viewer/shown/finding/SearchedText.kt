@@ -1,7 +1,9 @@
-package badlog.viewer.shown.search
+package badlog.viewer.shown.finding
 
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
 import badlog.viewer.text.countText
 
 /** The text that a [Query] searches, in lower case: the rule, the severity and the message. */

@@ -1,11 +1,12 @@
-package badlog.viewer.shown.search
+package badlog.viewer.shown.finding
 
 import badlog.core.recording.Severity
 import badlog.rules.Finding
+import badlog.viewer.shown.search.Query
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class SearchedFindingsSpec : FunSpec({
+class SearchedTextSpec : FunSpec({
     test("a finding is searched by its rule, how bad it is, and what it says; each of them is one that has a finding") {
         val text = Finding("Browned out", Severity.ERROR, null, "Motors were switched off.", 1.0, emptyList(), 1, "s").searchedText
         for (query in listOf("brown", "ERROR motors", "note | error", "-warning", "has:finding")) Query(query).findsFound(text) shouldBe true
