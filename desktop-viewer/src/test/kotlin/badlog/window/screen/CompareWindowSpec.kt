@@ -3,12 +3,14 @@ package badlog.window.screen
 import badlog.catalog.folder.putSamples
 import badlog.viewer.choices.comparison.Alignment
 import badlog.window.sidebar.MainView
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 
+@Tags("InCheck")
 class CompareWindowSpec : FunSpec({
     test("two matches that are checked lie over each other, and a table has their figures").config(
         enabledOrReasonIf = { needsDisplay },

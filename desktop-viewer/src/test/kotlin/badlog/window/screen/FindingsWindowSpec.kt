@@ -1,6 +1,7 @@
 package badlog.window.screen
 
 import badlog.window.theme.Theme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainAll
@@ -10,6 +11,7 @@ import java.awt.event.KeyEvent
 import java.nio.file.Path
 import kotlin.math.abs
 
+@Tags("InCheck")
 class FindingsWindowSpec : FunSpec({
     test("why a match browned out takes two clicks, and all that shows it is on the screen of a small laptop").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag"), width = 1366, height = 768).use { window ->

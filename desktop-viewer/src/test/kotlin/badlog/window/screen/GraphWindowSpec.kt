@@ -2,6 +2,7 @@ package badlog.window.screen
 
 import badlog.window.sidebar.InspectorTab
 import badlog.window.theme.Theme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldNotBeNull
@@ -10,6 +11,7 @@ import java.awt.event.KeyEvent
 import java.nio.file.Path
 import kotlin.math.abs
 
+@Tags("InCheck")
 class GraphWindowSpec : FunSpec({
     val plot = "Plot Arm/Angle"
 

@@ -3,11 +3,13 @@ package badlog.window.screen
 import badlog.catalog.folder.putSamples
 import badlog.window.sidebar.MainView
 import badlog.window.theme.Theme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 
+@Tags("InCheck")
 class LibraryWindowSpec : FunSpec({
     test("a folder shows its newest log, its logs as rows and as a table, and the sheet of keys").config(
         enabledOrReasonIf = { needsDisplay },

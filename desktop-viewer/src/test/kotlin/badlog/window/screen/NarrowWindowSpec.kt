@@ -4,10 +4,12 @@ import badlog.catalog.folder.putSamples
 import badlog.catalog.folder.samples
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.awt.event.KeyEvent
 
+@Tags("InCheck")
 class NarrowWindowSpec : FunSpec({
     test("a window as narrow as a phone shows one part at a time").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath().also { it.putSamples() }

@@ -1,6 +1,7 @@
 package badlog.window.screen
 
 import badlog.viewer.draw.path.Field
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.awt.BasicStroke
@@ -15,6 +16,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
 
+@Tags("InCheck")
 class PathWindowSpec : FunSpec({
     test("a log with poses starts with its path on the picture of the field that lies beside it").config(
         enabledOrReasonIf = { needsDisplay },

@@ -10,11 +10,13 @@ import badlog.replay.ReplayServer
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 
+@Tags("InCheck")
 class RecordingWindowSpec : FunSpec({
     test("a robot that is running is recorded by two clicks, is seen at its newest moment, and a key marks that").config(enabledOrReasonIf = { needsDisplay }) {
         val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals, "qualification-42.bag")

@@ -1,9 +1,11 @@
 package badlog.window.screen
 
 import badlog.window.choice.putPair
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 
+@Tags("InCheck")
 class StationWindowSpec : FunSpec({
     test("a line above the graphs offers the Driver Station's log of the match, and its topics are drawn on a click").config(
         enabledOrReasonIf = { needsDisplay },

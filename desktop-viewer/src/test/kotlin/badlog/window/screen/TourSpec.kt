@@ -3,6 +3,7 @@ package badlog.window.screen
 import badlog.catalog.folder.putSamples
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainAll
@@ -14,6 +15,7 @@ import javax.imageio.ImageIO
 import kotlin.math.abs
 
 /** What the moving picture of the window shows: a person with a mouse, from a folder of logs to why a match went wrong. */
+@Tags("InCheck")
 class TourSpec : FunSpec({
     test("from the table of logs a person comes to the brownout by one click, looks at it closely, and compares it with another match").config(
         enabledOrReasonIf = { needsDisplay },

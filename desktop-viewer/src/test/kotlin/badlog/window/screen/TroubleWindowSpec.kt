@@ -3,6 +3,7 @@ package badlog.window.screen
 import badlog.catalog.folder.bag
 import badlog.catalog.folder.put
 import badlog.window.bagOf
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir
@@ -14,6 +15,7 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import java.nio.file.attribute.PosixFilePermissions
 
+@Tags("InCheck")
 class TroubleWindowSpec : FunSpec({
     test("a window that is closed while it reads a large file is gone at once").config(enabledOrReasonIf = { needsDisplay }) {
         val file = largeBag(tempdir().toPath(), "large.bag")

@@ -1,12 +1,14 @@
 package badlog.window.screen
 
 import badlog.window.video.CountedVideo
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 import java.nio.file.Path
 
+@Tags("InCheck")
 class VideoWindowSpec : FunSpec({
     test("a video that is dropped stands beside the graphs, and keys step through its frames with the cursor").config(
         enabledOrReasonIf = { needsDisplay },

@@ -1,10 +1,12 @@
 package badlog.window.screen
 
 import badlog.window.theme.Theme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import java.awt.event.KeyEvent
 
+@Tags("InCheck")
 class WelcomeWindowSpec : FunSpec({
     test("the first start invites, and the keyboard alone opens the sample").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), opened = null, width = 1366, height = 768).use { window ->

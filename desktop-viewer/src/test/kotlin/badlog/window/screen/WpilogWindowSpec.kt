@@ -5,12 +5,14 @@ import badlog.catalog.folder.loggedTopic
 import badlog.catalog.folder.wpilogOf
 import badlog.core.recording.Value
 import badlog.formats.wpilog.largeLog
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import java.awt.event.KeyEvent
 import java.nio.file.Files
 
+@Tags("InCheck")
 class WpilogWindowSpec : FunSpec({
     test("a log of 700 topics begins with closed folders and what can be looked through; one search and one click compare target and actual speed").config(enabledOrReasonIf = { needsDisplay }) {
         val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.exporter.EmptyPage
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
@@ -14,6 +15,7 @@ import kotlin.io.path.div
 import kotlin.io.path.readBytes
 
 /** Logs that arrive in a folder into which the browser lets the page look again: what says so, and the view for pits. */
+@Tags("InCheck")
 internal class ArrivalSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-arrival") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }

@@ -1,11 +1,13 @@
 package badlog.page
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.util.Locale
 
+@Tags("InCheck")
 internal class AxisSpec : PageSpec({
     fun OpenPage.numbers(name: String) = drawnTexts(name).filter { it.text.toDoubleOrNull() != null }.distinct()
 

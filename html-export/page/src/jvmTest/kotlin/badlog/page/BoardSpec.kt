@@ -4,6 +4,7 @@ import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -13,6 +14,7 @@ import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 
 /** The graphs that a person puts together. */
+@Tags("InCheck")
 internal class BoardSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Volt", "V"), BagTopic("Amp", "A"), BagTopic("Speed", "rpm"), BagTopic("Other", "V"), BagTopic("Mode"))
     val bag by lazy {

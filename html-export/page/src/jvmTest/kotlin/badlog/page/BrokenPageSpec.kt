@@ -5,6 +5,7 @@ import badlog.files.gzip
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -12,6 +13,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /** Pages that were cut in copying, and browsers that cannot show them. Nobody is left with an empty window. */
+@Tags("InCheck")
 internal class BrokenPageSpec : PageSpec({
     fun cut(page: Path, bytes: Int): Path {
         val file = Files.createTempFile("badlog-cut", ".html")

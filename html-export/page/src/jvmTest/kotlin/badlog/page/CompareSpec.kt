@@ -5,6 +5,7 @@ import badlog.files.gzip
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -16,6 +17,7 @@ import java.nio.file.Files
 private const val VOLTS = "Battery Voltage"
 
 /** Several logs on one page. */
+@Tags("InCheck")
 internal class CompareSpec : PageSpec({
     val topics = listOf(TIME, BagTopic(VOLTS, "V"), BagTopic("Enabled"), BagTopic("State"))
 

@@ -4,6 +4,7 @@ import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -12,6 +13,7 @@ import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
 /** Paths on the field, and XY plots, of several logs on one page. */
+@Tags("InCheck")
 internal class ComparedPathSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Pose Heading", "deg"), BagTopic("Current", "A"), BagTopic("Voltage", "V"))
 

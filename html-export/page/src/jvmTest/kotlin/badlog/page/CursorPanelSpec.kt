@@ -1,12 +1,14 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.WebElement
 
 /** The panel of values at the cursor. */
+@Tags("InCheck")
 internal class CursorPanelSpec : PageSpec({
     val page by lazy {
         val topics = listOf(TIME, BagTopic("Still", "V"), BagTopic("Jump", "A"), BagTopic("Mode"), BagTopic("Hidden", "m", listOf("hide")))

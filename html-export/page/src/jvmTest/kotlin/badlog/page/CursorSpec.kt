@@ -5,6 +5,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
@@ -20,6 +21,7 @@ private const val ROWS = 100_000
 private const val SPIKE_ROW = 54_321
 
 /** Each row has a number of its own, so that a value tells which row it was read from. */
+@Tags("InCheck")
 internal class CursorSpec : PageSpec({
     val page by lazy {
         val topics = listOf(TIME, BagTopic("Row"), BagTopic("Spike", "V"), BagTopic("Mode")) +

@@ -1,12 +1,14 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 
+@Tags("InCheck")
 internal class DerivedGraphSpec : PageSpec({
     // At 0, 1, 2 and 4 s. Slopes 2, 4 and 0 at 0.5, 1.5 and 3 s; areas 1, 4 and 12.
     val times = listOf(0, 1, 2, 4)

@@ -3,11 +3,13 @@ package badlog.page
 import badlog.files.gzip
 import badlog.formats.driverstation.STATION_EVENTS
 import badlog.formats.driverstation.STATION_LOG
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 
+@Tags("InCheck")
 internal class DownloadSpec : PageSpec({
     fun csvOf(bag: ByteArray) = bag.copyOfRange(bag.indexOf('\n'.code.toByte()) + 1, bag.size)
 

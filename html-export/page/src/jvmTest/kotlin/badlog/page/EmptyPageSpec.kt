@@ -6,6 +6,7 @@ import badlog.files.gzip
 import badlog.formats.driverstation.STATION_EVENTS
 import badlog.formats.driverstation.STATION_LOG
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
@@ -20,6 +21,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
 /** The page without a log, which opens others. */
+@Tags("InCheck")
 internal class EmptyPageSpec : PageSpec({
     val folder by lazy { Files.createTempDirectory("badlog-empty") }
     val page by lazy { (folder / EmptyPage.NAME).also { EmptyPage().write(it) } }

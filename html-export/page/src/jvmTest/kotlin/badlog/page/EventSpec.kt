@@ -1,12 +1,14 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 
+@Tags("InCheck")
 internal class EventSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))
     val page by lazy {

@@ -8,6 +8,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
@@ -17,6 +18,7 @@ import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 
 /** From a finding to its reason: what shows it is on one screen. */
+@Tags("InCheck")
 internal class EvidenceSpec : PageSpec({
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 

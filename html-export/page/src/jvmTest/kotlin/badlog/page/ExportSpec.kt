@@ -14,6 +14,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.viewer.draw.color.lineColor
 import badlog.viewer.shown.table.CsvTable
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
@@ -29,6 +30,7 @@ import java.nio.file.Files
 import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
 
+@Tags("InCheck")
 internal class ExportSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 

@@ -5,6 +5,7 @@ import badlog.core.bag.BagTopic
 import badlog.core.recording.Severity
 import badlog.protocol.PageAdditions
 import badlog.rules.Finding
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -17,6 +18,7 @@ import java.nio.file.Path
 
 private const val NEVER = Double.NaN
 
+@Tags("InCheck")
 internal class FindingSpec : PageSpec({
     fun pageWith(findings: List<Finding>): Path {
         val topics = listOf(TIME, BagTopic("Angle", "deg"), BagTopic("Log", attributes = listOf("log")))

@@ -3,6 +3,7 @@ package badlog.page
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
@@ -11,6 +12,7 @@ import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 
 /** What is seen without scrolling: what was found, and a graph that shows it. */
+@Tags("InCheck")
 internal class FirstScreenSpec : PageSpec({
     val laptop = Screen(1366, 768)
 

@@ -2,9 +2,11 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 
+@Tags("InCheck")
 internal class FolderSpec : PageSpec({
     val folders = listOf("Arm", "Drivetrain", "Elevator")
     val page by lazy {

@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -13,6 +14,7 @@ import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
 /** What a page does with the logs of a folder besides opening them. */
+@Tags("InCheck")
 internal class FolderToolsSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-folder") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }

@@ -3,6 +3,7 @@ package badlog.page
 import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
@@ -10,6 +11,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.Keys
 
+@Tags("InCheck")
 internal class FormulaSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Power/Voltage", "V"), BagTopic("Power/Current"), BagTopic("9 lives"))
     val bag = bagOf(topics, 101) { row, column -> if (column == 0) row / 10.0 else row * column }

@@ -1,10 +1,12 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 
 /** Where a robot logged nothing, a graph shows nothing. */
+@Tags("InCheck")
 internal class GapSpec : PageSpec({
     // A camera that sees its target in the first and the last tenth of 100 s, at 10 Hz.
     val page by lazy {

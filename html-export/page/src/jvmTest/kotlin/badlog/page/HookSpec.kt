@@ -7,6 +7,7 @@ import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
 import badlog.protocol.PageFigure
 import badlog.protocol.PageSeries
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -14,6 +15,7 @@ import io.kotest.matchers.string.shouldContain
 private const val SVG = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 40 20\" onload=\"alert(1)\">" +
     "<script>alert(1)</script><rect width=\"40\" height=\"20\" fill=\"red\"/></svg>"
 
+@Tags("InCheck")
 internal class HookSpec : PageSpec({
     val hook = HookPart(
         "tools/analyze.py",

@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
@@ -14,6 +15,7 @@ import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
 /** Folders and files that are not as they should be. */
+@Tags("InCheck")
 internal class HostileFolderSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-hostile") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }

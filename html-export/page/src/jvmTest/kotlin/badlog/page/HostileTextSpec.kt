@@ -7,6 +7,7 @@ import badlog.core.recording.Value
 import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
 import badlog.protocol.PageSeries
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
@@ -30,6 +31,7 @@ private val HOSTILE = listOf(
     "constructor",
 )
 
+@Tags("InCheck")
 internal class HostileTextSpec : PageSpec({
     // Counts calls where a dialog would only stop the test.
     val alarm = "window.alarms = 0; window.alert = () => { window.alarms++ };"

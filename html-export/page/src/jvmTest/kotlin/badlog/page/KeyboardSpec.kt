@@ -5,6 +5,7 @@ import badlog.core.recording.Severity
 import badlog.core.recording.Value
 import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -12,6 +13,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import org.openqa.selenium.Keys
 
+@Tags("InCheck")
 internal class KeyboardSpec : PageSpec({
     val topics = listOf(
         TIME,

@@ -5,6 +5,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
@@ -13,6 +14,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 
 /** States drawn as lanes of blocks. */
+@Tags("InCheck")
 internal class LaneSpec : PageSpec({
     // The modes take a quarter of the width each.
     val modes = listOf("disabled", "autonomous", "teleop", "test")

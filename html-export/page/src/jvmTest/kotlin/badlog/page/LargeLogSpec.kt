@@ -4,6 +4,7 @@ import badlog.formats.wpilog.largeLog
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -13,6 +14,7 @@ import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
 
 /** A log of hundreds of topics. */
+@Tags("InCheck")
 internal class LargeLogSpec : PageSpec({
     val page by lazy { TestPages.of(largeLog(), "large.wpilog", PageAdditions(rules = RuleSet.BUILT_IN)) }
 

@@ -1,10 +1,12 @@
 package badlog.page
 
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
 /** Boards that a reader keeps under names, and between which a key switches. */
+@Tags("InCheck")
 internal class LayoutSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 

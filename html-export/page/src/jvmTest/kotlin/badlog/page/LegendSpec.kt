@@ -1,11 +1,13 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
 
+@Tags("InCheck")
 internal class LegendSpec : PageSpec({
     val page by lazy {
         val joined = listOf("hide", "join:Arm/Both")

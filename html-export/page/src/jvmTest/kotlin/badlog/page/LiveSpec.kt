@@ -4,6 +4,7 @@ import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
 import badlog.formats.driverstation.TestDslog
 import badlog.web.LogServerOptions
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -19,6 +20,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** A log that is followed while a robot writes it. */
+@Tags("InCheck")
 internal class LiveSpec : RunningLogSpec({
     browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
         onRunningLog("follow", screen = Screen.PHONE) { robot ->

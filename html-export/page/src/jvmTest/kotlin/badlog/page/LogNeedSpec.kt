@@ -5,6 +5,7 @@ import badlog.exporter.EmptyPage
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogWriter
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
@@ -16,6 +17,7 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.writeBytes
 
 /** Logs that may need more memory than a browser has. */
+@Tags("InCheck")
 internal class LogNeedSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-need") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
@@ -9,6 +10,7 @@ import org.openqa.selenium.By
 import kotlin.math.PI
 
 /** The panel with the modules of a swerve drive. */
+@Tags("InCheck")
 internal class ModulesPanelSpec : PageSpec({
     /** Ten seconds of four modules, the second of which points 10° aside, and 15° from 3 s to 3.5 s. */
     val page by lazy {

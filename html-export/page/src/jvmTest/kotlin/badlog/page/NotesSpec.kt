@@ -6,6 +6,7 @@ import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.toJson
 import badlog.viewer.choices.note.toLines
+import io.kotest.core.annotation.Tags
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
@@ -18,6 +19,7 @@ import java.nio.file.Path
 import java.util.UUID
 
 /** What people wrote in the window, on an exported page. */
+@Tags("InCheck")
 internal class NotesSpec : PageSpec({
     fun pageOf(folder: Path, prepare: (log: Path) -> Unit): Path {
         val log = Files.write(folder.resolve("match.bag"), stepBag(graphs = 1))

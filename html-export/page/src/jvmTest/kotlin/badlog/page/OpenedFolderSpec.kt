@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -20,6 +21,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** A folder of logs, opened on a page. */
+@Tags("InCheck")
 internal class OpenedFolderSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-folder") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }

@@ -1,5 +1,6 @@
 package badlog.page
 
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -7,6 +8,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
+@Tags("InCheck")
 internal class OpeningSpec : PageSpec({
     val titles = mapOf(
         "qualification-42.bag" to "Mill Creek Regional Qualification 42",

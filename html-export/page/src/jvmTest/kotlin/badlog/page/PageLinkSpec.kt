@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -12,6 +13,7 @@ import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 
 /** What carries a board from one page to another: a link, and a layout file. */
+@Tags("InCheck")
 internal class PageLinkSpec : PageSpec({
     val bag by lazy {
         bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Current", "A")), 1001) { row, column ->

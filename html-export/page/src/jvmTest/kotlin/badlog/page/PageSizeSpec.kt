@@ -3,10 +3,12 @@ package badlog.page
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import java.nio.file.Files
 
+@Tags("InCheck")
 internal class PageSizeSpec : FunSpec({
     fun sizeWith(additions: PageAdditions): Long = Files.size(TestPages.of("Time,A\n0,1\n".encodeToByteArray(), "two.csv", additions))
 

@@ -1,5 +1,6 @@
 package badlog.page
 
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -35,6 +36,7 @@ private val DAMAGED = HEADER + (0 until ROWS).joinToString("") {
 }.dropLast(7)
 
 /** Pages of logs that several workers read at a time. */
+@Tags("InCheck")
 internal class PartsSpec : PageSpec({
     fun cores(count: Int) = "Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => $count })"
 

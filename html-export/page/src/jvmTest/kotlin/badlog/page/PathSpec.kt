@@ -2,6 +2,7 @@ package badlog.page
 
 import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -16,6 +17,7 @@ import java.util.Base64
 import javax.imageio.ImageIO
 
 /** The paths of robots, and topics over topics. */
+@Tags("InCheck")
 internal class PathSpec : PageSpec({
     val page by lazy { TestPages.ofSample("wrong-turn.bag") }
 

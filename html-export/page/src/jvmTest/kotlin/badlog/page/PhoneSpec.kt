@@ -6,6 +6,7 @@ import badlog.core.recording.Severity
 import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
 import badlog.protocol.PageSeries
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -20,6 +21,7 @@ import org.openqa.selenium.interactions.PointerInput.Origin
 import org.openqa.selenium.interactions.Sequence
 import java.time.Duration
 
+@Tags("InCheck")
 internal class PhoneSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
 

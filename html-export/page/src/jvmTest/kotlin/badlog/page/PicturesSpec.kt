@@ -7,9 +7,11 @@ import badlog.protocol.HookPart
 import badlog.protocol.PageAdditions
 import badlog.protocol.PageFigure
 import badlog.protocol.PageSeries
+import io.kotest.core.annotation.Tags
 import org.openqa.selenium.Keys
 
 /** Keeps pictures of the page under `build/screenshots`, for people to look at. */
+@Tags("InCheck")
 internal class PicturesSpec : PageSpec({
     val match = "qualification-42.bag"
 

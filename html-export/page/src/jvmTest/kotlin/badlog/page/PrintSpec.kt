@@ -4,6 +4,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldHaveSize
@@ -23,6 +24,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /** What comes out of a printer, read back from a PDF by poppler's programs. */
+@Tags("InCheck")
 internal class PrintSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.protocol.PageAdditions
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAtLeastOne
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -8,6 +9,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 
+@Tags("InCheck")
 internal class ProblemStripSpec : PageSpec({
     browserTest("what was lost of a cut bag is listed at once, with its line and its text, counted, and folds by mouse") {
         onPage(TestPages.ofSample("practice.bag")) {

@@ -4,12 +4,14 @@ import badlog.formats.wpilog.largeLog
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
 
 /** What people need who hear the page, see few differences of colors, or have no mouse. */
+@Tags("InCheck")
 internal class ReadersSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(listOf("Power = Battery Voltage * Total Current"), RuleSet.BUILT_IN)) }
     val large by lazy { TestPages.of(largeLog(), "large.wpilog", PageAdditions(rules = RuleSet.BUILT_IN)) }

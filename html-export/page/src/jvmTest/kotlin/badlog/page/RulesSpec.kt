@@ -12,6 +12,7 @@ import badlog.rules.RuleSet
 import badlog.rules.RulesFile
 import badlog.rules.incident.incidentsIn
 import badlog.rules.over
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -19,6 +20,7 @@ import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 import java.nio.file.Path
 
+@Tags("InCheck")
 internal class RulesSpec : PageSpec({
     val samples = listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag")
     val formulas = listOf("PDP/Double = 2 * Total Current")

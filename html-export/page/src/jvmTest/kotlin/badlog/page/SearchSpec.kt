@@ -4,12 +4,14 @@ import badlog.core.bag.BagTopic
 import badlog.core.recording.Severity
 import badlog.protocol.PageAdditions
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
+@Tags("InCheck")
 internal class SearchSpec : PageSpec({
     val page by lazy {
         val topics = listOf(

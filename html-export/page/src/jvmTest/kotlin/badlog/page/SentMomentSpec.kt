@@ -3,11 +3,13 @@ package badlog.page
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
 
 /** A moment that a person sends to others. */
+@Tags("InCheck")
 internal class SentMomentSpec : PageSpec({
     browserTest("a moment is sent by the system's dialog, or copied where there is none, or saved where a page may not even copy") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {

@@ -4,6 +4,7 @@ import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
 import badlog.web.LogServerOptions
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
@@ -23,6 +24,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 /** The page that a web server on a robot shows. */
+@Tags("InCheck")
 internal class ServedPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-served") }
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }

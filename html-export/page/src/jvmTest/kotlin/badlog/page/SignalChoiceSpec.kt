@@ -5,6 +5,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.SignalsFile
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
@@ -17,6 +18,7 @@ import kotlin.io.path.deleteExisting
 import kotlin.io.path.writeBytes
 
 /** Which topic a signal is that the rules lack, said on the page. */
+@Tags("InCheck")
 internal class SignalChoiceSpec : PageSpec({
     val bag = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Arm", "m")), rows = 60) { row, column ->
         when (column) {

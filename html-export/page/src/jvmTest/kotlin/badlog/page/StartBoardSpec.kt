@@ -4,12 +4,14 @@ import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
 /** The board that a log begins with, and whose changes to it count. */
+@Tags("InCheck")
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 

@@ -1,11 +1,13 @@
 package badlog.page
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 
+@Tags("InCheck")
 internal class ThemeSpec : PageSpec({
     /** Selectors of what must be readable. */
     val texts = listOf(

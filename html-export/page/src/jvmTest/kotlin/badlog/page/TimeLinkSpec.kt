@@ -1,11 +1,13 @@
 package badlog.page
 
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 import java.nio.file.Files
 
+@Tags("InCheck")
 internal class TimeLinkSpec : PageSpec({
     fun OpenPage.follow(fragment: String) {
         script("location.hash = arguments[0]", fragment)

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -12,6 +13,7 @@ private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}"""
 
 /** Files that no robot should write, and robots do. The page opens, and says what there is to say. */
+@Tags("InCheck")
 internal class UnusualFilesSpec : PageSpec({
     /** The kinds of the problems that the page shows. */
     fun OpenPage.problems(): List<String> {

@@ -6,6 +6,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.viewer.session.video.VideoAlignment
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -16,6 +17,7 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /** A video beside the data: the robot is enabled at 7 s. */
+@Tags("InCheck")
 internal class VideoSpec : PageSpec({
     val bag by lazy {
         bagOf(listOf(TIME, BagTopic("Ramp", "m"), BagTopic("Enabled")), 1501) { row, column ->

@@ -3,6 +3,7 @@ package badlog.page
 import badlog.core.bag.BagTopic
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -18,6 +19,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
 /** The page on a web site: links name logs, and other programs hand them over. */
+@Tags("InCheck")
 internal class WebPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-web") }
     val page by lazy { (temporary / EmptyPage.WEB_NAME).also { EmptyPage().write(it, PageNetwork.WEB) } }

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.files.gzip
+import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldNotContain
@@ -47,6 +48,7 @@ internal fun wpilog(): ByteArray {
     return out.toByteArray()
 }
 
+@Tags("InCheck")
 internal class WpilogSpec : PageSpec({
     browserTest("a WPILOG opens as a bag does, compressed or not") {
         for (page in listOf(TestPages.of(wpilog(), "run.wpilog"), TestPages.of(gzip(wpilog()), "run.wpilog.gz"))) {

@@ -1,5 +1,6 @@
 package badlog.page
 
+import io.kotest.core.annotation.Tags
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.plusOrMinus
@@ -11,6 +12,7 @@ import org.openqa.selenium.Keys
 import org.openqa.selenium.interactions.WheelInput.ScrollOrigin
 
 /** Every graph steps at 3 s of 10 s, so that where the step is drawn tells which part of x a canvas shows. */
+@Tags("InCheck")
 internal class ZoomSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
     val exactness = 0.01

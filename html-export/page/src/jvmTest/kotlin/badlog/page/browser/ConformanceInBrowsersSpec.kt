@@ -1,6 +1,7 @@
 package badlog.page.browser
 
 import badlog.core.conformance.comparable
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -13,8 +14,14 @@ import kotlin.io.path.createTempDirectory
 /** Where the compiler puts what the script exports. */
 private const val READER = "globalThis['badlog:page_conformance'].badlog.page.conformance"
 
+@Tags("InCheck")
+internal class ConformanceInChromiumSpec : ConformanceInBrowsersSpec(Browser.CHROMIUM)
+
+@Tags("InProve")
+internal class ConformanceInOtherBrowsersSpec : ConformanceInBrowsersSpec(Browser.FIREFOX, Browser.WEBKIT)
+
 /** Each browser's JavaScript reads the conformance corpus with the page's parser, all files in one page. */
-internal class ConformanceInBrowsersSpec : FunSpec({
+internal abstract class ConformanceInBrowsersSpec(vararg browsers: Browser) : FunSpec({
     val bags = File(System.getProperty("badlog.conformance")).listFiles()!!.filter { it.extension == "bag" }.sorted()
     val names = bags.map { it.nameWithoutExtension }
     val expected = bags.map { comparable(it.resolveSibling("${it.nameWithoutExtension}.json").readText()) }
@@ -23,7 +30,7 @@ internal class ConformanceInBrowsersSpec : FunSpec({
         names.size shouldBeGreaterThan 45
     }
 
-    for (browser in Browser.entries) {
+    for (browser in browsers) {
         test("${browser.name}: every log of the corpus is read as its JSON says, whole, byte by byte and in pieces of 7")
             .config(enabledOrReasonIf = { browser.enabled }) {
                 val folder = createTempDirectory("badlog-corpus")

@@ -5,6 +5,7 @@ import badlog.page.FramePicture
 import badlog.page.TestPages
 import badlog.page.stepBag
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -25,11 +26,17 @@ import kotlin.io.path.readBytes
 import kotlin.math.floor
 import kotlin.math.roundToInt
 
+@Tags("InCheck")
+internal class PageInChromiumSpec : EveryBrowserSpec(Browser.CHROMIUM)
+
+@Tags("InProve")
+internal class PageInOtherBrowsersSpec : EveryBrowserSpec(Browser.FIREFOX, Browser.WEBKIT)
+
 /** What pages need of a browser, tried in each of them. */
-internal class EveryBrowserSpec : FunSpec({
+internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
     val steps by lazy { TestPages.of(stepBag(graphs = 3)) }
 
-    for (browser in Browser.entries) {
+    for (browser in browsers) {
         fun browserTest(name: String, test: BrowserTab.() -> Unit) {
             test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
         }

@@ -2,6 +2,7 @@ package badlog.page.browser
 
 import badlog.viewer.draw.pen.TEXT_TOLERANCE
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -15,9 +16,15 @@ import kotlin.io.path.createTempDirectory
 /** Where the compiler puts what the script exports. */
 private const val PENS = "globalThis['badlog:page_conformance'].badlog.page.conformance"
 
+@Tags("InCheck")
+internal class PensInChromiumSpec : PensInBrowsersSpec(Browser.CHROMIUM)
+
+@Tags("InProve")
+internal class PensInOtherBrowsersSpec : PensInBrowsersSpec(Browser.FIREFOX, Browser.WEBKIT)
+
 /** In each browser, the page's pen draws what the common one writes as SVG: what is seen on the screen is what is in a saved figure. */
-internal class PensInBrowsersSpec : FunSpec({
-    for (browser in Browser.entries) {
+internal abstract class PensInBrowsersSpec(vararg browsers: Browser) : FunSpec({
+    for (browser in browsers) {
         test("${browser.name}: the canvas shows each primitive as SVG does").config(enabledOrReasonIf = { browser.enabled }) {
             val folder = createTempDirectory("badlog-pens")
             try {
