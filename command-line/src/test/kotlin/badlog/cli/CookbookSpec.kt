@@ -7,6 +7,7 @@ import badlog.files.inFolder
 import badlog.report.Find
 import badlog.report.Reply
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
@@ -23,6 +24,7 @@ import kotlin.math.abs
 private val PYTHON = TestPython("pandas", "pandas")
 
 /** The questions of the cookbook that pandas answers, too. */
+@Tags("InCheck")
 class CookbookSpec : FunSpec({
     fun numberOf(question: String, log: Path): Double = (Find(question).over(listOf(LogFile.of(log))).single().reply as Reply.Answered).quantities.first().value
 

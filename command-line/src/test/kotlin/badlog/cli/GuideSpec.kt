@@ -3,6 +3,7 @@ package badlog.cli
 import badlog.cli.computer.Computer
 import badlog.cli.fetch.Robots
 import badlog.rules.commandWords
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
@@ -21,6 +22,7 @@ private const val GUIDE_WIDTH = 100
  * besides `badlog`, `head -c SIZE LOG > PART` is understood, which damages a log.
  * With the environment variable `BADLOG_WRITE_GUIDE` those that differ are written anew instead, in full.
  */
+@Tags("InCheck")
 class GuideSpec : FunSpec({
     val example = Regex("""(?<=```console\n)(.*?)(?=```)""", RegexOption.DOT_MATCHES_ALL)
     val part = Regex("""\$ head -c (\d+) (\S+) > (\S+)""")

@@ -10,14 +10,15 @@ import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeLessThan
+import io.kotest.property.PropertyTesting
 import java.io.ByteArrayOutputStream
 import java.util.zip.GZIPOutputStream
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.random.Random
 
-/** How many damaged files are read: some in each build, more by `./gradlew fuzz`. */
-private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
+/** How many damaged files are read: some in each build, more by `./gradlew thoroughTest`. */
+private val MUTANTS = PropertyTesting.defaultIterationCount
 
 private const val LONGEST_SECONDS = 300
 

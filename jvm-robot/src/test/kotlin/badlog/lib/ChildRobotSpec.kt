@@ -1,5 +1,6 @@
 package badlog.lib
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -11,6 +12,7 @@ import java.util.zip.ZipFile
 
 private val FOREIGN = listOf("kotlinx.", "kotlin.coroutines", "edu.wpi.", "org.wpilib.", "org.json.")
 
+@Tags("InCheck")
 class ChildRobotSpec : FunSpec({
     test("a robot has all it needs in the jars it gets, and loads no class of coroutines, WPILib or JSON") {
         inFolder { folder ->

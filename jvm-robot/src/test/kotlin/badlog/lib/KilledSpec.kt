@@ -1,18 +1,22 @@
 package badlog.lib
 
 import badlog.core.recording.Severity
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.property.PropertyTesting
 import java.io.File
 import java.nio.ByteBuffer
 import java.util.concurrent.Executors
 import kotlin.random.Random
 
-private const val KILLS = 200
+/** How many robots are killed: some in each build, 200 by `thoroughTest`. */
+private val KILLS = PropertyTesting.defaultIterationCount / 5
 
 /** The header, the names of the topics, then the first row. */
 private const val FIRST_ROW_LINE = 3
 
+@Tags("InCheck")
 class KilledSpec : FunSpec({
     test("when $KILLS robots are killed in mid-loop, every row whose log() returned is in the file") {
         inFolder { folder ->

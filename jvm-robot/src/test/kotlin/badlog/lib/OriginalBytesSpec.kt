@@ -4,10 +4,12 @@ import badlog.robots.JavaRobot
 import badlog.robots.KotlinRobot
 import badlog.robots.RecordedScript
 import badlog.robots.WhitePaperRobot
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.io.File
 
+@Tags("InCheck")
 class OriginalBytesSpec : FunSpec({
     test("the white paper's example gives the bytes of the original") {
         inFolder { folder ->

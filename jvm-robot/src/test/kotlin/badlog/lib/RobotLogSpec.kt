@@ -1,6 +1,7 @@
 package badlog.lib
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
@@ -57,6 +58,7 @@ private fun RobotLog.driveUntil(state: LogState) = driveUntil { log.state == sta
 
 private fun File.names() = list().orEmpty().sorted()
 
+@Tags("InCheck")
 class RobotLogSpec : FunSpec({
     // Robots of other specs never close their logs, as real ones do not.
     beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }

@@ -1,5 +1,6 @@
 package badlog.lib
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
@@ -11,6 +12,7 @@ import java.util.zip.GZIPInputStream
 /** A robot's program is asked to end by a signal, and killed a second later. Windows has no such signal. */
 private val HAS_SIGNALS = !System.getProperty("os.name").startsWith("Windows")
 
+@Tags("InCheck")
 class TerminatedSpec : FunSpec({
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"

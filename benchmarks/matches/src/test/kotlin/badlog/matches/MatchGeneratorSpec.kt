@@ -8,6 +8,7 @@ import badlog.matches.fault.Naming
 import badlog.matches.fault.STRENGTHS
 import badlog.matches.fault.Visibility
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
@@ -60,6 +61,7 @@ private fun mistakeOf(match: GeneratedMatch): String? {
     return if (most > 0.01) null else "its evidence ${match.evidence} differs by $most of its range only"
 }
 
+@Tags("InCheck")
 class MatchGeneratorSpec : FunSpec({
     test("the same seed gives the same bytes, another seed others") {
         for (naming in Naming.entries) {

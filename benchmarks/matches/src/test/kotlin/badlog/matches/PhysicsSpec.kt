@@ -8,6 +8,7 @@ import badlog.matches.robot.MatchRun
 import badlog.matches.robot.MotorKind
 import badlog.matches.robot.RobotPlan
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.doubles.shouldBeBetween
@@ -26,6 +27,7 @@ private fun watched(plan: RobotPlan, watch: (MatchRun, Double) -> Unit): MatchRu
 
 private fun plans(hardship: Hardship) = Naming.entries.flatMap { naming -> List(4) { RobotPlan.of(it * 7919L + 1, naming, null, 0.0, hardship) } }
 
+@Tags("InCheck")
 class PhysicsSpec : FunSpec({
     for (hardship in Hardship.entries) {
         test("a robot without a fault stays within what batteries, motors and fields allow: ${hardship.title}") {

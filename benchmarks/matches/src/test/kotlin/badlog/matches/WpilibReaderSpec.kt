@@ -5,6 +5,7 @@ import badlog.core.recording.TopicKind
 import badlog.matches.fault.FAULTS
 import badlog.matches.fault.Naming
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -26,6 +27,7 @@ private fun linesOf(bytes: ByteArray): List<List<String>> {
     }
 }
 
+@Tags("InCheck")
 class WpilibReaderSpec : FunSpec({
     for (naming in Naming.entries.filterNot { it.isBag }) {
         test("WPILib's reader finds the same samples in logs of ${naming.id}").config(enabledOrReasonIf = PYTHON.isHere) {

@@ -11,6 +11,7 @@ import badlog.cli.sampleLog
 import badlog.cli.with
 import badlog.core.python.TestPython
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -22,6 +23,7 @@ import kotlin.io.path.readBytes
 
 private val PYTHON = TestPython("pandas, pyarrow", "pandas and pyarrow")
 
+@Tags("InCheck")
 class ConvertParquetSpec : FunSpec({
     fun isParquet(file: Path) = file.readBytes().run { size > 8 && decodeToString(0, 4) == "PAR1" && decodeToString(size - 4, size) == "PAR1" }
 

@@ -11,6 +11,7 @@ import badlog.cli.with
 import badlog.core.python.HAS_PYTHON
 import badlog.exporter.additionsIn
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -23,6 +24,7 @@ import javax.imageio.ImageIO
 import kotlin.io.path.div
 import kotlin.io.path.readText
 
+@Tags("InCheck")
 class ExportSpec : FunSpec({
     test("a page stands beside its log, or below the folder for all") {
         inFolder { folder ->

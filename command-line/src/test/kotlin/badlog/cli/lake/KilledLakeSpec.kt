@@ -10,6 +10,7 @@ import badlog.cli.plugin.javaCommand
 import badlog.cli.with
 import badlog.files.inFolder
 import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.shouldBe
@@ -27,6 +28,7 @@ private const val MANY = 800
 /** So many that a program is still at work when it has written some. */
 private const val SOME = 200
 
+@Tags("InCheck")
 class KilledLakeSpec : FunSpec({
     fun makeLogs(folder: Path, count: Int) {
         for (number in 1..count) {

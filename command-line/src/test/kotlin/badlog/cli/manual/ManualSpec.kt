@@ -1,6 +1,7 @@
 package badlog.cli.manual
 
 import badlog.cli.badlog
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -13,6 +14,7 @@ import java.io.IOException
 
 private val OPTION = Regex("^  (?:-\\w, )?(--[a-z-]+)", RegexOption.MULTILINE)
 
+@Tags("InCheck")
 class ManualSpec : FunSpec({
     val pages = manual()
 

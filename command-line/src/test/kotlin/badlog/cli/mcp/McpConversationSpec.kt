@@ -4,6 +4,7 @@ import badlog.cli.ROOT
 import badlog.cli.SAMPLES
 import badlog.cli.plugin.javaCommand
 import badlog.core.python.TestPython
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.plusOrMinus
@@ -23,6 +24,7 @@ import kotlin.io.path.div
 private val PYTHON = TestPython("mcp.client.client", "mcp 2")
 
 /** The conversation of an assistant with the installed program, held by a client that shares no code with it. */
+@Tags("InCheck")
 class McpConversationSpec : FunSpec({
     test("an assistant finds out why Qualification 42 browned out, question by question").config(enabledOrReasonIf = PYTHON.isHere) {
         val script = ROOT / "command-line/src/test/python/brownout.py"

@@ -9,6 +9,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.console.Console
 import badlog.cli.with
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
@@ -32,6 +33,7 @@ import kotlin.io.path.fileSize
 import kotlin.io.path.name
 import kotlin.io.path.readLines
 
+@Tags("InCheck")
 class PluginLoaderSpec : FunSpec({
     test("the class path of the program stays as short as it was, since each jar on it costs time at every start") {
         val wanted = Path.of("../../src/test/resources/class-path.txt").readLines().filter { it.isNotEmpty() && !it.startsWith('#') }

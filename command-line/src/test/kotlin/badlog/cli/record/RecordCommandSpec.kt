@@ -18,6 +18,7 @@ import badlog.formats.LOG_FORMATS
 import badlog.replay.ReplayOptions
 import badlog.replay.ReplayServer
 import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
@@ -36,6 +37,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.time.Duration.Companion.minutes
 
+@Tags("InCheck")
 class RecordCommandSpec : FunSpec({
     /** A robot that publishes a match, again and again. */
     fun besideReplay(work: suspend (robot: String) -> Unit): suspend () -> Unit = {

@@ -18,6 +18,7 @@ import badlog.files.inFolder
 import badlog.report.Report
 import badlog.report.page.ReportFolder
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
@@ -39,6 +40,7 @@ import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 
+@Tags("InCheck")
 class ReportChartsSpec : FunSpec({
     test("charts of the samples are written beside the index, and what is lacking for others is reported") {
         inFolder { folder ->

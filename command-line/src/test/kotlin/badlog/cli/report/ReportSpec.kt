@@ -10,6 +10,7 @@ import badlog.cli.with
 import badlog.core.python.HAS_PYTHON
 import badlog.exporter.additionsIn
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -23,6 +24,7 @@ import java.nio.file.Path
 import kotlin.io.path.div
 import kotlin.io.path.readText
 
+@Tags("InCheck")
 class ReportSpec : FunSpec({
     val match = SAMPLES.resolve("qualification-42.bag")
 

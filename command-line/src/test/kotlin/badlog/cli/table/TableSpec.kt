@@ -11,6 +11,7 @@ import badlog.cli.console.ResultStream
 import badlog.cli.with
 import badlog.core.python.HAS_PYTHON
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -29,6 +30,7 @@ import kotlin.io.path.div
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
+@Tags("InCheck")
 class TableSpec : FunSpec({
     fun Path.match(number: String, type: String = "Qualification") = with("$number.bag", BAG.replace("\"42\"", "\"$number\"").replace("}]}", "},{\"name\":\"Match Type\",\"value\":\"$type\"}]}"))
 

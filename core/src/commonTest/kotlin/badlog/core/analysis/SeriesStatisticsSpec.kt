@@ -5,6 +5,7 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeNaN
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.choose
 import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.element
@@ -119,7 +120,7 @@ class SeriesStatisticsSpec : FunSpec({
 
     test("a signal has the same statistics whether it is logged repeatedly or only when it changes") {
         val random = Random(3)
-        repeat(300) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val y = DoubleArray(50) { if (random.nextInt(8) == 0) Double.NaN else random.nextInt(4).toDouble() }
             val x = DoubleArray(50) { it * 0.5 }
             val kept = y.indices.filter { it == 0 || y[it].compareTo(y[it - 1]) != 0 }
@@ -162,7 +163,7 @@ class SeriesStatisticsSpec : FunSpec({
         val positions = Arb.list(Arb.element(List(12) { it * 0.5 }), 0..80)
         val farEnds = listOf(-1e300, 1e300, Double.NEGATIVE_INFINITY, Double.NaN)
         val ends = Arb.element(List(14) { it * 0.5 - 0.25 } + 2.0 + farEnds)
-        checkAll(1000, positions, Arb.list(VALUES, 80..80), ends, ends) { x, y, from, to ->
+        checkAll(positions, Arb.list(VALUES, 80..80), ends, ends) { x, y, from, to ->
             for (places in listOf(x, x.sorted())) {
                 val series = Series(places.toDoubleArray(), y.take(x.size).toDoubleArray())
                 series.statistics(from, to, end = 6.0) shouldBeLike sortedWay(series, from, to, 6.0)

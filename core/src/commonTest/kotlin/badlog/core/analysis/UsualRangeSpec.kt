@@ -40,7 +40,7 @@ class UsualRangeSpec : FunSpec({
     }
 
     test("whatever the positions, the range goes from one of them to another, and at most one of a hundred is left out") {
-        checkAll(200, Arb.list(Arb.double(), 0..300), Arb.int(0..300)) { some, usual ->
+        checkAll(Arb.list(Arb.double(), 0..300), Arb.int(0..300)) { some, usual ->
             val positions = (some.take(some.size / 50) + List(usual) { it / 10.0 }).toDoubleArray()
             val result = UsualRange(positions)
             val range = result.range

@@ -5,6 +5,7 @@ import badlog.core.text.NUL
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.element
@@ -16,14 +17,14 @@ import kotlin.random.Random
 
 class BagFuzzingSpec : FunSpec({
     test("random bytes never make the parser throw, whole or in pieces, and read the same either way") {
-        checkAll(500, Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes ->
+        checkAll(Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes ->
             describe(parse(bytes, 7)) shouldBe describe(parse(bytes))
         }
     }
 
     test("random fragments after a good header never make the parser throw, and pieces make no difference") {
         val header = "{\"topics\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\",\"attrs\":[\"log\"]}]}\na,b,c\n"
-        checkAll(1000, Arb.list(Arb.element(FRAGMENTS), 0..60).map { it.joinToString("") }) { body ->
+        checkAll(Arb.list(Arb.element(FRAGMENTS), 0..60).map { it.joinToString("") }) { body ->
             val whole = describe(parse(header + body))
             describe(parse(header + body, 1)) shouldBe whole
             describe(parse(header + body, 3)) shouldBe whole
@@ -32,14 +33,14 @@ class BagFuzzingSpec : FunSpec({
 
     test("random fragments of JSON as the first line never make the parser throw") {
         val pieces = listOf("{", "}", "[", "]", "\"topics\"", "\"name\"", ":", ",", "\"a\"", "1", "0x", "\\u00e", "null", "\u0007")
-        checkAll(1000, Arb.list(Arb.element(pieces), 0..40).map { it.joinToString("") }) { line ->
+        checkAll(Arb.list(Arb.element(pieces), 0..40).map { it.joinToString("") }) { line ->
             describe(parse("{$line\na,b\n1,2\n", 5)) shouldBe describe(parse("{$line\na,b\n1,2\n"))
         }
         parse("{\"a\":" + "[".repeat(100_000) + "\na,b\n1,2\n").rowCount shouldBe 1
     }
 
     test("every cell of every row is accounted for, whatever the rows hold") {
-        checkAll(500, Arb.list(Arb.element(FRAGMENTS), 0..60).map { it.joinToString("") }) { body ->
+        checkAll(Arb.list(Arb.element(FRAGMENTS), 0..60).map { it.joinToString("") }) { body ->
             val recording = parse("x,y\n$body")
             for (topic in recording.topics) topic.counts.total shouldBe recording.rowCount
         }
@@ -60,7 +61,7 @@ class BagFuzzingSpec : FunSpec({
 
     test("whole rows survive damage anywhere else") {
         val random = Random(1014)
-        repeat(300) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val lines = List(40) { row -> "$row,${row * 2},${row * 3}" }.toMutableList()
             val damaged = List(random.nextInt(1, 5)) { random.nextInt(lines.size) }.toSet()
             for (row in damaged) {

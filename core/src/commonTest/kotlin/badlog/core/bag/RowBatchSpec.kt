@@ -11,6 +11,7 @@ import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 // Only the rows of a CSV file show what its titles mean.
@@ -20,7 +21,7 @@ class RowBatchSpec : FunSpec({
     test("rows read in batches make the same recording as rows read one after another, wherever the batches end") {
         val random = Random(5810)
         var taken = 0
-        repeat(2000) {
+        repeat(2 * PropertyTesting.defaultIterationCount) {
             val bytes = randomBag(random)
             for (size in listOf(1, 7, 40, 200)) {
                 val batches = Batches(bytes, size, keepSamples = true)
@@ -34,7 +35,7 @@ class RowBatchSpec : FunSpec({
 
     test("they also do if samples are not kept") {
         val random = Random(2016)
-        repeat(500) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val bytes = randomBag(random)
             val parser = BagParser(keepSamples = false)
             parser.accept(bytes)

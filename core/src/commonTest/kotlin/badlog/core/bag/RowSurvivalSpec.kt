@@ -4,6 +4,7 @@ import badlog.core.recording.Topic
 import badlog.core.text.NUL
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 private val DAMAGE = listOf(
@@ -19,7 +20,7 @@ class RowSurvivalSpec : FunSpec({
 
     test("damage to one row, newlines and quotes included, takes no other row with it") {
         val random = Random(1014)
-        repeat(3000) {
+        repeat(3 * PropertyTesting.defaultIterationCount) {
             val columns = random.nextInt(1, 5)
             val textColumn = if (columns == 1) -1 else random.nextInt(-1, columns)
             val rows = List(10) { row ->

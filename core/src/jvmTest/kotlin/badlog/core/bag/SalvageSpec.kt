@@ -7,12 +7,13 @@ import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import java.io.File
 import java.util.zip.GZIPInputStream
 import kotlin.random.Random
 
-/** The number of damaged files that are read: a few in each build, more with `./gradlew fuzz`. */
-private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1556
+/** The number of damaged files that are read: a few in each build, more by `./gradlew thoroughTest`. */
+private val MUTANTS = PropertyTesting.defaultIterationCount
 
 /** A whole file: its header, and where its rows are. */
 private class Original(val name: String, val bytes: ByteArray) {

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.long
 import io.kotest.property.checkAll
@@ -23,11 +24,11 @@ private val IF_REFERENCE = Runtime.version().feature().let { version ->
 
 class FiveDigitFormatJavaSpec : FunSpec({
     test("equals Java for random bit patterns").config(enabledOrReasonIf = { IF_REFERENCE }) {
-        checkAll(200_000, Arb.long()) { expectJava(Double.fromBits(it)) }
+        checkAll(200 * PropertyTesting.defaultIterationCount, Arb.long()) { expectJava(Double.fromBits(it)) }
     }
 
     test("equals Java for doubles of every kind").config(enabledOrReasonIf = { IF_REFERENCE }) {
-        checkAll(50_000, Arb.double()) { expectJava(it) }
+        checkAll(50 * PropertyTesting.defaultIterationCount, Arb.double()) { expectJava(it) }
     }
 
     test("equals Java for every binary exponent with random and with extreme fractions").config(enabledOrReasonIf = { IF_REFERENCE }) {
@@ -56,7 +57,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
 
     test("equals Java for random subnormals").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(2)
-        repeat(200_000) { expectJava(Double.fromBits(random.nextLong() ushr 12 + random.nextInt(33))) }
+        repeat(200 * PropertyTesting.defaultIterationCount) { expectJava(Double.fromBits(random.nextLong() ushr 12 + random.nextInt(33))) }
     }
 
     test("equals Java at and next to decimal ties of every magnitude").config(enabledOrReasonIf = { IF_REFERENCE }) {
@@ -100,7 +101,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
 
     test("equals Java for large integers").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(4)
-        repeat(100_000) { expectJava((random.nextLong() ushr random.nextInt(47)).toDouble()) }
+        repeat(100 * PropertyTesting.defaultIterationCount) { expectJava((random.nextLong() ushr random.nextInt(47)).toDouble()) }
     }
 
     test("equals Java for powers of two and ten and their neighbors").config(enabledOrReasonIf = { IF_REFERENCE }) {
@@ -113,7 +114,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
 
     test("equals Java for what a robot logs").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(5)
-        repeat(100_000) {
+        repeat(100 * PropertyTesting.defaultIterationCount) {
             val volts = random.nextDouble(-13.0, 13.0)
             expectJava(volts)
             expectJava(volts.toFloat().toDouble())

@@ -12,6 +12,7 @@ import badlog.window.recordingOf
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.Panels
 import badlog.window.topics.toggleDrawn
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -19,6 +20,7 @@ import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class FoldedTopicsSpec : FunSpec({
     fun inWindow(width: Int, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()

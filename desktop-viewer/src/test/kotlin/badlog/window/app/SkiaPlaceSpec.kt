@@ -1,5 +1,6 @@
 package badlog.window.app
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -7,6 +8,7 @@ import org.jetbrains.skia.Surface
 import java.io.File
 import java.nio.file.Files
 
+@Tags("InCheck")
 class SkiaPlaceSpec : FunSpec({
     test("a program whose user has no home folder draws, and leaves nothing behind") {
         val folder = tempdir().toPath()

@@ -16,6 +16,7 @@ import badlog.window.files.ChosenFiles
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -32,6 +33,7 @@ import javax.imageio.ImageIO
 
 /** The charts of a folder’s logs, as a person sees them. */
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class ChartsPaneSpec : FunSpec({
     val chosen = ChosenFiles(null)
 

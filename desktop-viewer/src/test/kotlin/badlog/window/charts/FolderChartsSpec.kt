@@ -6,6 +6,7 @@ import badlog.files.UserFolders
 import badlog.viewer.catalog.LogFound
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -24,6 +25,7 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.minutes
 
 /** When charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
+@Tags("InCheck")
 class FolderChartsSpec : FunSpec({
     val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = LogFound(0, emptyList())) }
     val some = logs.take(2)

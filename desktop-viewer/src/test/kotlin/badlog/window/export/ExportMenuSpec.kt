@@ -18,6 +18,7 @@ import badlog.window.compare.Comparison
 import badlog.window.files.ChosenFiles
 import badlog.window.folder.LibraryState
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -31,6 +32,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class ExportMenuSpec : FunSpec({
     val home = tempdir().toPath()
     val log = Files.writeString(home.resolve("match.bag"), armBag(500))

@@ -30,6 +30,7 @@ import badlog.window.app.ViewerScreen
 import badlog.window.app.libraryCommands
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -41,6 +42,7 @@ import kotlinx.coroutines.launch
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class LibraryScreenSpec : FunSpec({
     fun onFolder(folder: Path, main: MainView = MainView.GRAPHS, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()

@@ -17,6 +17,7 @@ import badlog.window.layout.FolderLayouts
 import badlog.window.layout.Layout
 import badlog.window.layout.LayoutComparison
 import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir
@@ -46,6 +47,7 @@ private val IF_LINKS =
 private val IF_POSIX =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has other permissions")
 
+@Tags("InCheck")
 class LibrarySpec : FunSpec({
     val longest = 60.seconds
 

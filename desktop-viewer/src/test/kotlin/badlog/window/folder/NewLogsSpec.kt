@@ -28,6 +28,7 @@ import badlog.window.app.ViewerScreen
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -39,6 +40,7 @@ import java.nio.file.attribute.FileTime
 import kotlin.io.path.div
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class NewLogsSpec : FunSpec({
     /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
     fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {

@@ -3,11 +3,12 @@ package badlog.window.layout
 import badlog.core.bag.Mutant
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.property.PropertyTesting
 import java.io.IOException
 import java.nio.file.Files
 import kotlin.random.Random
 
-private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
+private val MUTANTS = PropertyTesting.defaultIterationCount
 
 private val WHOLE = """
     {"badlog-layout":1,"graphs":[{"title":"Mine","lines":["Arm/Angle","Arm/Current"],"filled":true,"y":{"from":-1.0,"to":1.5}},

@@ -7,6 +7,7 @@ import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
 import badlog.window.log.OpenRecording
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeUnique
@@ -36,6 +37,7 @@ import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 /** What several windows do with the layout of one folder. */
+@Tags("InCheck")
 class SharedFolderSpec : FunSpec({
     val home = tempdir().toPath()
     val folders = generateSequence(0) { it + 1 }.map { Files.createDirectories(home.resolve("logs $it")) }.iterator()

@@ -23,6 +23,7 @@ import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -33,6 +34,7 @@ import java.nio.file.Path
 import kotlin.io.path.readText
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class RobotBarSpec : FunSpec({
     fun beside(addresses: (String) -> List<RobotAddress>, folder: Path, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()

@@ -26,6 +26,7 @@ import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -47,6 +48,7 @@ private fun robot(): ReplayServer {
 }
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class RobotRecordingSpec : FunSpec({
     fun beside(server: ReplayServer?, folder: Path?, steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()

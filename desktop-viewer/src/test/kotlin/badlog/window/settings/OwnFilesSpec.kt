@@ -12,6 +12,7 @@ import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.theme.Theme
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -21,6 +22,7 @@ import kotlinx.coroutines.cancel
 import java.nio.file.Files
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class OwnFilesSpec : FunSpec({
     /** Does what is kept for the next start in a window with [folders], and returns what that says. */
     fun saidWith(folders: UserFolders, steps: DesktopComposeUiTest.(Viewer) -> Unit = {}): List<String> {

@@ -33,6 +33,7 @@ import badlog.window.graph.waitForPictures
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
@@ -43,6 +44,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class FindingsPanelSpec : FunSpec({
     fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
         findings.change { knowing(findingsIn(recording)) }

@@ -22,12 +22,14 @@ import badlog.window.recordingOf
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class InspectorPaneSpec : FunSpec({
     val home = tempdir().toPath()
 

@@ -32,6 +32,7 @@ import badlog.window.files.ChosenFiles
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
@@ -45,6 +46,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class TodoPaneSpec : FunSpec({
     fun onFolder(main: MainView = MainView.TODO, page: Path? = null, steps: DesktopComposeUiTest.(Viewer, Path) -> Unit) {
         val home = tempdir().toPath()

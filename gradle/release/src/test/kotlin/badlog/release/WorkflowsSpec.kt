@@ -1,5 +1,6 @@
 package badlog.release
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldContainAll
@@ -9,6 +10,7 @@ import java.io.File
 
 private val WORKFLOWS = File(ROOT, ".github/workflows")
 
+@Tags("InCheck")
 class WorkflowsSpec : FunSpec({
     val actionlint = listOf(File(System.getProperty("badlog.actionlint")), found("actionlint")).firstOrNull { it.canExecute() }
 

@@ -1,5 +1,6 @@
 package badlog.site
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
@@ -15,6 +16,7 @@ private val ROOT = Path.of("../..").toRealPath()
 
 private val OUTSIDE = Regex("^(https?|mailto|data|blob|javascript):|^//")
 
+@Tags("InCheck")
 class SiteSpec : FunSpec({
     val plan = SitePlan(ROOT)
 

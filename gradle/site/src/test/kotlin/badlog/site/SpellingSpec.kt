@@ -1,5 +1,6 @@
 package badlog.site
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -12,6 +13,7 @@ import kotlin.io.path.readLines
 /** Correct words that the dictionary lacks: names, units, words of robotics. One per line, in alphabetical order. */
 private val WORDS = Path.of("words.txt").readLines().filter { it.isNotBlank() && !it.startsWith('#') }
 
+@Tags("InCheck")
 class SpellingSpec : FunSpec({
     val root = Path.of("../..").toRealPath()
 

@@ -2,6 +2,7 @@ package badlog.exporter
 
 import badlog.files.inFolder
 import badlog.rules.RulesFile
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.io.File
@@ -10,6 +11,7 @@ import kotlin.io.path.div
 import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
 
+@Tags("InCheck")
 class MemorySpec : FunSpec({
     val row = "0.02,1.2345,2.3456,-3.4567\n".encodeToByteArray()
 

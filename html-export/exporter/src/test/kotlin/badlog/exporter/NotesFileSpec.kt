@@ -15,11 +15,12 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
+import io.kotest.property.PropertyTesting
 import java.io.RandomAccessFile
 import java.nio.file.Files
 import kotlin.random.Random
 
-private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
+private val MUTANTS = PropertyTesting.defaultIterationCount
 
 class NotesFileSpec : FunSpec({
     val log = tempdir().toPath().resolve("q42.bag")

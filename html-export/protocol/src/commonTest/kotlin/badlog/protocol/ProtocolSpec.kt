@@ -94,7 +94,7 @@ class ProtocolSpec : FunSpec({
     }
 
     test("whatever the exporter puts into a page comes back as it was, and can neither end nor open an element") {
-        checkAll(200, Arb.list(TEXTS, 0..3), RULES, Arb.list(FINDINGS, 0..3), Arb.list(HOOKS, 0..2)) { topics, rules, findings, hooks ->
+        checkAll(Arb.list(TEXTS, 0..3), RULES, Arb.list(FINDINGS, 0..3), Arb.list(HOOKS, 0..2)) { topics, rules, findings, hooks ->
             val additions = PageAdditions(topics, rules, topics.firstOrNull(), findings, hooks, video = topics.lastOrNull())
             val text = additions.toJson()
             text shouldNotContain "<"

@@ -6,9 +6,10 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
-private val MUTANTS = System.getProperty("badlog.mutants")?.toInt() ?: 1000
+private val MUTANTS = PropertyTesting.defaultIterationCount
 
 class AdditionsOfMutantsSpec : FunSpec({
     test("damaged additions of a page are none, or additions, and never an exception") {

@@ -1,6 +1,7 @@
 package badlog.web
 
 import com.sun.management.ThreadMXBean
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
@@ -12,6 +13,7 @@ import kotlin.io.path.deleteExisting
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
+@Tags("InCheck")
 class DownloadsSpec : FunSpec({
     test("sending a log allocates nothing for its parts") {
         val file = Files.createTempFile("badlog", ".bag").apply { writeBytes(ByteArray(4_000_000)) }

@@ -1,6 +1,7 @@
 package badlog.web
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldBeIn
@@ -18,6 +19,7 @@ import kotlin.io.path.writeText
 
 private const val SECRET = "secret of the robot"
 
+@Tags("InCheck")
 class HostileRequestSpec : FunSpec({
     /** A server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
     fun withSecrets(test: (TestServer) -> Unit) = withServer { server ->

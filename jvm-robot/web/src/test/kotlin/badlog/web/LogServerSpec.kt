@@ -2,6 +2,7 @@ package badlog.web
 
 import badlog.formats.LOG_ENDINGS
 import edu.wpi.first.wpilibj.DriverStation
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -24,6 +25,7 @@ import kotlin.io.path.writeText
 
 private val BYTES = ByteArray(100_000) { (it * 31 + it / 251).toByte() }
 
+@Tags("InCheck")
 class LogServerSpec : FunSpec({
     test("/ is the page, which may ask this server and no other, and is not sent again to who has it") {
         withServer { server ->

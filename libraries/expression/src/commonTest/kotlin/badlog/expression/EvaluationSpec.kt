@@ -8,6 +8,7 @@ import badlog.expression.syntax.Node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.math.abs
 import kotlin.random.Random
 
@@ -58,7 +59,7 @@ class EvaluationSpec : FunSpec({
     }
 })
 
-private const val ROUNDS = 8000
+private val ROUNDS = 8 * PropertyTesting.defaultIterationCount
 private const val MOST_ROUNDINGS = 8
 
 private fun isSame(fast: Value, slow: SlowValue): Boolean = when (fast) {

@@ -8,6 +8,7 @@ import badlog.expression.syntax.Node
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 private val VOCABULARY = Vocabulary(
@@ -266,7 +267,7 @@ class ParsingSpec : FunSpec({
             "and", "or", "not", "for", "when", "contains", "matches", " ", " ", "  ", "'", "\"", "`", "'x'", "1", "0.5", ".",
             "e5", "s", "ms", "\n", "\u0000", "\uD800", "İ", "µ", "enabled", "true",
         )
-        repeat(30_000) { seed ->
+        repeat(30 * PropertyTesting.defaultIterationCount) { seed ->
             val random = Random(seed)
             val text = List(random.nextInt(14)) { pieces[random.nextInt(pieces.size)] }
                 .joinToString(if (random.nextBoolean()) " " else "")
@@ -283,7 +284,7 @@ class ParsingSpec : FunSpec({
     }
 
     test("one wrong, missing or doubled character in an expression gives an expression or an error within it") {
-        repeat(5000) { seed ->
+        repeat(5 * PropertyTesting.defaultIterationCount) { seed ->
             val random = Random(seed)
             val vocabulary = randomSignals(random).vocabulary
             val text = RandomExpressions(random).any()

@@ -11,6 +11,7 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 private fun virtual(text: String, vocabulary: Vocabulary) = when (val result = VirtualTopic.parse(text, vocabulary)) {
@@ -67,7 +68,7 @@ class VirtualTopicSpec : FunSpec({
 
     test("any text gives a virtual topic or an error within the text") {
         val pieces = listOf("Voltage", "Power", "[", "]", "W", "=", "==", "\"", " ", "\n", "<", "(", "1")
-        repeat(5000) { seed ->
+        repeat(5 * PropertyTesting.defaultIterationCount) { seed ->
             val random = Random(seed)
             val text = List(random.nextInt(9)) { pieces[random.nextInt(pieces.size)] }.joinToString("")
             when (val result = VirtualTopic.parse(text, vocabulary)) {

@@ -3,6 +3,7 @@ package badlog.fetch
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -41,6 +42,7 @@ private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
     }
 }
 
+@Tags("InCheck")
 class FetchTroubleSpec : FunSpec({
     test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
         inPit { pit, robot ->

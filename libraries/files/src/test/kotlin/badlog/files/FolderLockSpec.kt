@@ -1,5 +1,6 @@
 package badlog.files
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -11,6 +12,7 @@ import java.nio.file.StandardOpenOption.WRITE
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
+@Tags("InCheck")
 class FolderLockSpec : FunSpec({
     fun counted(folder: Path) = Files.readString(folder.resolve("count")).toInt()
 

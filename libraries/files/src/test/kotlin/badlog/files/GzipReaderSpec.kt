@@ -6,6 +6,7 @@ import io.kotest.matchers.booleans.shouldBeTrue
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
+import io.kotest.property.PropertyTesting
 import java.io.ByteArrayOutputStream
 import java.util.zip.GZIPOutputStream
 import kotlin.random.Random
@@ -111,7 +112,7 @@ class GzipReaderSpec : FunSpec({
 
     test("damaged inside, it yields what stands before the damage") {
         val random = Random(3)
-        repeat(200) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val damaged = whole.copyOf()
             val at = random.nextInt(20, whole.size - 8)
             for (i in at until minOf(at + 4, whole.size)) damaged[i] = random.nextInt().toByte()

@@ -2,6 +2,7 @@ package badlog.files
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import java.nio.channels.FileChannel
 import java.nio.file.Files
 import kotlin.random.Random
@@ -9,7 +10,7 @@ import kotlin.random.Random
 class LineCountSpec : FunSpec({
     test("line feeds are counted eight bytes at a time as they are one by one, whatever stands beside them") {
         val random = Random(2468)
-        repeat(5_000) {
+        repeat(5 * PropertyTesting.defaultIterationCount) {
             val near = byteArrayOf(9, 10, 11, 0, 0x0a, 0x8a.toByte(), -1, 0x7f)
             val bytes = ByteArray(random.nextInt(40)) { near[random.nextInt(near.size)] }
             lineFeedsIn(bytes, bytes.size) shouldBe bytes.count { it == '\n'.code.toByte() }

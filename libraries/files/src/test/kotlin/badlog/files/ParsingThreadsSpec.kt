@@ -9,12 +9,13 @@ import badlog.formats.wpilog.describeLog
 import badlog.formats.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 class ParsingThreadsSpec : FunSpec({
     test("a bag reads the same on all cores as on one, whole or damaged, wherever its pieces end") {
         val random = Random(7)
-        repeat(300) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val bytes = randomBag(random)
             for (keepSamples in listOf(true, false)) {
                 val expected = BagParser(0, keepSamples).apply { accept(bytes) }.finish()

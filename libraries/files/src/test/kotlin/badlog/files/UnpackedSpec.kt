@@ -7,6 +7,7 @@ import badlog.formats.wpilog.VARIED_LOG
 import badlog.formats.wpilog.describeLog
 import badlog.formats.wpilog.parseLog
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempdir
@@ -35,6 +36,7 @@ private fun xz(bytes: ByteArray): ByteArray {
 private val IF_SHELL =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no sh")
 
+@Tags("InCheck")
 internal class UnpackedSpec : FunSpec({
     val log = VARIED_LOG.bytes
 

@@ -2,6 +2,7 @@ package badlog.record
 
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -12,6 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.name
 import kotlin.io.path.writeText
 
+@Tags("InCheck")
 class RecorderSpec : FunSpec({
     test("entries are named, typed and described as WPILib's own logger does, and end when their topics do") {
         FakeServer().use { server ->

@@ -3,6 +3,7 @@ package badlog.record
 import badlog.core.python.TestPython
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.maps.shouldContainAll
@@ -60,6 +61,7 @@ private fun read(log: Path): List<List<String>> {
 
 private fun hex(text: String) = text.encodeToByteArray().joinToString("") { "%02x".format(it) }
 
+@Tags("InCheck")
 class WpilibServerSpec : FunSpec({
     test("WPILib's reader finds every type that WPILib's server sends, named and described as WPILib's logger does").config(
         enabledOrReasonIf = PYTHON.isHere,

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -41,6 +42,7 @@ private fun shouldStillServe(server: ReplayServer) = TestClient(server.port).use
     client.settle { client.ids().size shouldBe 8 }
 }
 
+@Tags("InCheck")
 class BrokenClientsSpec : FunSpec({
     test("Messages that are nonsense are counted and ignored; the client stays") {
         ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->

@@ -4,6 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.python.TestPython
 import badlog.files.readRecording
 import badlog.networktables.TopicType
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -119,6 +120,7 @@ private fun spreadOfArrivals(view: LogView, options: ReplayOptions): Double {
     return delays.sorted().let { it[it.size * 9 / 10] - it.first() }
 }
 
+@Tags("InCheck")
 class WpilibClientSpec :
     FunSpec({
         test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {

@@ -53,7 +53,7 @@ class QuestionCheckSpec : FunSpec({
 
     test("whatever is asked, there is an answer, and never that a topic is unknown") {
         val pieces = Arb.element("ab /().<>=-'\",3sx".map { Codepoint(it.code) })
-        checkAll(1000, Arb.string(0, 20, pieces)) { question ->
+        checkAll(Arb.string(0, 20, pieces)) { question ->
             (errorForEveryLog(question)?.kind != ExpressionErrorKind.UNKNOWN_TOPIC).shouldBeTrue()
         }
     }

@@ -9,6 +9,7 @@ import badlog.report.hook.HookRunner
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.rules.RulesFile
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -27,6 +28,7 @@ private fun rules(condition: String, text: String = "t", more: String = "", alia
 
 private fun findings(folder: Path, rules: RuleSet) = Report(rules).over(logsIn(folder)).logs.flatMap { log -> log.findings.map { it.text } }
 
+@Tags("InCheck")
 class ReportSpec : FunSpec({
     test("the text is filled with what was found") {
         inFolder { folder ->

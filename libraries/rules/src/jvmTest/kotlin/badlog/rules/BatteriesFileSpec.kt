@@ -46,7 +46,7 @@ class BatteriesFileSpec : FunSpec({
     }
 
     test("whatever a log and a battery are called, it is read as it was written, and changed, and taken back") {
-        checkAll(300, Arb.string(1, 20), Arb.string(1, 20)) { log, name ->
+        checkAll(Arb.string(1, 20), Arb.string(1, 20)) { log, name ->
             val battery = name.trim().ifEmpty { "A1" }
             val written = BatteriesFile.withUse(FILE, log, battery)
             BatteriesFile.parse(written).used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2") + (log to battery)
@@ -73,7 +73,7 @@ class BatteriesFileSpec : FunSpec({
     }
 
     test("no text makes the reader fail, other than with a sentence about its mistake") {
-        checkAll(500, Arb.string(0, 80)) { text ->
+        checkAll(Arb.string(0, 80)) { text ->
             try {
                 BatteriesFile.parse("[[battery]]\nname = \"A\"\n$text")
             } catch (e: RulesException) {

@@ -4,6 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.signals.pose.PLAN_LIMIT
 import badlog.signals.pose.PLAN_PATIENCE
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -20,6 +21,7 @@ private val OF_CLOCK = listOf("Gap in time", "Clock set back")
 
 private val OF_WHOLE_LOGS = listOf("Restarted in the match", "Ended in the match")
 
+@Tags("InCheck")
 class BuiltInRulesSpec : FunSpec({
     val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(LINKS)))
 

@@ -41,7 +41,7 @@ class RulesReaderSpec : FunSpec({
         // Even rules over too few logs can be run.
         checkNotNull(damaged(Regex("\"limits\":\\[[^]]*]"), "\"limits\":[0,0,1,0]")).comparisons.first().others shouldBe 5
         val bytes = Arb.element("", "{", "}", "[", "]", ",", ":", "\"", "-", "e", "9", "x")
-        checkAll(2000, Arb.int(whole.indices), bytes) { at, byte -> RuleSet.fromJson(whole.replaceRange(at, at + 1, byte)) }
+        checkAll(Arb.int(whole.indices), bytes) { at, byte -> RuleSet.fromJson(whole.replaceRange(at, at + 1, byte)) }
     }
 
     test("lines of the checklist come from the rules, each once, and are not in pages") {
@@ -109,7 +109,7 @@ class RulesReaderSpec : FunSpec({
 
     test("any text gives rules or a sentence") {
         val whole = RulesFile.BUILT_IN.source.lines().take(20).joinToString("\n") + "\n" + RULE
-        checkAll(300, Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
+        checkAll(Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
             try {
                 RulesFile.parse(whole.take(at) + text + whole.drop(at + text.length))
             } catch (e: RulesException) {

@@ -70,7 +70,7 @@ class SignalsFileSpec : FunSpec({
     }
 
     test("any topic can be named, whatever letters it has, and again") {
-        checkAll(300, Arb.string(1..30).filter { it.isNotBlank() }, Arb.string(1..30).filter { it.isNotBlank() }) { one, other ->
+        checkAll(Arb.string(1..30).filter { it.isNotBlank() }, Arb.string(1..30).filter { it.isNotBlank() }) { one, other ->
             val text = SignalsFile.withTopic(SignalsFile.withTopic("", "battery", one), "battery", other)
             SignalsFile.parse(text).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf(other, one)
         }

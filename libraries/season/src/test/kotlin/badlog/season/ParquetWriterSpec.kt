@@ -13,6 +13,7 @@ import badlog.season.lake.LakeException
 import badlog.season.lake.ParquetFile
 import badlog.season.lake.ParquetWriter
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -25,6 +26,7 @@ import kotlin.io.path.name
 
 private val PYTHON = TestPython("pandas, pyarrow", "pandas and pyarrow")
 
+@Tags("InCheck")
 class ParquetWriterSpec : FunSpec({
     fun written(log: Path, target: Path): List<ParquetFile> = ParquetWriter().use {
         it.write(LogView.of(readRecording(log, LOG_FORMATS)), log.name, log.name, RuleSet.BUILT_IN.signals, target)

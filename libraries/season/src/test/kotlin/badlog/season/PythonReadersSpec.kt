@@ -2,6 +2,7 @@ package badlog.season
 
 import badlog.core.python.TestPython
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlinx.serialization.json.Json
@@ -9,6 +10,7 @@ import kotlin.io.path.div
 
 private val PYTHON = TestPython("pandas, pyarrow, polars", "pandas, pyarrow and Polars")
 
+@Tags("InCheck")
 class PythonReadersSpec : FunSpec({
     test("pandas, pyarrow and Polars read a lake without badlog").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->

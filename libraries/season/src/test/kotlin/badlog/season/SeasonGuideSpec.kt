@@ -2,6 +2,7 @@ package badlog.season
 
 import badlog.core.python.TestPython
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.maps.shouldHaveSize
@@ -17,6 +18,7 @@ import kotlin.io.path.exists
 
 private val PYTHON = TestPython("pandas, pyarrow, polars, duckdb", "pandas, pyarrow, Polars and DuckDB")
 
+@Tags("InCheck")
 class SeasonGuideSpec : FunSpec({
     test("each Python example of the guide runs on a lake of the samples, and all find what SQL finds").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->

@@ -22,6 +22,7 @@ import badlog.window.graph.sample
 import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -45,6 +46,7 @@ import javax.imageio.ImageIO
 import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.math.sin
 
+@Tags("InCheck")
 class FigureSpec : FunSpec({
     val arm = recordingOf(armBag(500))
     val joint = BoardGraph(1, "Arm/Both", listOf("Arm/Angle", "Arm/Current", "Arm/Mode"))

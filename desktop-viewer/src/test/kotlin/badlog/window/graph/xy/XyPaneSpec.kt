@@ -30,6 +30,7 @@ import badlog.window.graph.waitForPictures
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Palette
 import badlog.window.theme.Theme
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.doubles.plusOrMinus
@@ -43,6 +44,7 @@ import java.nio.file.Files
 import javax.imageio.ImageIO
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class XyPaneSpec : FunSpec({
     val recording by lazy { sample("wrong-turn.bag") }
 

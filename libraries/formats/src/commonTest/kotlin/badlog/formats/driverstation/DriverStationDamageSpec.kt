@@ -13,6 +13,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
+import io.kotest.property.PropertyTesting
 import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
@@ -82,7 +83,7 @@ class DriverStationDamageSpec : FunSpec({
     }
 
     test("random bytes after a good header never make the parser throw, and pieces make no difference") {
-        checkAll(200, Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes ->
+        checkAll(Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes ->
             for (header in listOf(TestDslog().bytes, TestDslog(version = 3).bytes, TestDsevents().entry(5, "Info a").bytes, TestDslog().records(3).bytes)) {
                 val whole = describeLog(parseStation(header + bytes))
                 describeLog(parseStation(header + bytes, 1)) shouldBe whole
@@ -95,7 +96,7 @@ class DriverStationDamageSpec : FunSpec({
     test("damage of any kind never makes the parser throw, keeps times in order, and what was read can be written") {
         val random = Random(15)
         var readable = 0
-        repeat(400) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val mutant = Mutant.of(pair, random, 900)
             val whole = parseStation(mutant.bytes)
             withClue(mutant.damage) {

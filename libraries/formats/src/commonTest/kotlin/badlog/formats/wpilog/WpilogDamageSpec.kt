@@ -11,6 +11,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 /** A record as it is in a file. */
@@ -95,7 +96,7 @@ class WpilogDamageSpec : FunSpec({
 
     test("random bytes, lost bytes and repeated bytes cost what they touch, and little else") {
         val random = Random(3)
-        repeat(300) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val from = random.nextInt(BODY, ROBOT.size - 3000)
             val size = random.nextInt(1, 300)
             val damaged = when (it % 3) {

@@ -3,6 +3,7 @@ package badlog.formats.driverstation
 import badlog.core.python.TestPython
 import badlog.core.recording.Recording
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -29,6 +30,7 @@ private fun Recording.samples(name: String) = topics.single { it.name == name }.
 /** The bits of a status, which is inverted, as the modes that it says; null for none. */
 private fun modeOf(status: Int): String? = listOf(1 to "Disabled", 2 to "Autonomous", 4 to "Teleop").find { status and it.first != 0 }?.second
 
+@Tags("InCheck")
 class RealStationsSpec : FunSpec({
     val where = { _: Any? ->
         when {

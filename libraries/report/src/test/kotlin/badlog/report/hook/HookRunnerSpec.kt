@@ -13,6 +13,7 @@ import badlog.report.sample
 import badlog.rules.commandWords
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.comparables.shouldBeLessThan
@@ -49,6 +50,7 @@ private fun python(program: String, limit: Duration = 5.minutes): HookResult = H
  */
 private val LIMITS = listOf(4.seconds, 30.seconds, 120.seconds)
 
+@Tags("InCheck")
 class HookRunnerSpec : FunSpec({
     test("the example gives what docs/hooks.md says").config(enabled = HAS_PYTHON) {
         val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyze.py")}' {header}"), 5.minutes)

@@ -10,6 +10,7 @@ import badlog.report.SAMPLES
 import badlog.report.batteryBag
 import badlog.report.logsIn
 import badlog.report.put
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -22,6 +23,7 @@ import org.openqa.selenium.Keys
 import java.nio.file.Path
 
 /** The index of a report in a real browser; each test is skipped if there is none. */
+@Tags("InCheck")
 class IndexPageSpec : FunSpec({
     fun browserTest(name: String, test: (OpenPage) -> Unit, screen: Screen = Screen.WIDE, page: (Path) -> String) {
         test(name).config(enabledOrReasonIf = { Chromium.enabled }) {

@@ -12,6 +12,7 @@ import badlog.report.batteryBag
 import badlog.report.logsIn
 import badlog.report.put
 import badlog.rules.RuleSet
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -29,6 +30,7 @@ private fun chart(name: String) = PageChart(name, "Battery & <co>", "Is it “lo
 private val CHARTS = PageCharts(listOf(chart("battery"), chart("loop-times")), listOf("“Packet loss” needs <b>."))
 
 /** The charts on the index page of a report. */
+@Tags("InCheck")
 class PageChartsSpec : FunSpec({
     /** Writes a report with [charts] of one log into [out]. */
     fun report(folder: Path, out: Path, charts: PageCharts, isForced: Boolean = false, leaveOut: (String) -> Unit = { error(it) }): Path {

@@ -12,7 +12,7 @@ class MergingSpec : FunSpec({
     val items = Arb.set(Arb.int(0..9), 0..8)
 
     test("what two windows added and removed is in the list of both, whichever stores it last") {
-        checkAll(200, items, items, items) { read, mine, others ->
+        checkAll(items, items, items) { read, mine, others ->
             val first = mine.toList().mergedWith(others.toList(), read.toList())
             val second = others.toList().mergedWith(mine.toList(), read.toList())
             first shouldContainExactlyInAnyOrder second

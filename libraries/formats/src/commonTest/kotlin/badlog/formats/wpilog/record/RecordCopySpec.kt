@@ -10,6 +10,7 @@ import badlog.formats.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
+import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
 internal fun recordsOf(bytes: ByteArray, piece: Int = maxOf(1, bytes.size)): RecordLog = RecordLog.Reader().run {
@@ -81,7 +82,7 @@ class RecordCopySpec : FunSpec({
 
     test("at any time of a part, each entry holds what it holds in the whole") {
         val random = Random(4)
-        repeat(300) {
+        repeat(PropertyTesting.defaultIterationCount) {
             val log = TestLog()
             for (id in 1..3) log.start(id, "t$id", "int64")
             // Times go back now and then, and some are from before the clock began.

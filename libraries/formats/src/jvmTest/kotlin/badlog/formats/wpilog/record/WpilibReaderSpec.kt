@@ -16,6 +16,7 @@ import badlog.formats.wpilog.number
 import badlog.formats.wpilog.parseLog
 import badlog.formats.wpilog.text
 import badlog.formats.wpilog.writeLog
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.io.File
@@ -82,6 +83,7 @@ private fun parseHex(text: String): Double = when (text) {
     else -> java.lang.Double.parseDouble(text)
 }
 
+@Tags("InCheck")
 class WpilibReaderSpec : FunSpec({
     test("WPILib's reader finds every value of a bag").config(enabledOrReasonIf = PYTHON.isHere) {
         val bag = parse(VARIED_BAG)

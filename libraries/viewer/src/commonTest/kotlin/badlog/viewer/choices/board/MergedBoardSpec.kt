@@ -48,7 +48,7 @@ class MergedBoardSpec : FunSpec({
     val start = Board().withGraph(listOf("A")).withGraph(listOf("B", "C")).withGraph(listOf("D"))
 
     test("whatever tabs do in turn, each change stays, and of two of the same thing the later one counts") {
-        checkAll(300, deeds) { all ->
+        checkAll(deeds) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
             // What the last writer of each part of each graph wanted.
@@ -133,7 +133,7 @@ class MergedBoardSpec : FunSpec({
     }
 
     test("undoing in one tab takes back its own changes, and none of another's") {
-        checkAll(200, Arb.list(Arb.int(0..7), 0..30)) { all ->
+        checkAll(Arb.list(Arb.int(0..7), 0..30)) { all ->
             val store = Store(start)
             val tabs = List(2) { Tab(store) }
             val heights = mutableListOf<Int?>(null, null)
@@ -186,7 +186,7 @@ class MergedBoardSpec : FunSpec({
 
     test("whenever tabs remember what they do and undo, they end with the same board, and undo only their own") {
         val own = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..6).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..60)
-        checkAll(300, own) { all ->
+        checkAll(own) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
             for (deed in all) {

@@ -31,7 +31,7 @@ class NoteHistorySpec : FunSpec({
     val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..3).bind(), Arb.int(0..5).bind()) }, 0..40)
 
     test("whatever tabs of a page and its copies do in turn, each note is there once, with its latest text, unless it was removed last") {
-        checkAll(300, deeds) { all ->
+        checkAll(deeds) { all ->
             clock = 0
             var stored = emptyList<NoteChange>()
             val given = MutableList(3) { NoteHistory.of(start, emptyList()) }

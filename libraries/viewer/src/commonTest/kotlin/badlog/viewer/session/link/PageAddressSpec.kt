@@ -99,7 +99,7 @@ class PageAddressSpec : FunSpec({
     }
 
     test("of a page that is as it was exported, at most 60 characters follow the #, and lead to the same place on the screen") {
-        checkAll(1000, looked) { (address, width) ->
+        checkAll(looked) { (address, width) ->
             val text = address.seenIn(width).toText()
             withClue(text) { text.length shouldBeLessThanOrEqual 61 }
             val read = pageAddressOf(text)
@@ -112,7 +112,7 @@ class PageAddressSpec : FunSpec({
 
     test("of a board of four topics, their names and at most 80 more follow the #, and a finding adds its own") {
         val topic = Arb.string(1..40, Codepoint.alphanumeric())
-        checkAll(1000, looked, Arb.list(topic, 4..4), topic, topic) { (address, width), topics, rule, about ->
+        checkAll(looked, Arb.list(topic, 4..4), topic, topic) { (address, width), topics, rule, about ->
             val names = topics.map { "Drive/$it" }
             val board = names.fold(Board()) { board, name -> board.withGraph(listOf(name)) }
             val link = PageAddress(address.moment, address.visible, board, second = address.second).seenIn(width).toText()
