@@ -10,6 +10,7 @@ import badlog.page.WpilibServer
 import badlog.page.bagOf
 import badlog.page.send
 import badlog.page.withRobot
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -20,8 +21,14 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
+@Tags("InCheck")
+internal class OpeningInChromiumSpec : OpeningInBrowsersSpec(Browser.CHROMIUM)
+
+@Tags("InProve")
+internal class OpeningInOtherBrowsersSpec : OpeningInBrowsersSpec(Browser.FIREFOX, Browser.WEBKIT)
+
 /** The page without a log, from wherever it may come, in each browser. */
-internal class OpeningInBrowsersSpec : FunSpec({
+internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-opening") }
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
@@ -48,7 +55,7 @@ internal class OpeningInBrowsersSpec : FunSpec({
         (folder / "bench.bag").writeBytes(bag)
     }
 
-    for (browser in Browser.entries) {
+    for (browser in browsers) {
         fun browserTest(name: String, test: BrowserTab.() -> Unit) {
             test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
         }
