@@ -30,7 +30,7 @@ class RowBatchSpec : FunSpec({
                 taken += batches.taken
             }
         }
-        taken shouldBeGreaterThan 10_000
+        taken shouldBeGreaterThan 50 * PropertyTesting.defaultIterationCount
     }
 
     test("they also do if samples are not kept") {
