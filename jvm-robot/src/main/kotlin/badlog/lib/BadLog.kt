@@ -90,9 +90,11 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
          * together.
          */
         @JvmStatic
-        public fun init(path: String, compress: Boolean?, flush: Boolean?): BadLog {
-            val isCompressed = compress == true
-            val session = LogSession(flushesEachRow = flush == true)
+        public fun init(path: String, compress: Boolean?, flush: Boolean?): BadLog =
+            init(path, compress == true, LogSession(flushesEachRow = flush == true))
+
+        /** Starts the log of [session] in the file at [path], with `.gz` added if it is compressed. */
+        internal fun init(path: String, isCompressed: Boolean, session: LogSession): BadLog {
             val log = start(session)
             session.open(File(if (isCompressed) "$path.gz" else path), isCompressed)
             return log

@@ -11,6 +11,7 @@ import java.util.function.Supplier
 internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {
     private val faults = session.faults
     private val folder = LogFolder(LogFolder.choose(options.folder), options.freeBytes)
+    private val pauses = options.time.pauses(TICK_MILLIS)
     private val ending = if (options.isCompressed) ".bag.gz" else ".bag"
     private var time: Instant? = null
     private var event = ""
@@ -35,16 +36,17 @@ internal class LogKeeper(private val session: LogSession, private val options: R
 
     override fun run() {
         try {
-            while (session.state != LogState.CLOSED) {
-                tick()
-                sleep(TICK_MILLIS)
-            }
+            do tick() while (pauses.next())
         } catch (failure: Throwable) {
             faults.sayOnce("keeper") { "The log's files are no longer managed: ${describe(failure)}." }
         }
     }
 
+    /** Ends the thread soon, without waiting for it. */
+    fun finish() = pauses.end()
+
     private fun tick() {
+        if (session.state == LogState.CLOSED) return finish()
         val waited = ++ticks * TICK_MILLIS / 1000.0
         if (session.state == LogState.SETTING_UP) {
             if (hasLooped && (isAwaited || waited >= options.headerTimeout)) begin()

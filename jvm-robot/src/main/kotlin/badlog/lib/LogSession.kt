@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  * written, and each [SubscribedTopic] has its own for what is published to it. None is held while suppliers are
  * called.
  */
-internal class LogSession(private val flushesEachRow: Boolean) {
+internal class LogSession(private val flushesEachRow: Boolean, private val time: LogTime = LogTime()) {
     private val lock = Any()
     private val namespace = Namespace()
     private val isSampling = AtomicBoolean()
@@ -52,7 +52,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         synchronized(lock) {
             if (phase != LogState.SETTING_UP) return opened.discard(faults)
             file = opened
-            sink = RowSink(opened, flushesEachRow, faults)
+            sink = RowSink(opened, flushesEachRow, faults, time)
             closeOnExit.register()
         }
     }
@@ -128,7 +128,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
     }
 
     private fun writeRow(sink: RowSink) {
-        val began = System.nanoTime()
+        val began = time.now
         if (sink.isRefusing(began)) return sink.missRow()
         try {
             isInRow = true
@@ -215,7 +215,7 @@ internal class LogSession(private val flushesEachRow: Boolean) {
         val file = file
         val sink = sink
         if (syncThread == null && file != null && sink != null) {
-            syncThread = SyncThread(file, sink, faults, syncs, ::flushWaiting).also { it.start() }
+            syncThread = SyncThread(file, sink, faults, syncs, time, ::flushWaiting).also { it.start() }
         }
     }
 

@@ -18,9 +18,10 @@ public class RobotLog private constructor(
     private val session: LogSession,
     private val options: RobotLogOptions,
 ) : AutoCloseable {
+    private val time = options.time
     private val keeper = LogKeeper(session, options)
     private val disabledNanos = (options.disabledPeriod * 1e9).toLong()
-    private var lastRow = System.nanoTime() - disabledNanos
+    private var lastRow = time.now - disabledNanos
     private var wasEnabled = false
 
     /** Whether the robot was enabled in the last [periodic]. */
@@ -37,7 +38,7 @@ public class RobotLog private constructor(
             return
         }
         if (session.state == LogState.CLOSED) return
-        val now = System.nanoTime()
+        val now = time.now
         if (isEnabled || wasEnabled || now - lastRow >= disabledNanos) {
             lastRow = now
             wasEnabled = isEnabled
@@ -47,7 +48,10 @@ public class RobotLog private constructor(
     }
 
     /** Closes the log. */
-    override fun close(): Unit = session.close()
+    override fun close() {
+        session.close()
+        keeper.finish()
+    }
 
     private fun ask(supplier: BooleanSupplier, name: String): Boolean = try {
         supplier.asBoolean
@@ -57,8 +61,8 @@ public class RobotLog private constructor(
     }
 
     private fun createStandardTopics() {
-        val began = System.nanoTime()
-        BadLog.createTopicDouble("Time", "s", { (System.nanoTime() - began) * 1e-9 }, "xaxis", "hide")
+        val began = time.now
+        BadLog.createTopicDouble("Time", "s", { (time.now - began) * 1e-9 }, "xaxis", "hide")
         BadLog.createTopicBoolean("Robot/Enabled", BadLog.UNITLESS, { isEnabled })
         options.batteryVoltage?.let { BadLog.createTopicDouble("Robot/Battery Voltage", "V", it, "zero") }
         BadLog.createEvents("Robot/Events")
@@ -72,7 +76,7 @@ public class RobotLog private constructor(
         /** Starts a log; if there already is one, it is closed first. See [RobotLog]. */
         @JvmStatic
         public fun start(options: RobotLogOptions): RobotLog {
-            val session = LogSession(flushesEachRow = true)
+            val session = LogSession(flushesEachRow = true, options.time)
             val robotLog = RobotLog(BadLog.start(session), session, options)
             if (options.hasStandardTopics) robotLog.createStandardTopics()
             robotLog.keeper.start()

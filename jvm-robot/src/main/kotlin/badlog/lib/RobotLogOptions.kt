@@ -53,4 +53,7 @@ public class RobotLogOptions {
 
     /** Renames a file. Returns false if the system does not. */
     internal var move: (from: File, to: File) -> Boolean = File::renameTo
+
+    /** The time by which the log waits. */
+    internal var time: LogTime = LogTime()
 }

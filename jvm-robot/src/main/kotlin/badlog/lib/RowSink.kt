@@ -8,13 +8,18 @@ import java.io.IOException
  * cannot be written are lost and counted. After a failure it waits a little before it tries again, because a disk that
  * is full or gone may be slow to report it. Guarded by the log's lock.
  */
-internal class RowSink(private val file: LogFile, private val flushesEachRow: Boolean, private val faults: Faults) {
+internal class RowSink(
+    private val file: LogFile,
+    private val flushesEachRow: Boolean,
+    private val faults: Faults,
+    private val time: LogTime,
+) {
     private val output = file.output
     private val counters = faults.counters
     private var events = emptyArray<EventTexts>()
     private var header: ByteArray? = null
     private var rowsWaiting = 0
-    private var lastWrite = System.nanoTime()
+    private var lastWrite = time.now
     private var rowsLost = 0L
 
     /** The writer for the next row's cells. */
@@ -33,7 +38,7 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     fun begin(lines: ByteArray, events: Array<EventTexts>) {
         this.events = events
         header = lines
-        write(System.nanoTime())
+        write(time.now)
     }
 
     /** Returns whether a row begun at [now] would be lost. It should then not be begun, so that no events are lost with it. */
@@ -42,13 +47,13 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
     /** Counts a row that was not begun. */
     fun missRow() = lose(1)
 
-    /** Ends the row in [row], which was begun at [began], a time of [System.nanoTime]. */
+    /** Ends the row in [row], which was begun at [began], a time of [LogTime.now]. */
     fun endRow(began: Long) {
         row.endRow()
         rowsWaiting++
         val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= MAX_WAIT_NANOS
         if (isDue && !isWaitingToRetry(began)) write(began)
-        counters.rowTook(System.nanoTime() - began)
+        counters.rowTook(time.now - began)
     }
 
     /** Discards the row that was begun. */
@@ -61,12 +66,12 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
 
     /** Writes all buffered rows. */
     fun flush() {
-        if (rowsWaiting > 0 || header != null) write(System.nanoTime())
+        if (rowsWaiting > 0 || header != null) write(time.now)
     }
 
     /** Does the same as [flush], unless that failed a moment ago. */
     fun flushWaiting() {
-        if (!isWaitingToRetry(System.nanoTime())) flush()
+        if (!isWaitingToRetry(time.now)) flush()
     }
 
     /** Writes what is buffered and what belongs at the end of the file. */
@@ -109,11 +114,11 @@ internal class RowSink(private val file: LogFile, private val flushesEachRow: Bo
 
     /** In `finally`, because a failing disk is usually a slow one. */
     private inline fun timed(write: () -> Unit) {
-        val began = System.nanoTime()
+        val began = time.now
         try {
             write()
         } finally {
-            counters.writeTook(System.nanoTime() - began)
+            counters.writeTook(time.now - began)
         }
     }
 

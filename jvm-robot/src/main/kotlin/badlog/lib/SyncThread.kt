@@ -4,8 +4,6 @@ import java.io.File
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.file.StandardOpenOption
-import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
 
 /**
  * Four times a second, writes the buffered rows and syncs the file to the disk, so that a loss of power costs no more
@@ -20,10 +18,11 @@ internal class SyncThread(
     private val sink: RowSink,
     private val faults: Faults,
     @Volatile var syncs: Boolean,
+    time: LogTime,
     private val flush: () -> Unit,
 ) : Thread("badlog sync") {
     private var timesMissing = 0
-    private val stopped = CountDownLatch(1)
+    private val pauses = time.pauses(INTERVAL_MILLIS)
 
     init {
         isDaemon = true
@@ -33,7 +32,7 @@ internal class SyncThread(
         if (syncs) syncFolder(file.path.absoluteFile.parentFile)
         sync()
         lookForFile()
-        while (pause()) {
+        while (pauses.next()) {
             flush()
             sync()
             lookForFile()
@@ -43,15 +42,7 @@ internal class SyncThread(
     }
 
     /** Ends the thread soon, without waiting for it. */
-    fun finish() = stopped.countDown()
-
-    /** Waits a while. Returns false when it is time to end. */
-    private fun pause(): Boolean = try {
-        !stopped.await(INTERVAL_MILLIS, TimeUnit.MILLISECONDS)
-    } catch (_: InterruptedException) {
-        // An interrupt does not end this thread; it only does its work a little earlier.
-        true
-    }
+    fun finish() = pauses.end()
 
     private fun sync() {
         if (!syncs || !sink.isDirty) return

@@ -7,13 +7,11 @@ import java.io.File;
 
 /**
  * A robot program in a process of its own, as in a match: logs into the folder in the first argument, gzipped if the second is {@code true},
- * learns its match while it logs, and ends once the log has the match's name.
+ * learns its match while it logs, and ends once the log has the match's name. Its loop never pauses, so rows are written while that happens.
  */
 public final class ManagedRobot {
     private static final int ROWS_BEFORE = 50;
     private static final int ROWS_AFTER = 50;
-    private static final long LOOP_MILLIS = 5;
-    private static final int MAX_LOOPS = 20_000;
 
     private static volatile String match = "";
     private static long row;
@@ -21,7 +19,7 @@ public final class ManagedRobot {
     private ManagedRobot() {
     }
 
-    public static void main(String[] args) throws InterruptedException {
+    public static void main(String[] args) {
         RobotLogOptions options = new RobotLogOptions();
         options.setFolder(new File(args[0]));
         options.setCompressed(Boolean.parseBoolean(args[1]));
@@ -34,23 +32,18 @@ public final class ManagedRobot {
             BadLog.createTopicLong("Row", BadLog.UNITLESS, () -> row++);
             loopUntilNamed(log);
             for (int i = 0; i < ROWS_AFTER; i++) {
-                loop(log);
+                log.periodic();
             }
         }
     }
 
-    private static void loopUntilNamed(RobotLog log) throws InterruptedException {
-        for (int loops = 0; loops < MAX_LOOPS && !isNamed(log); loops++) {
-            loop(log);
+    private static void loopUntilNamed(RobotLog log) {
+        while (!isNamed(log)) {
+            log.periodic();
             if (row > ROWS_BEFORE) {
                 match = "Q42";
             }
         }
-    }
-
-    private static void loop(RobotLog log) throws InterruptedException {
-        log.periodic();
-        Thread.sleep(LOOP_MILLIS);
     }
 
     private static boolean isNamed(RobotLog log) {

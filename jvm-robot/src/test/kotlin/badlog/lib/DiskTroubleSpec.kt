@@ -1,19 +1,20 @@
 package badlog.lib
 
 import badlog.core.recording.Severity
-import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.longs.shouldBeGreaterThan
-import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
-import kotlin.time.Duration.Companion.minutes
 
-private const val MAX_NANOS = 20_000_000L
+/** After this time without a try, a disk that was full is tried again. */
+private const val RETRY_MILLIS = 250L
+
+/** A deleted file is noticed when it was looked for twice, as often as it is synced. */
+private const val LOOK_MILLIS = 250L
 
 /** A device that is always full. */
 private val IF_FULL =
@@ -26,23 +27,27 @@ class DiskTroubleSpec : FunSpec({
                 onSmallDisk { disk ->
                     val filler = File(disk, "filler")
                     val file = File(disk, if (compress) "full.bag.gz" else "full.bag")
-                    var rows = 0
+                    val time = TestTime()
                     val said = standardErrorOf {
-                        BadLog.init("$disk/full.bag", compress, true).use { log ->
+                        BadLog.init("$disk/full.bag", compress, LogSession(flushesEachRow = true, time)).use { log ->
                             createTopics()
                             log.finishInitialization()
                             repeat(50) { log.row() }
                             fill(filler)
-                            slowestOf(List(2000) { log.timedRow() }) shouldBeLessThan MAX_NANOS
+                            repeat(2000) { log.row() }
                             log.state shouldBe LogState.FAILING
                             filler.delete()
-                            rows += 2050 + log.rowsUntil(LogState.LOGGING).size
+                            time.pass(RETRY_MILLIS - 1)
+                            log.row()
+                            log.state shouldBe LogState.FAILING
+                            time.pass(1)
+                            log.row()
+                            log.state shouldBe LogState.LOGGING
                             repeat(50) { log.row() }
-                            rows += 50
                             log.state shouldBe LogState.LOGGING
                             val counters = log.counters()
                             counters.rowsMissed shouldBeGreaterThan 0
-                            counters.rowsWritten + counters.rowsMissed shouldBe rows
+                            counters.rowsWritten + counters.rowsMissed shouldBe 2102
                             counters.bytesWritten shouldBe file.length()
                         }
                     }
@@ -50,7 +55,7 @@ class DiskTroubleSpec : FunSpec({
                     said shouldContain "No space left"
                     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
                     recording.problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
-                    recording.topics[0].samples.run { last() } shouldBe rows.toDouble()
+                    recording.topics[0].samples.run { last() } shouldBe 2102.0
                     val events = recording.topics.last().texts.dictionary
                     events.first() shouldContain "cannot be written"
                     events.last() shouldContain "could not be written"
@@ -61,8 +66,9 @@ class DiskTroubleSpec : FunSpec({
     test("events that happen while the disk is full are written later").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val filler = File(disk, "filler")
+            val time = TestTime()
             standardErrorOf {
-                BadLog.init("$disk/events.bag").use { log ->
+                BadLog.init("$disk/events.bag", false, LogSession(flushesEachRow = true, time)).use { log ->
                     val events = BadLog.createEvents("Events")
                     log.finishInitialization()
                     log.row()
@@ -77,8 +83,9 @@ class DiskTroubleSpec : FunSpec({
                         log.row()
                     }
                     filler.delete()
-                    log.rowsUntil(LogState.LOGGING)
+                    time.pass(RETRY_MILLIS)
                     log.row()
+                    log.state shouldBe LogState.LOGGING
                     log.counters().eventsDropped shouldBe 0
                 }
             }
@@ -104,14 +111,17 @@ class DiskTroubleSpec : FunSpec({
         onSmallDisk { disk ->
             val filler = File(disk, "filler")
             fill(filler)
+            val time = TestTime()
             standardErrorOf {
-                BadLog.init("$disk/late.bag").use { log ->
+                BadLog.init("$disk/late.bag", false, LogSession(flushesEachRow = true, time)).use { log ->
                     createTopics()
                     log.finishInitialization()
                     repeat(10) { log.row() }
                     filler.delete()
+                    log.state shouldBe LogState.FAILING
                     // The header is written before any row.
-                    eventually(2.minutes) { log.state shouldBe LogState.LOGGING }
+                    time.pass(RETRY_MILLIS)
+                    log.state shouldBe LogState.LOGGING
                     repeat(10) { log.row() }
                 }
             }
@@ -142,7 +152,7 @@ class DiskTroubleSpec : FunSpec({
             BadLog.init("/dev/full").use { log ->
                 createTopics()
                 log.finishInitialization()
-                slowestOf(List(100) { log.timedRow() }) shouldBeLessThan MAX_NANOS
+                repeat(100) { log.row() }
                 log.state shouldBe LogState.FAILING
                 log.counters().rowsMissed shouldBe 100
             }
@@ -157,17 +167,23 @@ class DiskTroubleSpec : FunSpec({
         for ((name, happen) in trouble) {
             inFolder { folder ->
                 val usb = File(folder, name)
+                val time = TestTime()
                 standardErrorOf {
-                    BadLog.init("$usb/logs/a.bag").use { log ->
+                    BadLog.init("$usb/logs/a.bag", false, LogSession(flushesEachRow = true, time)).use { log ->
                         createTopics()
                         log.finishInitialization()
                         repeat(10) { log.row() }
+                        time.settle()
                         happen(usb)
-                        val nanos = log.rowsUntil(LogState.FAILING) + log.timedRow()
-                        slowestOf(nanos) shouldBeLessThan MAX_NANOS
+                        time.pass(LOOK_MILLIS)
+                        log.row()
+                        log.state shouldBe LogState.LOGGING
+                        time.pass(LOOK_MILLIS)
+                        log.state shouldBe LogState.FAILING
+                        log.row()
                         val counters = log.counters()
-                        counters.rowsMissed shouldBeGreaterThan 0
-                        counters.rowsWritten + counters.rowsMissed shouldBe 10 + nanos.size
+                        counters.rowsMissed shouldBe 1
+                        counters.rowsWritten shouldBe 11
                     }
                 } shouldContain "was deleted, or its disk was removed"
             }
@@ -176,13 +192,15 @@ class DiskTroubleSpec : FunSpec({
 
     test("a disk that is unmounted while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
+            val time = TestTime()
             standardErrorOf {
-                BadLog.init("$disk/a.bag", false, true).use { log ->
+                BadLog.init("$disk/a.bag", false, LogSession(flushesEachRow = true, time)).use { log ->
                     createTopics()
                     log.finishInitialization()
                     log.row()
                     run(listOf("umount", "-l", disk.path)).first shouldBe 0
-                    slowestOf(log.rowsUntil(LogState.FAILING)) shouldBeLessThan MAX_NANOS
+                    time.pass(2 * LOOK_MILLIS)
+                    log.state shouldBe LogState.FAILING
                 }
             } shouldContain "was removed"
         }
@@ -207,28 +225,6 @@ private fun expectNothingLogged(path: File) {
         }
     } shouldContain "The log $path cannot be created"
 }
-
-private fun BadLog.timedRow(): Long {
-    val began = System.nanoTime()
-    row()
-    return System.nanoTime() - began
-}
-
-/** Logs rows until the log is in the [wanted] state; returns the time that each took. */
-private fun BadLog.rowsUntil(wanted: LogState): List<Long> {
-    val nanos = ArrayList<Long>()
-    until({ state == wanted }) {
-        nanos += timedRow()
-        Thread.sleep(1)
-    }
-    return nanos
-}
-
-/**
- * The longest time of a row, except the first. A busy machine stalls any program now and then, so the best of many parts
- * counts.
- */
-private fun slowestOf(nanos: List<Long>): Long = nanos.drop(1).chunked(maxOf(nanos.size / 20, 2)).filter { it.size > 1 }.minOfOrNull { it.max() } ?: 0
 
 private fun fill(file: File) {
     try {

@@ -1,5 +1,6 @@
 package badlog.lib
 
+import badlog.core.waiting.eventually
 import badlog.robots.ReadmeRobot
 import edu.wpi.first.networktables.DoubleTopic
 import edu.wpi.first.wpilibj.DriverStation
@@ -69,9 +70,10 @@ class GuideSpec : FunSpec({
             RobotController.systemTimeValid = true
             standardErrorOf {
                 val robot = make()
-                until({ logIn(logs)?.let { bytesOf(it).decodeToString().lines().size > 10 } == true }) {
+                // The guide's robots start their logs themselves, so these go by the system's time.
+                eventually("ten lines of the robot in $name") {
                     robot.robotPeriodic()
-                    Thread.sleep(10)
+                    logIn(logs)?.let { bytesOf(it).decodeToString().lines().size > 10 } == true
                 }
                 BadLog.init(File(logs, "other.bag").path).close()
             }

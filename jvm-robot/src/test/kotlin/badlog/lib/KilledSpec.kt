@@ -1,6 +1,7 @@
 package badlog.lib
 
 import badlog.core.recording.Severity
+import badlog.core.waiting.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -12,6 +13,9 @@ import kotlin.random.Random
 
 /** How many robots are killed: some in each build, 200 by `thoroughTest`. */
 private val KILLS = PropertyTesting.defaultIterationCount / 5
+
+/** A robot has logged fewer rows, or about as many, when it is killed. */
+private const val MAX_ROWS = 1000L
 
 /** The header, the names of the topics, then the first row. */
 private const val FIRST_ROW_LINE = 3
@@ -35,9 +39,8 @@ private fun killOne(folder: File, number: Int): String? {
     val path = File(folder, "$number.bag")
     val process = ProcessBuilder(childCommand(listOf(path.path, "100000000", "$compress", returned.path)))
         .redirectErrorStream(true).redirectOutput(File(folder, "$number.txt")).start()
-    while (process.isAlive && rowsReturned(returned) == 0L) Thread.sleep(1)
-    val lifetime = Random(number)
-    Thread.sleep(lifetime.nextLong(30), lifetime.nextInt(1_000_000))
+    val enough = Random(number).nextLong(1, MAX_ROWS)
+    eventually("row $enough of robot $number") { rowsReturned(returned) >= enough || !process.isAlive }
     process.destroyForcibly().waitFor()
 
     val rows = rowsReturned(returned)

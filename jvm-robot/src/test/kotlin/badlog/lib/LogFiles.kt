@@ -19,15 +19,6 @@ internal val IF_OPEN_FILES_GO: Enabled =
 /** More than enough time for the thread that reports what went wrong. */
 internal const val SAID_MILLIS = 60_000
 
-/** Repeats [work] until [isSo]; fails after two minutes. */
-internal inline fun until(isSo: () -> Boolean, work: () -> Unit) {
-    val end = System.nanoTime() + 120_000_000_000
-    while (!isSo()) {
-        check(System.nanoTime() < end) { "This did not happen within two minutes." }
-        work()
-    }
-}
-
 /**
  * The least number of bytes that [work] allocates on this thread in some attempts. Now and then the JVM itself allocates on a
  * thread, when it compiles what the thread runs, and a busy machine compiles late. What the work allocates, it would allocate each

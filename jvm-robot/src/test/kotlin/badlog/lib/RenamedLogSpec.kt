@@ -2,11 +2,13 @@ package badlog.lib
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import java.io.File
+
+/** The log's files are looked after once in this time. */
+private const val TICK_MILLIS = 100L
 
 /** A system that renames no open file, as Windows: it says no until the file was tried once, and then renames the closed one. */
 private class RenamesOnlyClosed {
@@ -16,7 +18,7 @@ private class RenamesOnlyClosed {
     fun move(from: File, to: File): Boolean = !tried.add(from) && from.renameTo(to)
 }
 
-private class Match(folder: File, move: (File, File) -> Boolean) {
+private class Match(folder: File, time: TestTime, move: (File, File) -> Boolean) {
     @Volatile
     var match = ""
 
@@ -29,6 +31,7 @@ private class Match(folder: File, move: (File, File) -> Boolean) {
         it.match = { match }
         it.batteryVoltage = null
         it.move = move
+        it.time = time
     }
 }
 
@@ -40,18 +43,20 @@ class RenamedLogSpec : FunSpec({
 
         test("where an open file cannot be renamed, a $kind log gets its match's name, and no row is lost") {
             inFolder { folder ->
-                val robot = Match(folder, RenamesOnlyClosed()::move)
+                val time = TestTime()
+                val robot = Match(folder, time, RenamesOnlyClosed()::move)
                 robot.options.isCompressed = isCompressed
                 var rows = 0L
                 val said = standardErrorOf {
                     RobotLog.start(robot.options).use { log ->
                         BadLog.createTopicLong("Row", "ul", { rows })
-                        until({ log.log.counters().rowsWritten > 0 }) { log.periodic() }
-                        rows++
-                        // Without a pause: rows are written while the file is closed and opened again.
+                        log.periodic()
+                        time.pass(TICK_MILLIS)
                         repeat(500) { log.periodic().also { rows++ } }
                         robot.match = "Q42"
-                        until({ "_OHCL_Q42" in log.file!!.name }) { log.periodic().also { rows++ } }
+                        // Rows are written while the file is closed and opened again.
+                        time.passWhile(TICK_MILLIS) { log.periodic().also { rows++ } }
+                        log.file!!.name shouldContain "_OHCL_Q42"
                         repeat(500) { log.periodic().also { rows++ } }
                         log.log.counters().rowsMissed shouldBe 0
                     }
@@ -60,22 +65,50 @@ class RenamedLogSpec : FunSpec({
                 val file = folder.listFiles()!!.single()
                 val recording = if (isCompressed) recordingIn(inflated(file.readBytes())) else recordingIn(file)
                 val numbers = recording.topics.single { it.name == "Row" }.samples.map { it.toLong() }
-                numbers.size shouldBeGreaterThan 1000
+                numbers.size.toLong() shouldBe rows
                 numbers shouldBe (numbers.first()..numbers.last()).toList()
                 recording.topics.single { it.name == "Robot/Events" }.texts.dictionary shouldContain "Match OHCL Q42"
             }
         }
     }
 
+    test("rows are written while the system takes its time to rename the log") {
+        inFolder { folder ->
+            val time = TestTime()
+            val disk = HeldDevice()
+            val robot = Match(folder, time) { from, to ->
+                disk.hold()
+                from.renameTo(to)
+            }
+            RobotLog.start(robot.options).use { log ->
+                log.periodic()
+                time.pass(TICK_MILLIS)
+                robot.match = "Q42"
+                var rowsMeanwhile = 0
+                time.passWhile(TICK_MILLIS) {
+                    log.periodic()
+                    if (disk.isHolding && ++rowsMeanwhile == 100) disk.release()
+                }
+                log.file!!.name shouldContain "_OHCL_Q42"
+                disk.isWaitedFor shouldBe false
+                log.log.counters().rowsMissed shouldBe 0
+            }
+        }
+    }
+
     test("a log that cannot be renamed at all keeps its name and its rows, and has the match") {
         inFolder { folder ->
-            val robot = Match(folder) { _, _ -> false }
+            val time = TestTime()
+            val robot = Match(folder, time) { _, _ -> false }
             val said = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    until({ log.log.state == LogState.LOGGING }) { log.periodic() }
+                    log.periodic()
+                    time.pass(TICK_MILLIS)
                     robot.match = "Q42"
-                    until({ "Match OHCL Q42" in log.file!!.readText() }) { log.periodic() }
-                    until({ "could not be renamed" in log.file!!.readText() }) { log.periodic() }
+                    time.pass(TICK_MILLIS)
+                    log.periodic()
+                    log.file!!.readText() shouldContain "Match OHCL Q42"
+                    log.file!!.readText() shouldContain "could not be renamed"
                     log.log.counters().rowsMissed shouldBe 0
                 }
             }

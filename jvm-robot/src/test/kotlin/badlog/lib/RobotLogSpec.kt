@@ -1,19 +1,18 @@
 package badlog.lib
 
 import io.kotest.assertions.throwables.shouldThrow
-import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
-import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldMatch
 import java.io.File
 import java.util.function.Supplier
 
-/** A robot in the state that a test gives it. */
+/** A robot in the state that a test gives it. Its loop takes 10 ms. */
 private class Robot(folder: File) {
+    val time = TestTime()
+
     @Volatile
     var enabled = false
 
@@ -41,24 +40,20 @@ private class Robot(folder: File) {
         it.match = { match }
         it.batteryVoltage = { 12.5 }
         it.freeBytes = { free }
+        it.time = time
+    }
+
+    fun drive(log: RobotLog, millis: Int = TICK_MILLIS) = repeat(millis / 10) {
+        time.pass(10)
+        log.periodic()
     }
 }
 
-private fun RobotLog.drive(millis: Int) = repeat(millis / 10) {
-    periodic()
-    Thread.sleep(10)
-}
-
-private fun RobotLog.driveUntil(isSo: () -> Boolean) = until(isSo) {
-    periodic()
-    Thread.sleep(10)
-}
-
-private fun RobotLog.driveUntil(state: LogState) = driveUntil { log.state == state }
+/** The log's files are looked after once in this time. */
+private const val TICK_MILLIS = 100
 
 private fun File.names() = list().orEmpty().sorted()
 
-@Tags("InCheck")
 class RobotLogSpec : FunSpec({
     // Robots of other specs never close their logs, as real ones do not.
     beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }
@@ -70,26 +65,25 @@ class RobotLogSpec : FunSpec({
             val said = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
                     BadLog.createTopicDouble("Own", "V", { 1.0 })
-                    log.drive(300)
+                    robot.drive(log, 300)
                     logs.exists() shouldBe false
                     log.file shouldBe null
 
                     robot.attached = true
-                    log.driveUntil(LogState.LOGGING)
+                    robot.drive(log)
+                    log.log.state shouldBe LogState.LOGGING
                     logs.names().single() shouldMatch "FRC_TBD_[0-9a-f]{16}\\.bag"
                     shouldThrow<InvalidModeException> { BadLog.createTopicDouble("Late", "V", { 1.0 }) }
 
                     robot.clockSet = true
-                    val provisional = log.file
-                    log.driveUntil { log.file != provisional }
+                    robot.drive(log)
                     logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}\\.bag"
 
                     robot.event = "OHCL"
                     robot.match = "Q42"
                     robot.enabled = true
-                    log.driveUntil { log.file?.name.orEmpty().endsWith("_OHCL_Q42.bag") }
-                    // This event is noted after the log was renamed, so the name stays.
-                    log.driveUntil { "Match OHCL Q42" in log.file!!.readText() }
+                    robot.drive(log)
+                    log.file!!.readText() shouldContain "Match OHCL Q42"
                     logs.names().single() shouldMatch "FRC_\\d{8}_\\d{6}_OHCL_Q42\\.bag"
                     log.file?.name shouldBe logs.names().single()
                     log.log.state shouldBe LogState.LOGGING
@@ -109,7 +103,7 @@ class RobotLogSpec : FunSpec({
         inFolder { folder ->
             val robot = Robot(folder).apply { attached = true }
             RobotLog.start(robot.options).use { log ->
-                log.driveUntil(LogState.LOGGING)
+                robot.drive(log)
 
                 /** Whether the call logged a row. */
                 fun isRow(): Boolean {
@@ -117,33 +111,28 @@ class RobotLogSpec : FunSpec({
                     log.periodic()
                     return log.log.counters().rowsWritten > before
                 }
-                // The earliest and the latest time at which the last row was begun.
-                until({ isRow() }) { Thread.sleep(2) }
-                var earliest = Long.MAX_VALUE
-                var latest = 0L
-                var rows = 0
-                until({ rows == 5 }) {
-                    val before = System.nanoTime()
-                    val isRow = isRow()
-                    val after = System.nanoTime()
-                    if (isRow) {
-                        if (rows++ > 0) after - earliest shouldBeGreaterThanOrEqual 250_000_000
-                        earliest = before
-                        latest = after
-                    } else if (rows > 0) {
-                        before - latest shouldBeLessThan 250_000_000
-                    }
-                    Thread.sleep(2)
+                robot.time.pass(250)
+                isRow() shouldBe true
+                repeat(4) {
+                    isRow() shouldBe false
+                    robot.time.pass(249)
+                    isRow() shouldBe false
+                    robot.time.pass(1)
+                    isRow() shouldBe true
                 }
                 robot.enabled = true
                 repeat(100) { isRow() shouldBe true }
+                robot.enabled = false
+                // The row that says so.
+                isRow() shouldBe true
+                isRow() shouldBe false
             }
         }
     }
 
     test("what is known when the header is written is in it; being enabled or waiting long is a reason to write it, too") {
         inFolder { folder ->
-            for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 0.1 })) {
+            for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 1.0 })) {
                 val robot = Robot(File(folder, "logs")).apply {
                     clockSet = true
                     event = "A/B: C"
@@ -152,8 +141,8 @@ class RobotLogSpec : FunSpec({
                     begin()
                 }
                 RobotLog.start(robot.options).use {
-                    it.driveUntil(LogState.LOGGING)
-                    it.drive(50)
+                    robot.drive(it, 1000)
+                    it.log.state shouldBe LogState.LOGGING
                 }
             }
             val names = File(folder, "logs").names()
@@ -182,9 +171,7 @@ class RobotLogSpec : FunSpec({
             File(folder, "FRC_20260301_120000.wpilog").writeText("x")
             File(folder, "FRC_TBD_0.bag").writeText("x")
             standardErrorOf {
-                RobotLog.start(robot.options).use { log ->
-                    log.driveUntil(LogState.LOGGING)
-                }
+                RobotLog.start(robot.options).use { log -> robot.drive(log) }
             } shouldContain "deleted: FRC_TBD_0.bag, FRC_20260301_120000.bag, FRC_20260302_120000.bag, and 3 more."
             folder.names().filter { it.startsWith("FRC_2") && it.endsWith(".bag") } shouldBe
                 (6..15).map { "FRC_202603%02d_120000.bag".format(it) }
@@ -202,7 +189,8 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.driveUntil(LogState.CLOSED)
+                    robot.drive(log)
+                    log.log.state shouldBe LogState.CLOSED
                 }
             } shouldContain "less than 5 MiB"
             folder.names().shouldBeEmpty()
@@ -210,10 +198,13 @@ class RobotLogSpec : FunSpec({
             robot.free = 100_000_000
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.driveUntil(LogState.LOGGING)
+                    robot.drive(log)
+                    log.log.state shouldBe LogState.LOGGING
                     robot.free = 5_000_000
-                    log.driveUntil(LogState.CLOSED)
-                    log.drive(50)
+                    // The space is looked at every five seconds.
+                    robot.drive(log, 5000)
+                    log.log.state shouldBe LogState.CLOSED
+                    robot.drive(log)
                 }
             } shouldContain "less than 5 MiB"
             val recording = recordingIn(folder.listFiles()!!.single())
@@ -231,7 +222,8 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 log = RobotLog.start(robot.options)
-                log.driveUntil(LogState.CLOSED)
+                robot.drive(log)
+                log.log.state shouldBe LogState.CLOSED
             } shouldBe ""
             folder.names().shouldBeEmpty()
 
@@ -244,6 +236,41 @@ class RobotLogSpec : FunSpec({
         }
     }
 
+    test("a robot that nobody needs logs after a minute") {
+        inFolder { folder ->
+            val robot = Robot(folder)
+            RobotLog.start(robot.options).use { log ->
+                robot.drive(log, 59_000)
+                log.log.state shouldBe LogState.SETTING_UP
+                robot.drive(log, 1000)
+                log.log.state shouldBe LogState.LOGGING
+            }
+        }
+    }
+
+    test("a robot's loop goes on while its disk does not say how much space it has") {
+        inFolder { folder ->
+            val disk = HeldDevice()
+            val robot = Robot(folder).apply { enabled = true }
+            robot.options.freeBytes = {
+                disk.hold()
+                1_000_000_000
+            }
+            RobotLog.start(robot.options).use { log ->
+                BadLog.createTopicSubscriber("Published", "ul", DataInferMode.LAST)
+                log.periodic()
+                var loopsMeanwhile = 0
+                robot.time.passWhile(TICK_MILLIS.toLong()) {
+                    BadLog.publish("Published", 1.0)
+                    log.periodic()
+                    if (disk.isHolding && ++loopsMeanwhile == 100) disk.release()
+                }
+                disk.isWaitedFor shouldBe false
+                log.log.state shouldBe LogState.LOGGING
+            }
+        }
+    }
+
     test("a folder that is gone is not full") {
         LogFolder(File("none"), File::getUsableSpace).isFull shouldBe false
     }
@@ -251,7 +278,7 @@ class RobotLogSpec : FunSpec({
     test("suppliers that throw do not stop the log") {
         inFolder { folder ->
             val robot = Robot(folder).apply {
-                options.headerTimeout = 0.1
+                options.headerTimeout = 1.0
                 options.isEnabled = { error("no driver station") }
                 options.event = { error("no event") }
                 options.isClockSet = { error("no clock") }
@@ -259,8 +286,7 @@ class RobotLogSpec : FunSpec({
             }
             standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
-                    log.driveUntil(LogState.LOGGING)
-                    log.drive(50)
+                    robot.drive(log, 1500)
                     log.log.state shouldBe LogState.LOGGING
                     log.log.counters().rowsMissed shouldBe 0
                 }

@@ -1,16 +1,11 @@
 package badlog.lib
 
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
-import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
-import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicInteger
-import java.util.concurrent.atomic.AtomicReference
-import kotlin.concurrent.thread
 
 /** A slow disk: [append], [finish], [sync] and [close] are what its functions do. */
 private class SlowOutput(
@@ -43,8 +38,8 @@ private class SlowOutput(
 
 class SlowSyncSpec : FunSpec({
     /** The counters of a robot that does [loop] with its log to [output]. */
-    fun logTo(output: BagOutput, loop: (BadLog) -> Unit): LogCounters = inFolder { folder ->
-        val session = LogSession(flushesEachRow = true)
+    fun logTo(output: BagOutput, time: LogTime, loop: (BadLog) -> Unit): LogCounters = inFolder { folder ->
+        val session = LogSession(flushesEachRow = true, time)
         val log = BadLog.start(session)
         session.logTo(LogFile(File(folder, "a.bag").apply { writeText("") }, output))
         BadLog.createTopicDouble("A", "ul", { 1.0 })
@@ -54,43 +49,71 @@ class SlowSyncSpec : FunSpec({
         log.counters()
     }
 
-    test("a disk that does not end a sync does not delay a row") {
-        val isSyncing = CountDownLatch(1)
-        val mayEnd = CountDownLatch(1)
-        val output = SlowOutput(sync = {
-            isSyncing.countDown()
-            mayEnd.await()
-        })
-        val counters = AtomicReference<LogCounters>()
-        val robot = thread {
-            logTo(output) { log ->
-                isSyncing.await()
-                repeat(500) { log.row() }
-                counters.set(log.counters())
-            }
+    test("a disk that does not end a sync delays neither a row nor the end") {
+        val disk = HeldDevice()
+        val output = SlowOutput(sync = disk::hold)
+        val counters = logTo(output, TestTime()) { log ->
+            disk.awaitHold()
+            repeat(500) { log.row() }
         }
-        robot.join(120_000)
-        val isDelayed = robot.isAlive
-        mayEnd.countDown()
-        robot.join()
-        isDelayed shouldBe false
-        counters.get().rowsWritten shouldBe 500
+        counters.rowsWritten shouldBe 500
+        disk.isWaitedFor shouldBe false
+        disk.release()
     }
 
     test("slow writes are counted, including failed ones and the header") {
+        val time = TestTime()
         val slow = SlowOutput(
             append = {
-                Thread.sleep(10)
+                time.stall(6)
                 throw IOException("full")
             },
-            finish = { Thread.sleep(10) },
+            finish = { time.stall(6) },
         )
         standardErrorOf {
-            val counters = logTo(slow) { it.row() }
-            // The header is tried at the start, at the end, and for each quarter of a second between; the end itself is one more.
-            slow.appends.get() shouldBeGreaterThanOrEqual 2
-            counters.slowWrites shouldBe slow.appends.get() + 1
+            val counters = logTo(slow, time) { it.row() }
+            // The header is tried at the start and at the end; the end itself is one more.
+            slow.appends.get() shouldBe 2
+            counters.slowWrites shouldBe 3
             counters.rowsMissed shouldBe 1
+        }
+    }
+
+    test("a write that takes no longer than 5 ms is not a slow one, and counts towards the slowest row") {
+        val time = TestTime()
+        var millis = 0L
+        val counters = logTo(SlowOutput(append = { time.stall(millis) }), time) { log ->
+            for (next in listOf(2L, 5L, 1L)) {
+                millis = next
+                log.row()
+            }
+        }
+        counters.slowWrites shouldBe 0
+        counters.slowestRowNanos shouldBe 5_000_000
+    }
+
+    test("after a failed write, the disk is left alone for a quarter of a second") {
+        val time = TestTime()
+        var isFull = false
+        val output = SlowOutput(append = { if (isFull) throw IOException("full") })
+        standardErrorOf {
+            val counters = logTo(output, time) { log ->
+                isFull = true
+                repeat(1000) { log.row() }
+                output.appends.get() shouldBe 2
+                time.pass(249)
+                repeat(1000) { log.row() }
+                output.appends.get() shouldBe 2
+                time.pass(1)
+                repeat(1000) { log.row() }
+                output.appends.get() shouldBe 3
+                isFull = false
+                time.pass(250)
+                log.row()
+                output.appends.get() shouldBe 4
+            }
+            counters.rowsMissed shouldBe 3000
+            counters.rowsWritten shouldBe 1
         }
     }
 
@@ -102,17 +125,26 @@ class SlowSyncSpec : FunSpec({
         } shouldContain "could not be closed"
     }
 
-    test("a fast disk is synced at most four times a second, and for the header") {
-        val output = SlowOutput()
-        val began = System.nanoTime()
-        logTo(output) { log ->
-            until({ output.syncs.get() >= 5 }) {
+    test("a disk is synced four times a second while rows are written, and for the header and the end") {
+        val time = TestTime()
+        var isClosed = false
+        val output = SlowOutput(close = { isClosed = true })
+        logTo(output, time) { log ->
+            time.settle()
+            output.syncs.get() shouldBe 1
+            repeat(100) {
+                time.pass(10)
                 log.row()
-                Thread.sleep(1)
             }
+            // A row is synced at the end of its quarter; the last one waits.
+            output.syncs.get() shouldBe 5
+            time.pass(250)
+            output.syncs.get() shouldBe 6
+            time.pass(1000)
+            output.syncs.get() shouldBe 6
         }
-        val quarters = ((System.nanoTime() - began) / 250_000_000).toInt()
-        // Also at the start and at the end.
-        output.syncs.get() shouldBeLessThanOrEqual quarters + 2
+        time.awaitEnd()
+        isClosed shouldBe true
+        output.syncs.get() shouldBe 7
     }
 })

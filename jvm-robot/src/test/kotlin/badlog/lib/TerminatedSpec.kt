@@ -1,5 +1,6 @@
 package badlog.lib
 
+import badlog.core.waiting.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -23,7 +24,7 @@ class TerminatedSpec : FunSpec({
                 val path = File(folder, "a.bag")
                 val command = childCommand(listOf(path.path, "100000000", "$isCompressed", returned.path))
                 val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "said")).start()
-                until({ rowsThatReturned(returned) > 500 }) { Thread.onSpinWait() }
+                eventually("the robot's first 500 rows") { rowsThatReturned(returned) > 500 }
                 // Those that return later may come after the log was closed, while the program still runs.
                 val before = rowsThatReturned(returned)
                 process.destroy()

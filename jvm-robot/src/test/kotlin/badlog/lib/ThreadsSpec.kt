@@ -4,14 +4,15 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import java.io.File
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicReference
-import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
 
-private val seconds = if (System.getProperty("badlog.longTests").toBoolean()) 60 else 3
+/** The rows that each of the two threads logs. */
+private val rows = if (System.getProperty("badlog.longTests").toBoolean()) 200_000 else 10_000
 
 class ThreadsSpec : FunSpec({
-    test("four threads publish and two log for $seconds s: no torn row, no exception, no lost final value") {
+    test("four threads publish while two log $rows rows each: no torn row, no exception, no lost final value") {
         inFolder { folder ->
             val failure = AtomicReference<Throwable>()
             val publishers = ArrayList<Publisher>()
@@ -22,31 +23,37 @@ class ThreadsSpec : FunSpec({
                 val events = BadLog.createEvents("Events")
                 log.finishInitialization()
 
-                val end = System.nanoTime() + seconds * 1_000_000_000L
-                fun started(name: String, loop: () -> Unit) = thread(name = name) {
+                // The rows begin when all have published, who go on until the last row.
+                val publish = CountDownLatch(4)
+                val logged = CountDownLatch(2)
+                fun started(name: String, done: CountDownLatch, work: () -> Unit) = thread(name = name) {
                     try {
-                        // Once at least, however late it starts.
-                        do loop() while (System.nanoTime() < end)
+                        work()
                     } catch (thrown: Throwable) {
                         failure.set(thrown)
+                    } finally {
+                        done.countDown()
                     }
                 }
                 val publishing = List(4) { i ->
-                    started("publisher $i") {
-                        val next = ++published[i]
-                        when (i) {
-                            0 -> publishers[0].publish((next % 90_000).toDouble())
-                            1 -> publishers[1].publish("text $next, \"of thread 1\"")
-                            2 -> BadLog.publish("Topic 2", (next % 90_000).toDouble())
-                            else -> BadLog.publish("Topic 3", "text $next, \"of thread 3\"")
-                        }
-                        if (i == 3 && next % 10_000 == 0L) events.event("event $next")
+                    started("publisher $i", publish) {
+                        do {
+                            val next = ++published[i]
+                            when (i) {
+                                0 -> publishers[0].publish((next % 90_000).toDouble())
+                                1 -> publishers[1].publish("text $next, \"of thread 1\"")
+                                2 -> BadLog.publish("Topic 2", (next % 90_000).toDouble())
+                                else -> BadLog.publish("Topic 3", "text $next, \"of thread 3\"")
+                            }
+                            if (i == 3 && next % 10_000 == 0L) events.event("event $next")
+                            if (next == 1L) publish.countDown()
+                        } while (logged.count > 0)
                     }
                 }
                 val logging = List(2) {
-                    started("logger $it") {
-                        log.row()
-                        LockSupport.parkNanos(100_000)
+                    started("logger $it", logged) {
+                        publish.await()
+                        repeat(rows) { log.row() }
                     }
                 }
                 (publishing + logging).forEach(Thread::join)

@@ -1,13 +1,10 @@
 package badlog.lib
 
 import badlog.core.recording.ProblemKind
-import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.io.File
-import kotlin.time.Duration.Companion.minutes
 
 class TopicsSpec : FunSpec({
     test("an update consumes published data, of which the last counts") {
@@ -114,21 +111,12 @@ class TopicsSpec : FunSpec({
 
     test("without flushing, rows are written together, by flush() and by close()") {
         inFolder { folder ->
-            var attempts = 0
-            var file: File
-            var log: BadLog
-            do {
-                file = File(folder, "${attempts++}.bag")
-                val began = System.nanoTime()
-                log = BadLog.init(file.path, false)
-                BadLog.createTopic("A", "ul", { 1.0 })
-                log.finishInitialization()
-                repeat(3) { log.row() }
-                val written = rowsIn(file).size
-                // On a busy machine, rows may have waited for a quarter of a second and be written.
-                val isLate = System.nanoTime() - began >= 250_000_000
-                if (!isLate) written shouldBe 0
-            } while (isLate && attempts < 1000)
+            val file = File(folder, "a.bag")
+            val log = BadLog.init(file.path, false, LogSession(flushesEachRow = false, TestTime()))
+            BadLog.createTopic("A", "ul", { 1.0 })
+            log.finishInitialization()
+            repeat(3) { log.row() }
+            rowsIn(file).size shouldBe 0
             log.flush()
             rowsIn(file).size shouldBe 3
             log.row()
@@ -142,17 +130,17 @@ class TopicsSpec : FunSpec({
     test("without flushing, a row waits at most a quarter of a second while others come") {
         inFolder { folder ->
             val file = File(folder, "a.bag")
-            BadLog.init(file.path, false).use { log ->
+            val time = TestTime()
+            BadLog.init(file.path, false, LogSession(flushesEachRow = false, time)).use { log ->
                 BadLog.createTopic("A", "ul", { 1.0 })
                 log.finishInitialization()
-                var rows = 0
-                until({ rowsIn(file).isNotEmpty() }) {
-                    log.row()
-                    rows++
-                    Thread.sleep(25)
-                }
-                // So few, at seven bytes each, that their size was not the reason to write them.
-                rows shouldBeLessThan 800
+                log.row()
+                time.stall(249)
+                log.row()
+                rowsIn(file).size shouldBe 0
+                time.stall(1)
+                log.row()
+                rowsIn(file).size shouldBe 3
             }
         }
     }
@@ -160,30 +148,37 @@ class TopicsSpec : FunSpec({
     test("without flushing, a row is also written if no other follows") {
         inFolder { folder ->
             val file = File(folder, "a.bag")
-            BadLog.init(file.path, false).use { log ->
+            val time = TestTime()
+            BadLog.init(file.path, false, LogSession(flushesEachRow = false, time)).use { log ->
                 BadLog.createTopic("A", "ul", { 1.0 })
                 log.finishInitialization()
                 log.row()
-                eventually(2.minutes) { rowsIn(file).size shouldBe 1 }
+                time.pass(249)
+                rowsIn(file).size shouldBe 0
+                time.pass(1)
+                rowsIn(file).size shouldBe 1
             }
         }
     }
 
-    test("the syncing thread is a daemon, and looks for the file without syncing, too").config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
-        inFolder { folder ->
-            fun syncing() = Thread.getAllStackTraces().keys.filter { it.name == "badlog sync" }
-            eventually(2.minutes) { syncing().size shouldBe 0 }
-            val log = BadLog.init(File(folder, "a.bag").path)
-            log.finishInitialization()
-            syncing().map { it.isDaemon } shouldBe listOf(true)
-            log.setSyncing(false)
-            syncing().size shouldBe 1
-            standardErrorOf {
-                File(folder, "a.bag").delete()
-                eventually(2.minutes) { log.state shouldBe LogState.FAILING }
+    test("the syncing thread is a daemon that ends with its log, and looks for the file without syncing, too")
+        .config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
+            inFolder { folder ->
+                val time = TestTime()
+                val log = BadLog.init(File(folder, "a.bag").path, false, LogSession(flushesEachRow = true, time))
+                log.finishInitialization()
+                log.setSyncing(false)
+                time.settle()
+                val syncing = time.threads.single()
+                syncing.isDaemon shouldBe true
+                standardErrorOf {
+                    File(folder, "a.bag").delete()
+                    time.pass(500)
+                    log.state shouldBe LogState.FAILING
+                }
+                syncing.isAlive shouldBe true
+                log.close()
+                time.awaitEnd()
             }
-            log.close()
-            eventually(2.minutes) { syncing().size shouldBe 0 }
         }
-    }
 })
