@@ -1,7 +1,7 @@
 """Writes what WPILib's own client receives from a server: python listen.py PORT TOPICS
 
 Lines of JSON on standard output: each topic as it is announced, "ready" once TOPICS of them are known, each value with the
-server's time and the time of its arrival, both in microseconds, and "lost" when the connection is. Ends when standard input does.
+server's time in microseconds, and "lost" when the connection is. Ends when standard input does.
 """
 import json
 import sys
@@ -43,7 +43,7 @@ while not last_round:
             plain = value.value()
             write(
                 value=list(plain) if isinstance(plain, bytes) else plain, of=event.data.topic.getName(),
-                micros=value.server_time(), arrived=time.monotonic_ns() // 1000,
+                micros=value.server_time(),
             )
         elif event.is_(ntcore.EventFlags.kDisconnected):
             write(lost=True)

@@ -9,7 +9,6 @@ import badlog.rules.RulesFile
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
-import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.property.PropertyTesting
 import java.io.ByteArrayOutputStream
 import java.util.zip.GZIPOutputStream
@@ -20,9 +19,7 @@ import kotlin.random.Random
 /** How many damaged files are read: some in each build, more by `./gradlew thoroughTest`. */
 private val MUTANTS = PropertyTesting.defaultIterationCount
 
-private const val LONGEST_SECONDS = 300
-
-/** Whatever stands in a file: no stack trace, no exit code but 0 to 3, and an end soon. */
+/** Whatever stands in a file: no stack trace, no exit code but 0 to 3, and an end. */
 class ReadersOfMutantsSpec : FunSpec({
     fun gzipped(bytes: ByteArray) = ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
 
@@ -46,11 +43,7 @@ class ReadersOfMutantsSpec : FunSpec({
     )
 
     fun shouldEnd(what: String, vararg arguments: Any) {
-        val began = System.nanoTime()
-        withClue(what) {
-            badlog(*arguments).code.code shouldBeLessThan 4
-            (System.nanoTime() - began) / 1_000_000_000 shouldBeLessThan LONGEST_SECONDS.toLong()
-        }
+        withClue(what) { badlog(*arguments).code.code shouldBeLessThan 4 }
     }
 
     test("any damaged log ends every command in order") {

@@ -4,6 +4,7 @@ import badlog.cli.badlogBeside
 import badlog.cli.besideRobot
 import badlog.cli.command.ExitCode
 import badlog.cli.names
+import badlog.core.waiting.eventually
 import badlog.fetch.FakeRobot
 import badlog.fetch.IMPATIENCE
 import badlog.fetch.matchBag
@@ -90,10 +91,9 @@ class FetchSpec : FunSpec({
                     ended += badlogBeside(robots, "fetch", "1014", "--out", folder, "--accept-new-host-key", "--watch").code
                 }
                 // An end while the log is noted would be another one.
-                waitUntil { folder.names().contains("MILLC") && (folder / "MILLC").names().isNotEmpty() && robot.connections == 0 }
-                waitUntil {
+                eventually("the log") { (folder / "MILLC").names().isNotEmpty() && robot.connections == 0 }
+                eventually("the end") {
                     watching.interrupt()
-                    watching.join(100)
                     !watching.isAlive
                 }
                 ended shouldContainExactly listOf(ExitCode.WHOLE)
@@ -124,11 +124,3 @@ class FetchSpec : FunSpec({
         for (wrong in listOf("14", "d", "-1d", "2 weeks")) ageOf(wrong) shouldBe null
     }
 })
-
-private fun waitUntil(isSo: () -> Boolean) {
-    val end = System.nanoTime() + 60_000_000_000
-    while (!isSo()) {
-        check(System.nanoTime() < end) { "This did not happen within a minute." }
-        Thread.sleep(5)
-    }
-}

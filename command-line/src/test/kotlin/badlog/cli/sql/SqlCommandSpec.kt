@@ -9,9 +9,9 @@ import badlog.cli.console.Console
 import badlog.cli.plugin.LakeCache
 import badlog.cli.plugin.SeasonService
 import badlog.cli.with
+import badlog.core.waiting.eventually
 import badlog.files.UserFolders
 import badlog.files.inFolder
-import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -25,7 +25,6 @@ import java.nio.file.StandardOpenOption.WRITE
 import java.util.ServiceLoader
 import kotlin.io.path.div
 import kotlin.io.path.exists
-import kotlin.time.Duration.Companion.minutes
 
 class SqlCommandSpec : FunSpec({
     test("a query about a folder of logs is answered as a table, CSV and JSON") {
@@ -90,7 +89,7 @@ class SqlCommandSpec : FunSpec({
                 val err = ByteArrayOutputStream()
                 val console = Console(PrintStream(out, true, "UTF-8"), PrintStream(err, true, "UTF-8"), false)
                 val code = async(Dispatchers.IO) { Badlog(console).run(listOf("sql", "$folder", "SELECT count(*) AS logs FROM matches", "--csv")) }
-                eventually(2.minutes) { err.toString(Charsets.UTF_8) shouldContain "Another badlog is making tables of the same logs; waiting" }
+                eventually("the program to wait") { "Another badlog is making tables of the same logs; waiting" in err.toString(Charsets.UTF_8) }
                 lock.release()
                 code.await() shouldBe ExitCode.WHOLE
                 out.toString(Charsets.UTF_8) shouldBe "logs\n1\n"

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer
 import java.nio.channels.ReadableByteChannel
 
 /** The downloads that may run at the same time: each has a buffer, which is made once and used again. */
-internal class Downloads(private val pace: Pace) {
+internal class Downloads(private val pace: Pace, private val clock: Clock) {
     private val all = List(LIMIT) { Download() }
 
     /** Returns a download that no one else uses, to be given back by its `close`; null if all are in use. */
@@ -15,11 +15,11 @@ internal class Downloads(private val pace: Pace) {
         val free = all.firstOrNull { it.thread == null }
         if (free == null) {
             // Somebody walked away with a phone: the next one to ask gets the place.
-            for (download in all) if (System.nanoTime() - download.moved > PATIENCE_NANOS) download.thread?.interrupt()
+            for (download in all) if (clock.nanos() - download.moved > PATIENCE_NANOS) download.thread?.interrupt()
             return null
         }
         free.thread = Thread.currentThread()
-        free.moved = System.nanoTime()
+        free.moved = clock.nanos()
         return free
     }
 
@@ -46,7 +46,7 @@ internal class Downloads(private val pace: Pace) {
                 pace.await(count)
                 if (!mayGoOn()) throw IOException("The robot was enabled, or connected to the field.")
                 target.write(buffer.array(), 0, count)
-                moved = System.nanoTime()
+                moved = clock.nanos()
                 left -= count
             }
         }

@@ -54,7 +54,8 @@ public class LogServer private constructor(private val port: Int, private val op
         for ((name, value) in LIMITS) if (System.getProperty(name) == null) System.setProperty(name, value)
         val opened = HttpServer.create(InetSocketAddress(port), 0)
         val folders = LogFolders(options.folders.ifEmpty { USUAL_FOLDERS })
-        opened.createContext("/", LogHandler(folders, options, ServedPage(), Downloads(Pace(options.bytesPerSecond))))
+        val downloads = Downloads(Pace(options.bytesPerSecond, options.clock), options.clock)
+        opened.createContext("/", LogHandler(folders, options, ServedPage(), downloads))
         opened.executor = ThreadPoolExecutor(THREADS, THREADS, IDLE_SECONDS, TimeUnit.SECONDS, LinkedBlockingQueue()) { work ->
             Thread(work, "badlog web").apply {
                 isDaemon = true

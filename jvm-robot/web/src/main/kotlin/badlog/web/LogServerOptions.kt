@@ -28,4 +28,7 @@ public class LogServerOptions {
 
     /** How much all downloads together may send. */
     internal var bytesPerSecond = 1_000_000L
+
+    /** The time by which they do. */
+    internal var clock = Clock()
 }

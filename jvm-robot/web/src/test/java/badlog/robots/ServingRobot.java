@@ -3,11 +3,9 @@ package badlog.robots;
 import badlog.web.LogServer;
 import badlog.web.LogServerOptions;
 import java.io.File;
-import java.io.IOException;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 
-/** Robots that show their logs, as in docs/web.md; and one whose program ends meanwhile: when it is sent a byte, or after so many ms. */
+/** Robots that show their logs, as in docs/web.md; and one whose program ends once it serves, or has said why it does not. */
 public final class ServingRobot {
     private ServingRobot() {
     }
@@ -23,12 +21,13 @@ public final class ServingRobot {
         LogServer.start(5806, options);
     }
 
-    public static void main(String[] args) throws InterruptedException, IOException {
+    public static void main(String[] args) throws InterruptedException {
         LogServer.start(Integer.parseInt(args[0]));
-        long begin = System.nanoTime();
-        long longest = TimeUnit.MILLISECONDS.toNanos(Long.parseLong(args[1]));
-        while (System.in.available() == 0 && System.nanoTime() - begin < longest) {
-            Thread.sleep(5);
+        // The thread that opens the port.
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().equals("badlog web")) {
+                thread.join();
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 package badlog.web
 
+import badlog.core.waiting.eventually
 import badlog.formats.LOG_ENDINGS
 import edu.wpi.first.wpilibj.DriverStation
 import io.kotest.core.annotation.Tags
@@ -137,28 +138,30 @@ class LogServerSpec : FunSpec({
     }
 
     test("a log that becomes shorter while it is sent ends the connection, and nobody waits for the rest") {
-        withServer(LogServerOptions().apply { bytesPerSecond = 10_000 }) { server ->
+        val clock = TestClock()
+        withServer(paced(clock)) { server ->
             val log = server.logs.resolve("a.bag").apply { writeBytes(BYTES) }
             server.connect().use { socket ->
                 socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\n\r\n".encodeToByteArray())
                 val stream = socket.getInputStream()
                 stream.readNBytes(500).size shouldBe 500
+                eventually("the second part, which was read, to wait") { clock.waiting == 1 }
                 RandomAccessFile(log.toFile(), "rw").use { it.setLength(20_000) }
+                clock.run()
                 stream.readBytes().size shouldBeLessThan 40_000
             }
         }
     }
 
-    test("two downloads run at a time, at 1 MB/s together; a third one is shown that it waits, and gets its turn") {
-        // Slow enough that the third one comes while the two run, on a busy machine, too.
-        withServer(LogServerOptions().apply { bytesPerSecond = 50_000 }) { server ->
+    test("two downloads run at a time, at one pace together; a third one is shown that it waits, and gets its turn") {
+        val clock = TestClock()
+        withServer(paced(clock)) { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
             val sockets = List(2) { server.connect() }
-            val began = System.nanoTime()
             for (socket in sockets) {
                 socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n".encodeToByteArray())
-                socket.getInputStream().readNBytes(300)
             }
+            eventually("both downloads to wait for their turn") { clock.waiting == 2 }
             val third = server.get("/logs/a.bag")
             third.status shouldBe 503
             third.text shouldStartWith "Two downloads are running already"
@@ -166,9 +169,10 @@ class LogServerSpec : FunSpec({
             third.headers["retry-after"] shouldBe "1"
             // Short answers need no place.
             server.get("/logs/?format=json").status shouldBe 200
+            clock.run()
             for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
-            val seconds = (System.nanoTime() - began) / 1e9
-            (seconds > 3.2) shouldBe true
+            // Each byte took its time but those of the last part, which are what is left of a log after six parts of 16 KiB.
+            clock.nanos() shouldBe (200_000 - (100_000 - 6 * 16_384)) * 20_000L
             sockets.forEach { it.close() }
             awaited("a free place") { server.get("/logs/a.bag").takeIf { it.status == 200 } }.body.size shouldBe BYTES.size
         }
@@ -178,11 +182,11 @@ class LogServerSpec : FunSpec({
         val options = LogServerOptions()
         withServer(options) { server ->
             val old = server.logs.resolve("old.bag").apply { writeBytes(BYTES) }
-            old.setLastModifiedTime(FileTime.fromMillis(System.currentTimeMillis() - 60_000))
+            old.setLastModifiedTime(FileTime.fromMillis(1_772_892_000_000))
             val running = server.logs.resolve("running.bag").apply { writeBytes(ByteArray(2_000_000)) }
             running.appendText("end")
-            // As if it were written for as long as this test takes.
-            running.setLastModifiedTime(FileTime.fromMillis(System.currentTimeMillis() + 600_000))
+            // In the year 2100: written to until long after this test.
+            running.setLastModifiedTime(FileTime.fromMillis(4_102_444_800_000))
             DriverStation.enabled = true
             try {
                 for (address in listOf("/", "/?format=json", "/logs/old.bag", "/logs/running.bag")) {
@@ -214,13 +218,16 @@ class LogServerSpec : FunSpec({
     }
 
     test("a download ends when the robot is enabled") {
-        withServer(LogServerOptions().apply { bytesPerSecond = 20_000 }) { server ->
+        val clock = TestClock()
+        withServer(paced(clock)) { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
             server.connect().use { socket ->
                 socket.getOutputStream().write("GET /logs/a.bag HTTP/1.1\r\nHost: localhost\r\n\r\n".encodeToByteArray())
                 socket.getInputStream().readNBytes(300)
+                eventually("the second part to wait") { clock.waiting == 1 }
                 DriverStation.enabled = true
                 try {
+                    clock.run()
                     socket.getInputStream().readBytes().size shouldBeLessThan BYTES.size
                 } finally {
                     DriverStation.enabled = false
@@ -231,7 +238,7 @@ class LogServerSpec : FunSpec({
 
     test("a port in use is one message that says what to do, and the program goes on") {
         ServerSocket(0).use { taken ->
-            val (exit, said) = servingUntilSaid("${taken.localPort}")
+            val (exit, said) = saidBy("${taken.localPort}")
             exit shouldBe 0
             said.trim().lines().size shouldBe 1
             said shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
@@ -239,16 +246,14 @@ class LogServerSpec : FunSpec({
     }
 
     test("a Java without the server's module is one message that says what to do") {
-        val (exit, said) = servingUntilSaid("0", "--limit-modules", "java.base,java.logging")
+        val (exit, said) = saidBy("0", "--limit-modules", "java.base,java.logging")
         exit shouldBe 0
         said shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
             "Fetch the logs with badlog fetch instead.\n"
     }
 
     test("it ends with the program") {
-        val process = startRobot("0", milliseconds = 300)
-        process.inputStream.readBytes().decodeToString() shouldBe ""
-        process.waitFor() shouldBe 0
+        saidBy("0") shouldBe (0 to "")
     }
 
     test("a robot gets the server, its page and Kotlin's library, and no more") {
@@ -258,22 +263,17 @@ class LogServerSpec : FunSpec({
     }
 })
 
-/** Starts a robot's program, which serves on [port] for so many [milliseconds]. */
-private fun startRobot(port: String, milliseconds: Int, vararg options: String): Process {
-    val java = File(System.getProperty("java.home"), "bin/java").path
-    val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
-    val command = listOf(java, *options, "-cp", classpath, "badlog.robots.ServingRobot", port, "$milliseconds")
-    return ProcessBuilder(command).redirectErrorStream(true).start()
+/** Options of a server whose downloads get 50,000 bytes in a second of [clock]. */
+private fun paced(clock: Clock) = LogServerOptions().also {
+    it.bytesPerSecond = 50_000
+    it.clock = clock
 }
 
-/** Runs a robot's program that serves on [port] until it says something, or for a minute; returns its exit code and all that it said. */
-private fun servingUntilSaid(port: String, vararg options: String): Pair<Int, String> {
-    val process = startRobot(port, milliseconds = 60_000, *options)
-    val output = process.inputStream.bufferedReader()
-    val first = output.readLine()?.plus("\n").orEmpty()
-    // What else there is to say would be said at once.
-    Thread.sleep(300)
-    // Unless it has ended by itself.
-    if (process.isAlive) process.outputStream.use { it.write('\n'.code) }
-    return process.waitFor() to first + output.readText()
+/** Runs a robot's program that serves on [port], and ends once the port is opened or refused; returns its exit code and all that it said. */
+private fun saidBy(port: String, vararg options: String): Pair<Int, String> {
+    val java = File(System.getProperty("java.home"), "bin/java").path
+    val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
+    val process = ProcessBuilder(java, *options, "-cp", classpath, "badlog.robots.ServingRobot", port).redirectErrorStream(true).start()
+    val said = process.inputStream.readBytes().decodeToString()
+    return process.waitFor() to said
 }

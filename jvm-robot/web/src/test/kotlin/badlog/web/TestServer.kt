@@ -1,5 +1,6 @@
 package badlog.web
 
+import badlog.core.waiting.eventually
 import io.kotest.core.test.Enabled
 import java.io.ByteArrayOutputStream
 import java.io.DataInputStream
@@ -17,12 +18,12 @@ internal val IF_UNIX: Enabled = if (File.separatorChar == '/') Enabled.enabled e
 
 /** Repeats [question] until it is answered; fails after a minute. */
 internal fun <T : Any> awaited(what: String, question: () -> T?): T {
-    val end = System.nanoTime() + 60_000_000_000
-    while (System.nanoTime() < end) {
-        question()?.let { return it }
-        Thread.sleep(2)
+    var answer: T? = null
+    eventually(what) {
+        answer = question()
+        answer != null
     }
-    error("In vain waited for $what.")
+    return checkNotNull(answer)
 }
 
 /** Runs [test] with the folder `logs` and a server of it, which ends afterwards. */

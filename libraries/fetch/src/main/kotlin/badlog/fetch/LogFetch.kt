@@ -13,14 +13,24 @@ import java.io.IOException
  * @param addresses where the robot may answer, the most likely first.
  * @property options what to fetch, and how.
  * @param hosts the robots that are trusted.
+ * @param stateOf connects to a robot's NetworkTables, and knows from then on whether it is enabled.
  */
-class LogFetch(
+class LogFetch internal constructor(
     private val addresses: List<RobotAddress>,
     val options: FetchOptions,
     private val hosts: KnownHosts,
-    private val questions: FetchQuestions = FetchQuestions.NOBODY,
-    private val patience: Patience = Patience(),
+    private val questions: FetchQuestions,
+    private val patience: Patience,
+    private val stateOf: (RobotAddress) -> RobotState,
 ) {
+    constructor(
+        addresses: List<RobotAddress>,
+        options: FetchOptions,
+        hosts: KnownHosts,
+        questions: FetchQuestions = FetchQuestions.NOBODY,
+        patience: Patience = Patience(),
+    ) : this(addresses, options, hosts, questions, patience, { RobotState(it, patience.state) })
+
     /**
      * Fetches once. Blocks until everything is done; interrupting the thread ends it.
      *
@@ -95,7 +105,7 @@ class LogFetch(
 
         private fun watch(address: RobotAddress) {
             if (options.anyway) return
-            state = RobotState(address, patience.state)
+            state = stateOf(address)
             awaitDisabled(address)
         }
 

@@ -1,5 +1,6 @@
 package badlog.fetch
 
+import badlog.core.waiting.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
@@ -30,7 +31,7 @@ internal class Pit(private val work: Path) {
     val hosts = KnownHosts(work / "known_hosts")
     val person = Person()
 
-    fun fetch(robot: FakeRobot, reports: FetchReports = FetchReports(), options: FetchOptions = options(), networkTables: Int = 1, person: FetchQuestions = this.person) = LogFetch(listOf(robot.address(networkTables)), options, hosts, person, IMPATIENCE).run(reports)
+    fun fetch(robot: FakeRobot, reports: FetchReports = FetchReports(), options: FetchOptions = options(), person: FetchQuestions = this.person) = LogFetch(listOf(robot.address()), options, hosts, person, IMPATIENCE).run(reports)
 
     fun options(deleteOlderThan: Duration? = null, anyway: Boolean = true, password: String? = null, accepts: Boolean = false, folders: List<String>? = null) = FetchOptions(folder, folders, anyway, deleteOlderThan = deleteOlderThan, password = password, acceptsNewHostKeys = accepts)
 
@@ -58,6 +59,9 @@ internal fun inPit(robotKey: KeyPair = FakeRobot.newKey(), passwords: Map<String
 private val IF_LINKS =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows makes symbolic links for administrators only")
 
+/** Whether this thread waits within [function] of [type]. */
+private fun Thread.isIn(type: Class<*>, function: String) = state == Thread.State.WAITING && stackTrace.any { it.className == type.name && it.methodName == function }
+
 class LogFetchSpec : FunSpec({
     test("logs come whole, the newest first, sorted by event and named by match, and the robot keeps them") {
         inPit { pit, robot ->
@@ -72,9 +76,9 @@ class LogFetchSpec : FunSpec({
             summary.fetched.map { it.title } shouldContainExactly listOf("MILLC Qualification 42", "MILLC Qualification 41", null)
             reports.said.take(2) shouldContainExactly listOf("connected to 10.10.14.2 as lvuser", "found 3 new, 0 known")
             val times = listOf("MILLC/FRC_20260316_104107_MILLC_Q41.bag", "MILLC/match Qualification 42.bag", "bench.csv").map { name ->
-                (System.currentTimeMillis() - Files.getLastModifiedTime(pit.folder / name).toMillis()) / 1000 / 100
+                Duration.between(Files.getLastModifiedTime(pit.folder / name).toInstant(), robot.start).toSeconds()
             }
-            times shouldContainExactly listOf(9, 1, 10)
+            times shouldContainExactly listOf(900, 100, 1000)
             robot.log("x", "").parent.toFile().list()!!.size shouldBe 5
         }
     }
@@ -168,7 +172,7 @@ class LogFetchSpec : FunSpec({
             robot.log("lost.csv", "a,b\n3,4\n", 20 * day)
             robot.log("changed.csv", "a,b\n7,8\n", 20 * day)
             robot.log("young.csv", "a,b\n5,6\n", day)
-            robot.log("wrong-clock.csv", "a,b\n9,9\n", System.currentTimeMillis() / 1000)
+            robot.log("wrong-clock.csv", "a,b\n9,9\n", robot.start.epochSecond)
             pit.fetch(robot)
             Files.delete(pit.folder / "lost.csv")
             (pit.folder / "changed.csv").writeText("a,b\n7,9\n")
@@ -239,27 +243,30 @@ class LogFetchSpec : FunSpec({
     test("nothing comes while the robot is enabled, and a copy that is interrupted goes on where it was") {
         inPit { pit, robot ->
             DriverStation().use { station ->
-                // More than comes while the news that the robot is enabled are on their way, however long that takes.
-                val content = "a,b\n" + "1,2\n".repeat(3_000_000)
+                val content = "a,b\n" + "1,2\n".repeat(100_000)
                 robot.log("log.csv", content)
+                val states = ArrayList<RobotState>()
                 val logins = AtomicInteger()
                 val reports = FetchReports(
                     onWaiting = {
                         pit.logs().shouldBeEmpty()
+                        val fetching = Thread.currentThread()
                         thread {
-                            // A fetch that does not wait connects meanwhile.
-                            Thread.sleep(200)
+                            eventually("the fetch to wait for the robot") { fetching.isIn(RobotState::class.java, "awaitDisabled") }
                             logins.set(robot.users.size)
                             station.isEnabled = false
                         }
                     },
                 ) { done ->
                     if (done > 100_000 && logins.get() == 0) {
-                        if (!station.isEnabled) station.isEnabled = true
-                        Thread.sleep(300)
+                        station.isEnabled = true
+                        eventually("the news to arrive") { states.single().isEnabled }
                     }
                 }
-                val log = pit.fetch(robot, reports, pit.options(anyway = false), station.port).fetched.single()
+                val fetch = LogFetch(listOf(robot.address(station.port)), pit.options(anyway = false), pit.hosts, pit.person, IMPATIENCE) {
+                    RobotState(it, IMPATIENCE.state).also(states::add)
+                }
+                val log = fetch.run(reports).fetched.single()
                 reports.said.count { it == "waiting" } shouldBe 1
                 logins.get() shouldBe 1
                 (log.resumedAt > 100_000) shouldBe true

@@ -15,6 +15,8 @@ import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import java.security.KeyPair
 import java.security.KeyPairGenerator
+import java.time.Instant
+import java.time.temporal.ChronoUnit
 import java.util.Collections
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.atomic.AtomicLong
@@ -25,6 +27,9 @@ import java.util.concurrent.atomic.AtomicLong
  * @param key its host key.
  */
 class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val passwords: Map<String, String> = mapOf("lvuser" to "")) : AutoCloseable {
+    /** When it was switched on. */
+    val start: Instant = Instant.now().truncatedTo(ChronoUnit.SECONDS)
+
     private val sftp = SftpSubsystemFactory()
     private val server = SshServer.setUpDefaultServer()
     private val served = AtomicLong()
@@ -90,15 +95,15 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
         server.start()
     }
 
-    /** Puts a log named [name] with [content] on its disk, written [secondsAgo]. */
+    /** Puts a log named [name] with [content] on its disk, written so many [secondsAgo], seen from its [start]. */
     fun log(name: String, content: String, secondsAgo: Long = 3600): Path = log(name, content.encodeToByteArray(), secondsAgo)
 
-    /** Puts a log named [name] with [content] on its disk, written [secondsAgo]. */
+    /** Puts a log named [name] with [content] on its disk, written so many [secondsAgo], seen from its [start]. */
     fun log(name: String, content: ByteArray, secondsAgo: Long = 3600): Path {
         val file = disk.resolve("home/lvuser/logs").resolve(name)
         Files.createDirectories(file.parent)
         Files.write(file, content)
-        Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis() - secondsAgo * 1000))
+        Files.setLastModifiedTime(file, FileTime.from(start.minusSeconds(secondsAgo)))
         return file
     }
 

@@ -15,11 +15,19 @@ import kotlin.concurrent.withLock
  * Thread-safe. Its threads end with [close], and do not keep a program running.
  *
  * @param servers the servers; the first is the robot's. Nothing is written before that was connected.
+ * @param clock returns this computer's time in µs, from any moment.
  * @throws IllegalArgumentException if there are none.
  */
-class Recorder(servers: List<RecordedServer>, options: RecordOptions, private val listener: RecordListener) : Closeable {
+class Recorder internal constructor(
+    servers: List<RecordedServer>,
+    options: RecordOptions,
+    private val listener: RecordListener,
+    private val clock: () -> Long,
+) : Closeable {
+    constructor(servers: List<RecordedServer>, options: RecordOptions, listener: RecordListener) :
+        this(servers, options, listener, { TimeUnit.NANOSECONDS.toMicros(System.nanoTime()) })
+
     private val inbox = Inbox(options.maxWaitingBytes)
-    private val clock = { TimeUnit.NANOSECONDS.toMicros(System.nanoTime()) }
     private val sources = servers.mapIndexed { index, server -> Source(server, isRobot = index == 0) }
     private val session: Session
     private val links: List<LinkThread>

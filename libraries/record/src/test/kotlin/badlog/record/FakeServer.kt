@@ -14,13 +14,26 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+
+/** A clock that stands still, at so many [micros], until a test advances it. */
+internal class StillClock(micros: Long = 1_000_000) {
+    private val time = AtomicLong(micros)
+
+    val micros: Long get() = time.get()
+
+    fun advance(micros: Long) {
+        time.addAndGet(micros)
+    }
+}
 
 /**
  * A NetworkTables server that says what a test wants.
  *
- * @property offset its time minus this computer's, in µs; a test may set its clock.
+ * @property offset its time minus that of [clock], in µs; a test may set it.
+ * @property clock the time of the computer of server and recorder.
  */
-internal class FakeServer(port: Int = 0, @Volatile var offset: Long = -localMicros() + 5_000_000) :
+internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000, val clock: StillClock = StillClock()) :
     WebSocketServer(
         InetSocketAddress("127.0.0.1", port),
         1,
@@ -40,7 +53,7 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = -localMicr
     val greeted = AtomicInteger()
 
     /** Its time now, in µs. */
-    val micros: Long get() = localMicros() + offset
+    val micros: Long get() = clock.micros + offset
 
     init {
         isDaemon = true
@@ -95,8 +108,6 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = -localMicr
 
     override fun close() = stop(1000)
 }
-
-internal fun localMicros(): Long = System.nanoTime() / 1000
 
 /** A frame with one value. */
 internal fun frameOf(id: Int, code: Int, micros: Long, pack: MessageBufferPacker.() -> Unit): ByteArray = MessagePack.newDefaultBufferPacker().run {

@@ -1,5 +1,6 @@
 package badlog.record
 
+import badlog.core.waiting.eventually
 import badlog.formats.wpilog.record.RecordEntry
 import badlog.formats.wpilog.record.RecordLog
 import java.nio.ByteBuffer
@@ -11,13 +12,13 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
-/** A recorder at work, and what it says. */
-internal class Running(val folder: Path, servers: List<RecordedServer>, options: RecordOptions) :
+/** A recorder at work, and what it says. Its time is that of [clock]; null for this computer's, as servers of WPILib have it. */
+internal class Running(val folder: Path, servers: List<RecordedServer>, options: RecordOptions, clock: StillClock?) :
     RecordListener,
     AutoCloseable {
     val said = CopyOnWriteArrayList<String>()
     val files = CopyOnWriteArrayList<RecordedFile>()
-    val recorder = Recorder(servers, options, this)
+    val recorder = if (clock == null) Recorder(servers, options, this) else Recorder(servers, options, this) { clock.micros }
 
     override fun connected(name: String, address: ServerAddress) {
         said += "connected $name"
@@ -43,10 +44,19 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
         return files.map { logIn(it.path) }
     }
 
+    /**
+     * Waits until the only log on the disk [isSo], and lets the time of [clock] pass meanwhile, for the recorder writes now and then: so
+     * slowly that no server counts as silent.
+     */
+    fun awaitOnDisk(clock: StillClock, isSo: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
+        clock.advance(1_000)
+        isSo(folder.onlyLog())
+    }
+
     override fun close() = recorder.close()
 }
 
-/** Records [servers] while [action] runs. */
+/** Records [servers], which have one clock, while [action] runs. */
 internal fun recording(
     vararg servers: FakeServer,
     isPerEnable: Boolean = false,
@@ -60,6 +70,7 @@ internal fun recording(
     isPerEnable,
     isWanted,
     isRenamed,
+    servers[0].clock,
     action,
 )
 
@@ -68,11 +79,12 @@ internal fun recording(
     isPerEnable: Boolean = false,
     isWanted: ((String) -> Boolean)? = null,
     isRenamed: Boolean = true,
+    clock: StillClock? = null,
     action: (Running) -> Unit,
 ) {
     val folder = Files.createTempDirectory("badlog")
     try {
-        Running(folder, servers, RecordOptions(folder, isPerEnable, isWanted, isRenamed)).use { running ->
+        Running(folder, servers, RecordOptions(folder, isPerEnable, isWanted, isRenamed), clock).use { running ->
             running.recorder.start()
             action(running)
         }
@@ -102,12 +114,3 @@ internal fun RecordEntry.truths(): List<Boolean> = payloads().map { it.single().
 internal fun RecordEntry.numbers(): List<Double> = payloads().map { ByteBuffer.wrap(it).order(ByteOrder.LITTLE_ENDIAN).getDouble() }
 
 internal fun RecordEntry.longs(): List<Long> = payloads().map { ByteBuffer.wrap(it).order(ByteOrder.LITTLE_ENDIAN).getLong() }
-
-/** Waits until [isSo]; fails after a minute. */
-internal fun waitUntil(isSo: () -> Boolean) {
-    val end = System.nanoTime() + 60_000_000_000
-    while (!isSo()) {
-        check(System.nanoTime() < end) { "This did not happen within a minute." }
-        Thread.sleep(5)
-    }
-}

@@ -1,5 +1,6 @@
 package badlog.record
 
+import badlog.core.waiting.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldNotContain
@@ -9,7 +10,6 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import kotlin.io.path.exists
 import kotlin.io.path.name
-import kotlin.math.abs
 
 /** Which files a recording makes, of which servers. */
 class RecordedFilesSpec : FunSpec({
@@ -28,11 +28,11 @@ class RecordedFilesSpec : FunSpec({
                 enable(false)
             }
             recording(server, isPerEnable = true) { running ->
-                waitUntil { server.greeted.get() == 1 }
+                eventually("the recorder to subscribe") { server.greeted.get() == 1 }
                 server.number(1, 2.0)
                 server.enable(true)
                 server.number(1, 3.0)
-                waitUntil { running.recorder.progress.values == 6L }
+                eventually("the values to be written") { running.recorder.progress.values == 6L }
                 running.files.shouldBeEmpty()
                 val log = running.logs().single()
                 log.entry("NT:/A").numbers() shouldBe listOf(2.0, 3.0)
@@ -54,14 +54,14 @@ class RecordedFilesSpec : FunSpec({
                 enable(false)
             }
             recording(server, isRenamed = false) { running ->
-                waitUntil { running.recorder.progress.values == 3L }
+                eventually("the values to be written") { running.recorder.progress.values == 3L }
                 running.logs().single().entry("NT:/FMSInfo/MatchNumber").longs() shouldBe listOf(42L)
                 running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}\.wpilog""")
             }
             recording(server, isPerEnable = true, isRenamed = false) { running ->
-                waitUntil { server.greeted.get() == 2 }
+                eventually("the recorder to subscribe") { server.greeted.get() == 2 }
                 server.enable(true)
-                waitUntil { running.recorder.progress.values == 3L }
+                eventually("the values to be written") { running.recorder.progress.values == 3L }
                 running.logs()
                 running.files.single().path.name shouldMatch Regex("""FRC_\d{8}_\d{6}_Q42\.wpilog""")
             }
@@ -90,11 +90,11 @@ class RecordedFilesSpec : FunSpec({
                     control(false)
                 }
                 recording(server, isPerEnable = true) { running ->
-                    waitUntil { server.greeted.get() == 1 }
+                    eventually("the recorder to subscribe") { server.greeted.get() == 1 }
                     server.number(1, 2.0)
                     control(true)
                     server.number(1, 3.0)
-                    waitUntil { running.recorder.progress.values == 5L }
+                    eventually("the values to be written") { running.recorder.progress.values == 5L }
                     running.logs().single().entry("NT:/A").numbers() shouldBe listOf(2.0, 3.0)
                     running.files.single().path.name shouldMatch Regex(""".*_Q42\.wpilog""")
                 }
@@ -102,41 +102,33 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
-    /** By how many seconds the clocks of both servers are apart in a log of both, the recording with this [number]. */
-    fun clocksApart(robot: FakeServer, station: FakeServer, number: Int): Double {
-        var apart = Double.MAX_VALUE
-        recording(robot, station) { running ->
-            waitUntil { robot.greeted.get() >= number && station.greeted.get() >= number }
-            repeat(5) {
-                val now = localMicros()
-                robot.number(1, 1.0, now + robot.offset)
-                station.number(1, 12.5, now + station.offset)
-            }
-            waitUntil { running.recorder.progress.values == 10L }
-            val log = running.logs().single()
-            val ours = log.entry("NT:/A").times()
-            val theirs = log.entry("DS:/Dscomm/Battery").times()
-            theirs.size shouldBe 5
-            apart = (ours zip theirs).maxOf { (own, other) -> abs(other - own) }
-            log.entry("Recorder/Connected DS").truths() shouldBe listOf(true)
-        }
-        return apart
-    }
-
     test("several servers with clocks of their own are one log with the robot's clock") {
-        FakeServer(offset = -localMicros() + 10_000_000).use { robot ->
-            FakeServer(offset = -localMicros() + 900_000_000).use { station ->
+        val clock = StillClock()
+        FakeServer(offset = 10_000_000, clock = clock).use { robot ->
+            FakeServer(offset = 900_000_000, clock = clock).use { station ->
                 robot.greeting = { announce("/A", 1, "double") }
                 station.greeting = { announce("/Dscomm/Battery", 1, "double") }
-                // How long an answer about the time is on its way makes a clock uncertain: on a busy machine too much, then again.
-                (1..10).any { attempt -> clocksApart(robot, station, attempt) < 0.05 } shouldBe true
+                recording(robot, station) { running ->
+                    eventually("the recorder to subscribe") { robot.greeted.get() == 1 && station.greeted.get() == 1 }
+                    repeat(5) {
+                        robot.number(1, 1.0)
+                        station.number(1, 12.5)
+                        clock.advance(1_000)
+                    }
+                    eventually("the values to be written") { running.recorder.progress.values == 10L }
+                    val log = running.logs().single()
+                    log.entry("NT:/A").times() shouldBe List(5) { 11.0 + it / 1e3 }
+                    log.entry("DS:/Dscomm/Battery").times() shouldBe List(5) { 11.0 + it / 1e3 }
+                    log.entry("Recorder/Connected DS").truths() shouldBe listOf(true)
+                }
             }
         }
     }
 
     test("what a mirror repeats is recorded once, whichever server announces it first") {
-        FakeServer().use { robot ->
-            FakeServer().use { mirror ->
+        val clock = StillClock()
+        FakeServer(clock = clock).use { robot ->
+            FakeServer(clock = clock).use { mirror ->
                 robot.greeting = {
                     announce("/A", 1, "double")
                     number(1, 1.0)
@@ -148,15 +140,15 @@ class RecordedFilesSpec : FunSpec({
                     for (id in 1..3) number(id, 2.0)
                 }
                 recording(robot, mirror) { running ->
-                    waitUntil { robot.greeted.get() == 1 && mirror.greeted.get() == 1 }
-                    waitUntil { running.recorder.progress.values >= 3 }
+                    eventually("the recorder to subscribe") { robot.greeted.get() == 1 && mirror.greeted.get() == 1 }
+                    eventually("the values to be written") { running.recorder.progress.values >= 3 }
                     robot.announce("/B", 2, "double")
                     robot.number(2, 1.0)
-                    waitUntil { running.folder.onlyLog().entries.any { it.name == "NT:/B" && it.size == 1 } }
+                    running.awaitOnDisk(clock) { log -> log.entries.any { it.name == "NT:/B" && it.size == 1 } }
                     mirror.number(1, 3.0)
                     mirror.number(2, 3.0)
                     mirror.number(3, 3.0)
-                    waitUntil { running.folder.onlyLog().entry("DS:/Own").size == 2 }
+                    running.awaitOnDisk(clock) { it.entry("DS:/Own").size == 2 }
                     val log = running.logs().single()
                     log.entry("NT:/A").numbers() shouldBe listOf(1.0)
                     log.entry("NT:/B").numbers() shouldBe listOf(1.0)
@@ -171,9 +163,9 @@ class RecordedFilesSpec : FunSpec({
             recording(server) { running ->
                 val names = ArrayList<String>()
                 repeat(3) {
-                    Running(running.folder, listOf(RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port) }), RecordOptions(running.folder)).use {
+                    Running(running.folder, listOf(RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port) }), RecordOptions(running.folder), server.clock).use {
                         it.recorder.start()
-                        waitUntil { it.count("connected") == 1 }
+                        eventually("the connection") { it.count("connected") == 1 }
                         it.close()
                         val name = it.files.single().path.name
                         names shouldNotContain name

@@ -133,7 +133,7 @@ class ValueFrameSpec : FunSpec({
 /** A link that is not connected. */
 private class FakeLinks : AutoCloseable {
     private val inbox = Inbox(1)
-    val link = Link(Source(RecordedServer("robot", "NT:") { null }, true), ServerAddress("127.0.0.1", 1), inbox, ::localMicros)
+    val link = Link(Source(RecordedServer("robot", "NT:") { null }, true), ServerAddress("127.0.0.1", 1), inbox) { 0 }
 
     override fun close() = link.close("the test ended")
 }

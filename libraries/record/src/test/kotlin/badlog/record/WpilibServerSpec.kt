@@ -1,6 +1,7 @@
 package badlog.record
 
 import badlog.core.python.TestPython
+import badlog.core.waiting.eventually
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.annotation.Tags
@@ -68,11 +69,11 @@ class WpilibServerSpec : FunSpec({
     ) {
         WpilibServer(freePort(), "types").use { server ->
             recording(listOf(server.address)) { running ->
-                waitUntil { running.count("connected") == 1 }
+                eventually("the connection") { running.count("connected") == 1 }
                 server.go()
                 server.line() shouldBe "sent"
                 // Two of each topic, and the description of Point.
-                waitUntil { running.recorder.progress.values == 33L }
+                eventually("the values to be written") { running.recorder.progress.values == 33L }
                 running.close()
                 val file = running.files.single()
                 file.dropped shouldBe 0
@@ -138,10 +139,10 @@ class WpilibServerSpec : FunSpec({
         val seconds = System.getProperty("badlog.record.loadSeconds", "3").toInt()
         WpilibServer(freePort(), "load", "10000", "$seconds").use { server ->
             recording(listOf(server.address)) { running ->
-                waitUntil { running.count("connected") == 1 }
+                eventually("the connection") { running.count("connected") == 1 }
                 server.go()
                 server.line() shouldBe "sent ${10_000 * seconds}"
-                waitUntil { running.recorder.progress.values == 10_000L * seconds }
+                eventually("the values to be written") { running.recorder.progress.values == 10_000L * seconds }
                 running.close()
                 val file = running.files.single()
                 file.dropped shouldBe 0
@@ -158,16 +159,16 @@ class WpilibServerSpec : FunSpec({
         var server = WpilibServer(port, "types")
         try {
             recording(listOf(server.address)) { running ->
-                waitUntil { running.count("connected") == 1 }
+                eventually("the connection") { running.count("connected") == 1 }
                 server.go()
-                waitUntil { running.recorder.progress.values == 33L }
+                eventually("the values to be written") { running.recorder.progress.values == 33L }
                 server.close()
-                waitUntil { running.count("disconnected") == 1 }
+                eventually("the lost connection to be noticed") { running.count("disconnected") == 1 }
                 server = WpilibServer(port, "types")
-                waitUntil { running.count("connected") == 2 }
+                eventually("the connection") { running.count("connected") == 2 }
                 server.go()
                 // The description of Point is the same, with the same time.
-                waitUntil { running.recorder.progress.values == 65L }
+                eventually("the values to be written") { running.recorder.progress.values == 65L }
                 // Where no robot is, its clock is that of the computer, and goes on.
                 val log = running.logs().single()
                 log.entry("Recorder/Connected").truths() shouldBe listOf(true, false, true)

@@ -48,10 +48,13 @@ internal class Client(
         for (update in updates) if (subscriptions.wantsValues(update.signal)) offer(update)
     }
 
-    /** Sends what is due; nothing while the client has not taken what was sent before. */
-    fun flush(nowMicros: Long) {
-        if (outbox.isEmpty || wire.isBusy) return
-        frames.of(outbox.take(nowMicros, MAX_AT_ONCE, subscriptions.periodMicros)).forEach(wire::send)
+    /** Sends what is due; nothing while the client has not taken what was sent before. Returns whether all that is due was sent. */
+    fun flush(nowMicros: Long): Boolean {
+        if (outbox.isEmpty) return true
+        if (wire.isBusy) return false
+        val due = outbox.take(nowMicros, MAX_AT_ONCE, subscriptions.periodMicros)
+        frames.of(due).forEach(wire::send)
+        return due.size < MAX_AT_ONCE
     }
 
     private fun offer(update: Update) {

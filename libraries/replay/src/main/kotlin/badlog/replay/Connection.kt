@@ -10,13 +10,11 @@ import java.nio.ByteBuffer
  * A client's WebSocket.
  *
  * @property name the client's own name.
+ * @property receivedMicros when the client's last message arrived.
  */
-internal class Connection(private val socket: WebSocket, val protocol: SubProtocol, path: String) : Wire {
+internal class Connection(private val socket: WebSocket, val protocol: SubProtocol, path: String, @Volatile var receivedMicros: Long) :
+    Wire {
     val name: String = nameIn(path)
-
-    /** When the client's last message arrived. */
-    @Volatile
-    var receivedNanos: Long = System.nanoTime()
 
     override val isBusy: Boolean get() = socket.hasBufferedData()
 

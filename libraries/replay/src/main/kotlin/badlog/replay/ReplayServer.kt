@@ -5,6 +5,7 @@ import badlog.networktables.SubProtocol
 import java.io.Closeable
 import java.net.InetSocketAddress
 import java.util.concurrent.Executors
+import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.TimeUnit
 
 /**
@@ -17,10 +18,26 @@ import java.util.concurrent.TimeUnit
  * @property options how it is replayed.
  * @param logged topics that are sent as logged, with their original types, instead of the recording's; of those, only calculated
  *   ones remain.
+ * @param nanos returns the time in ns, from any moment.
+ * @param ticks calls, again and again, what sends values and checks the connections; ends with [close].
  */
-class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) : Closeable {
+class ReplayServer internal constructor(
+    view: LogView,
+    val options: ReplayOptions,
+    logged: List<LoggedTopic>,
+    private val nanos: () -> Long,
+    private val ticks: ScheduledExecutorService,
+) : Closeable {
+    constructor(view: LogView, options: ReplayOptions = ReplayOptions(), logged: List<LoggedTopic> = emptyList()) : this(
+        view,
+        options,
+        logged,
+        System::nanoTime,
+        Executors.newSingleThreadScheduledExecutor { Thread(it, "replay").apply { isDaemon = true } },
+    )
+
     private val signals = signalsOf(view, options.prefix, logged)
-    private val startNanos = System.nanoTime()
+    private val startNanos = nanos()
     private val ignored = IgnoredMessages()
     private val frames = ValueFrames(signals)
     private val clients = LinkedHashMap<Connection, Client>()
@@ -41,7 +58,6 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
         Connections(),
         ignored,
     )
-    private val ticks = Executors.newSingleThreadScheduledExecutor { Thread(it, "replay").apply { isDaemon = true } }
     private var isBound = false
 
     // Guards the player and the clients.
@@ -92,7 +108,7 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
             sockets.open()
             isBound = true
         }
-        ticks.scheduleAtFixedRate(::tick, 0, TICK_MILLIS, TimeUnit.MILLISECONDS)
+        ticks.scheduleAtFixedRate({ tick() }, 0, TICK_MILLIS, TimeUnit.MILLISECONDS)
         ticks.scheduleAtFixedRate(::checkAlive, PING_SECONDS, PING_SECONDS, TimeUnit.SECONDS)
     }
 
@@ -128,10 +144,11 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
         action(now)
     }
 
-    private fun tick() = synchronized(lock) {
+    /** Sends what is due. Returns whether that was all, because every client has taken what was sent before. */
+    internal fun tick(): Boolean = synchronized(lock) {
         val now = serverNanos()
         offer(player.advance(now))
-        for (client in clients.values) client.flush(now / NANOS_PER_MICRO)
+        clients.values.map { it.flush(now / NANOS_PER_MICRO) }.all { it }
     }
 
     private fun offer(updates: List<Update>) {
@@ -140,14 +157,14 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
 
     private fun checkAlive() {
         val modern = synchronized(lock) { clients.keys.filter { it.protocol == SubProtocol.V4_1 } }
-        val oldest = System.nanoTime() - SILENCE_NANOS
+        val oldest = serverNanos() / NANOS_PER_MICRO - SILENCE_MICROS
         for (connection in modern) {
-            if (connection.receivedNanos - oldest < 0) connection.end("It has been silent for too long.") else connection.ping()
+            if (connection.receivedMicros < oldest) connection.end("It has been silent for too long.") else connection.ping()
         }
     }
 
     // A robot's clock is never at 0 when it sends; a value with that time would count as a default.
-    private fun serverNanos() = System.nanoTime() - startNanos + FIRST_NANOS
+    private fun serverNanos() = nanos() - startNanos + FIRST_NANOS
 
     private inner class Connections : Listener {
         override fun opened(connection: Connection) {
@@ -170,7 +187,7 @@ class ReplayServer(view: LogView, val options: ReplayOptions = ReplayOptions(), 
         const val FIRST_NANOS = 1_000_000_000L
         const val TICK_MILLIS = 10L
         const val PING_SECONDS = 1L
-        const val SILENCE_NANOS = 10_000_000_000L
+        const val SILENCE_MICROS = 10_000_000L
         const val CLOSING_MILLIS = 1000
     }
 }

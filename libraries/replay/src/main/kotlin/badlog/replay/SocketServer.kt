@@ -59,7 +59,7 @@ internal class SocketServer(
     override fun onOpen(socket: WebSocket, request: ClientHandshake) {
         val protocol = SubProtocol.entries.find { it.id == socket.protocol?.providedProtocol }
         if (socket.draft is AliveAnswer || protocol == null) return socket.close()
-        val connection = Connection(socket, protocol, request.resourceDescriptor)
+        val connection = Connection(socket, protocol, request.resourceDescriptor, micros())
         if (connections.size > MAX_CONNECTIONS) {
             ignored.refuse(connection.name, MAX_CONNECTIONS)
             val reason = "There are $MAX_CONNECTIONS connections already; close another dashboard first."
@@ -119,10 +119,7 @@ internal class SocketServer(
         if (socket == null) binding.completeExceptionally(error)
     }
 
-    private fun connectionOf(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also {
-        it.receivedNanos =
-            System.nanoTime()
-    }
+    private fun connectionOf(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also { it.receivedMicros = micros() }
 
     /** Ends a client that sends requests without reading the answers, which would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import badlog.core.waiting.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -37,17 +38,18 @@ private val LONG_VIEW by lazy {
     viewOf(bag.toString())
 }
 
-private fun shouldStillServe(server: ReplayServer) = TestClient(server.port).use { client ->
+private fun shouldStillServe(replay: TestReplay) = TestClient(replay).use { client ->
     client.subscribe("", options = TestClient.ALL_CHANGES)
-    client.settle { client.ids().size shouldBe 8 }
+    client.settle()
+    client.ids().size shouldBe 8
 }
 
 @Tags("InCheck")
 class BrokenClientsSpec : FunSpec({
     test("Messages that are nonsense are counted and ignored; the client stays") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
-            TestClient(server.port).use { client ->
+        TestReplay().use { replay ->
+            val server = replay.server
+            TestClient(replay).use { client ->
                 client.send("{")
                 client.send("[".repeat(100_000))
                 client.send("""[{"method":"subscribe","params":[]}]""")
@@ -63,26 +65,26 @@ class BrokenClientsSpec : FunSpec({
     }
 
     test("A frame that is too long ends its client, not the server") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
-            TestClient(server.port).use { client ->
+        TestReplay().use { replay ->
+            val server = replay.server
+            TestClient(replay).use { client ->
                 runCatching { client.send("x".repeat(2_000_000)) }
                 client.closed.await(60, TimeUnit.SECONDS) shouldBe true
             }
-            shouldStillServe(server)
+            shouldStillServe(replay)
         }
     }
 
     test("Garbage in place of frames, and of a handshake, harms nobody") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.start()
+        TestReplay().use { replay ->
+            val server = replay.server
             val random = Random(5)
             repeat(100) { round ->
                 val socket = if (round % 2 == 0) rawClient(server.port) else Socket("127.0.0.1", server.port)
                 socket.use { runCatching { it.getOutputStream().write(ByteArray(500).also(random::nextBytes)) } }
             }
-            shouldStillServe(server)
-            waitUntil { server.clientNames.isEmpty() }
+            shouldStillServe(replay)
+            eventually("the clients to be ended") { server.clientNames.isEmpty() }
         }
     }
 
@@ -97,8 +99,8 @@ class BrokenClientsSpec : FunSpec({
     }
 
     test("A handshake without an end is ended and reported") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             Socket("127.0.0.1", server.port).use { socket ->
                 socket.soTimeout = 60_000
                 val line = "X-Line: ${"x".repeat(1000)}\r\n".toByteArray()
@@ -108,32 +110,32 @@ class BrokenClientsSpec : FunSpec({
                 }
                 runCatching { socket.getInputStream().readBytes() }
             }
-            waitUntil { server.note == "A message was ignored: “somebody” sent a handshake without an end." }
-            shouldStillServe(server)
+            eventually("the report") { server.note == "A message was ignored: “somebody” sent a handshake without an end." }
+            shouldStillServe(replay)
         }
     }
 
     test("A message of pieces without an end is ended and reported, however small they are") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             rawClient(server.port).use { socket ->
-                waitUntil { server.clientNames == listOf("raw") }
+                eventually("the clients") { server.clientNames == listOf("raw") }
                 val begin = byteArrayOf(1, 0x80.toByte(), 0, 0, 0, 0)
                 val piece = byteArrayOf(0, 0x80.toByte(), 0, 0, 0, 0)
                 runCatching {
                     socket.getOutputStream().write(begin)
                     repeat(100_000) { socket.getOutputStream().write(piece) }
                 }
-                waitUntil { server.clientNames.isEmpty() }
+                eventually("the clients to be ended") { server.clientNames.isEmpty() }
             }
             server.note shouldBe "A message was ignored: “raw” sent a message without an end."
-            shouldStillServe(server)
+            shouldStillServe(replay)
         }
     }
 
     test("Web pages of the internet may not connect, programs and pages of this computer may") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             val protocol = "Sec-WebSocket-Protocol: ${TestClient.V4_1}"
             for (origin in listOf("https://example.org", "http://127.0.0.1.example.org", "null", "http://")) {
                 answerTo(server, handshake(protocol, "Origin: $origin")).lines()[0] shouldContain "404"
@@ -149,64 +151,69 @@ class BrokenClientsSpec : FunSpec({
     }
 
     test("However many connect, 64 connections are kept, and the next one receives the reason") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             val others = List(64) { rawClient(server.port) }
-            waitUntil { server.clientNames.size == 64 }
+            eventually("the clients") { server.clientNames.size == 64 }
             server.refusal shouldBe null
-            TestClient(server.port).use { client ->
+            TestClient(replay).use { client ->
                 client.closed.await(60, TimeUnit.SECONDS) shouldBe true
                 client.closingReason shouldBe "There are 64 connections already; close another dashboard first."
             }
             server.refusal shouldBe "“test client” was refused: there are 64 connections already; close another dashboard first."
             others.forEach(Socket::close)
-            waitUntil { server.clientNames.isEmpty() }
-            shouldStillServe(server)
+            eventually("the clients to be ended") { server.clientNames.isEmpty() }
+            shouldStillServe(replay)
         }
     }
 
     test("A connection that is refused is closed") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             answerTo(server, handshake("Sec-WebSocket-Protocol: nonsense")).lines()[0] shouldContain "404"
             answerTo(server, handshake()).isEmpty() shouldBe false
-            shouldStillServe(server)
+            shouldStillServe(replay)
         }
     }
 
-    test("A client that never reads neither delays the others nor fills the memory") {
-        ReplayServer(LONG_VIEW, ReplayOptions(0, speed = 20.0)).use { server ->
-            server.open()
+    test("A client that no longer reads neither delays the others nor fills the memory") {
+        TestReplay(LONG_VIEW, ReplayOptions(0, speed = 20.0)).use { replay ->
+            val server = replay.server
             rawClient(server.port).use { stalled ->
                 stalled.getOutputStream().write(
                     textFrame("""[{"method":"subscribe","params":{"topics":[""],"subuid":1,"options":${TestClient.ALL_CHANGES}}}]"""),
                 )
-                TestClient(server.port).use { client ->
-                    waitUntil { server.clientNames.size == 2 }
+                // Until its subscription is answered.
+                val answer = StringBuilder()
+                while ("announce" !in answer) answer.append(stalled.getInputStream().read().toChar())
+                TestClient(replay).use { client ->
                     client.subscribe("/Topic 3", options = """{"all":true}""")
                     client.settle()
                     server.start()
-                    waitUntil { client.valuesOf("/Topic 3").size > 2500 }
-                    val values = client.valuesOf("/Topic 3").map { it.value.asFloatValue().toDouble() }
-                    values shouldBe List(values.size) { it.toDouble() }
-                    // A thousand samples a second: half a second late at most, but while the machine does other things.
-                    waitUntil { server.position - client.valuesOf("/Topic 3").size in -500.0..500.0 }
+                    // Ten rows each time, of which the system keeps less than all for somebody who does not read.
+                    repeat(6000) { replay.tick() }
+                    eventually("all values") {
+                        server.tick()
+                        client.valuesOf("/Topic 3").size > 60_000
+                    }
+                    client.valuesOf("/Topic 3").map { it.value.asFloatValue().toDouble() } shouldBe List(60_001) { it.toDouble() }
+                    server.tick() shouldBe false
                 }
             }
         }
     }
 
     test("A client that asks without end and never reads is ended") {
-        ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
-            server.open()
+        TestReplay().use { replay ->
+            val server = replay.server
             rawClient(server.port).use { flooding ->
-                waitUntil { server.clientNames == listOf("raw") }
+                eventually("the clients") { server.clientNames == listOf("raw") }
                 val publish = """{"method":"publish","params":{"name":"/A","pubuid":1,"type":"int"}}"""
                 val question = textFrame(List(400) { publish }.joinToString(",", "[", "]"))
                 runCatching { repeat(100_000) { flooding.getOutputStream().write(question) } }
-                waitUntil { server.clientNames.isEmpty() }
+                eventually("the clients to be ended") { server.clientNames.isEmpty() }
             }
-            shouldStillServe(server)
+            shouldStillServe(replay)
         }
     }
 })

@@ -1,5 +1,6 @@
 package badlog.replay
 
+import badlog.core.waiting.eventually
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonArray
@@ -20,7 +21,7 @@ import java.util.concurrent.TimeUnit
 internal class Received(val id: Int, val micros: Long, val type: Int, val value: Value)
 
 /** A client of NT4 that knows nothing of the server's code: the JDK's WebSocket. */
-internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) : WebSocket.Listener, AutoCloseable {
+internal class TestClient(private val replay: TestReplay, vararg protocols: String = arrayOf(V4_1)) : WebSocket.Listener, AutoCloseable {
     val messages = ArrayList<JsonObject>()
     val values = ArrayList<Received>()
     val closed = CountDownLatch(1)
@@ -31,7 +32,7 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
     private val binary = ByteArrayOutputStream()
     private val socket: WebSocket = HttpClient.newHttpClient().newWebSocketBuilder()
         .subprotocols(protocols.first(), *protocols.drop(1).toTypedArray())
-        .buildAsync(URI("ws://127.0.0.1:$port/nt/test%20client"), this).get(60, TimeUnit.SECONDS)
+        .buildAsync(URI("ws://127.0.0.1:${replay.server.port}/nt/test%20client"), this).get(60, TimeUnit.SECONDS)
 
     val protocol: String get() = socket.subprotocol
 
@@ -82,17 +83,18 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
         """[{"method":"subscribe","params":{"topics":[${topics.joinToString { "\"$it\"" }}],"subuid":$id,"options":$options}}]""",
     )
 
-    /** Waits until the server has answered everything that was sent so far, and until [check] passes, which then has to hold. */
-    fun settle(check: () -> Unit = {}) {
+    /** Waits until the server has answered everything that was sent so far. What it sent before is here, too. */
+    fun roundTrip() {
         val before = count { it.id == -1 }
         send(byteArrayOf(0x94.toByte(), -1, 0, 2, 7))
-        waitUntil { count { it.id == -1 } > before }
-        // Values come with the server's next ticks, however late these are.
-        val end = System.nanoTime() + 60_000_000_000
-        while (System.nanoTime() < end && runCatching(check).isFailure) Thread.sleep(5)
-        // Time for what had better not come.
-        Thread.sleep(50)
-        check()
+        eventually("the server to answer") { count { it.id == -1 } > before }
+    }
+
+    /** Waits until everything is here that the server has to send after what was sent to it so far. */
+    fun settle() {
+        roundTrip()
+        replay.sendDue()
+        roundTrip()
     }
 
     fun params(method: String): List<JsonObject> = synchronized(this) {
@@ -116,14 +118,5 @@ internal class TestClient(port: Int, vararg protocols: String = arrayOf(V4_1)) :
         const val V4_0 = "networktables.first.wpi.edu"
         const val TIME_ONLY = "rtt.networktables.first.wpi.edu"
         const val ALL_CHANGES = """{"prefix":true,"all":true}"""
-    }
-}
-
-/** Waits until [isSo]; fails after a minute. */
-internal fun waitUntil(isSo: () -> Boolean) {
-    val end = System.nanoTime() + 60_000_000_000
-    while (!isSo()) {
-        check(System.nanoTime() < end) { "This did not happen within a minute." }
-        Thread.sleep(5)
     }
 }

@@ -15,6 +15,7 @@ import java.util.UUID
  *
  * @param last the log of the folder that began last; null if none is known. One of days before says nothing of the match that comes.
  * @param known the changes that are known: this one is later than those of the same subject, whatever the clocks of their laptops say.
+ * @param now the second of this computer's clock, in its own time zone.
  */
 fun newChange(
     subject: TodoSubject,
@@ -22,8 +23,8 @@ fun newChange(
     author: String,
     last: FoundLog?,
     known: Collection<TodoChange> = emptyList(),
+    now: Long = localSecondOf(System.currentTimeMillis() / MILLIS),
 ): TodoChange {
-    val now = localSecondOf(System.currentTimeMillis() / MILLIS)
     // Logs of days before are of another event, whose matches have the same numbers.
     val recent = last?.takeIf { now - it.second <= LONGEST_REST }
     val before = known.filter { competes(it.subject, subject) }.maxOfOrNull { it.time }

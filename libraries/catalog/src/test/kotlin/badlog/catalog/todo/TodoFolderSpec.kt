@@ -2,7 +2,6 @@ package badlog.catalog.todo
 
 import badlog.files.UnwritableFileException
 import badlog.signals.match.MatchOfLog
-import badlog.signals.match.localSecondOf
 import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.OwnTask
@@ -25,8 +24,11 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
+/** Any second. */
+private const val NOW = 1_773_500_000L
+
 class TodoFolderSpec : FunSpec({
-    fun change(text: String) = newChange(OwnTask(text), TodoDeed.Open, "Ada", last = null)
+    fun change(text: String) = newChange(OwnTask(text), TodoDeed.Open, "Ada", last = null, now = NOW)
 
     fun texts(files: TodoFiles) = files.changes.map { (it.subject as OwnTask).text }
 
@@ -94,32 +96,30 @@ class TodoFolderSpec : FunSpec({
     }
 
     test("a change counts, however wrong the clocks are: it is later than those of the same subject, and takes no other along") {
-        val began = localSecondOf(System.currentTimeMillis() / 1000) - 3600
+        val began = NOW - 3600
         val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), began, emptyList())
         val ahead = listOf("2099-01-01T00:00:00.000Z", "9999-12-31T23:59:59.998Z").map { change("Radio").copy(time = it) }
-        val done = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead)
+        val done = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead, NOW)
         done.time shouldBe "9999-12-31T23:59:59.999Z"
         done.run { listOf(author, seen, event) } shouldBe listOf("Ben", began, "Mill Creek")
         TodoList.of(ahead + done, emptyList()).open.shouldBeEmpty()
-        val other = newChange(OwnTask("Bumpers"), TodoDeed.Open, "Ada", log, ahead + done)
+        val other = newChange(OwnTask("Bumpers"), TodoDeed.Open, "Ada", log, ahead + done, NOW)
         (other.time < ahead[0].time) shouldBe true
-        (newChange(OwnTask("Bumpers"), TodoDeed.Done(), "Ada", log, ahead + other).time > other.time) shouldBe true
+        (newChange(OwnTask("Bumpers"), TodoDeed.Done(), "Ada", log, ahead + other, NOW).time > other.time) shouldBe true
         val next = change("").copy(subject = NextMatch("Qualification 85"), time = "2099-01-01T00:00:00.000Z")
-        newChange(NextMatch("Qualification 58"), TodoDeed.Open, "Ada", log, listOf(next)).time shouldBe "2099-01-01T00:00:00.001Z"
+        newChange(NextMatch("Qualification 58"), TodoDeed.Open, "Ada", log, listOf(next), NOW).time shouldBe "2099-01-01T00:00:00.001Z"
     }
 
     test("a log of days before says nothing of the matches that come: they have the same numbers at each event") {
-        val now = localSecondOf(System.currentTimeMillis() / 1000)
-        val before = FoundLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), now - 6 * 86_400, emptyList())
-        val said = newChange(NextMatch("Qualification 1"), TodoDeed.Open, "Ada", before)
+        val before = FoundLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), NOW - 6 * 86_400, emptyList())
+        val said = newChange(NextMatch("Qualification 1"), TodoDeed.Open, "Ada", before, now = NOW)
         said.event.shouldBeNull()
         TodoList.of(listOf(said), listOf(before)).next shouldBe "Qualification 1"
-        val played = FoundLog("q1.bag", MatchOfLog("Tidewater", "Qualification", "1"), now + 3600, emptyList())
+        val played = FoundLog("q1.bag", MatchOfLog("Tidewater", "Qualification", "1"), NOW + 3600, emptyList())
         TodoList.of(listOf(said), listOf(before, played)).next shouldBe "the match after Qualification 1"
     }
 
     test("while no log is known, a change is of now") {
-        val now = localSecondOf(System.currentTimeMillis() / 1000)
-        (change("Radio").seen!! in now - 60..now + 60) shouldBe true
+        change("Radio").seen shouldBe NOW
     }
 })

@@ -3,6 +3,7 @@ package badlog.catalog.folder
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
+import java.time.Instant
 
 /** A bag of [rows] rows at 50 Hz, in which the voltage falls from 12 V to 8 V; [values] as names and texts. */
 internal fun bag(
@@ -45,7 +46,7 @@ internal val samples: Path = generateSequence(Path.of("").toAbsolutePath()) { it
  * @param areSettled whether they are as if they had been written a minute ago: rules wait for logs that are younger, which may still grow.
  */
 internal fun Path.putSamples(areSettled: Boolean = false) {
-    val written = FileTime.fromMillis(System.currentTimeMillis() - 60_000)
+    val written = FileTime.from(Instant.now().minusSeconds(60))
     for (name in listOf("elevator-bench.csv", "practice.bag", "qualification-42.bag", "qualification-57.bag.gz")) {
         val log = Files.copy(samples.resolve(name), resolve(name))
         if (areSettled) Files.setLastModifiedTime(log, written)

@@ -11,13 +11,20 @@ import kotlin.time.Duration
 /**
  * A hook that runs as [process], and receives the rows of [recording]. It ends with [close], which may be called repeatedly and from any
  * thread.
+ *
+ * @param nanos returns the time in ns, from any moment, by which [timeLimit] passes.
  */
-internal class HookRun(private val process: Process, private val recording: Recording, private val timeLimit: Duration) : AutoCloseable {
+internal class HookRun(
+    private val process: Process,
+    private val recording: Recording,
+    private val timeLimit: Duration,
+    private val nanos: () -> Long,
+) : AutoCloseable {
     private val output = PipeReader(process.inputStream, MAX_OUTPUT, keepsEnd = false)
     private val errors = PipeReader(process.errorStream, MAX_ERRORS, keepsEnd = true)
     private val started = ConcurrentHashMap.newKeySet<ProcessHandle>()
-    private val end = System.nanoTime() + timeLimit.inWholeNanoseconds
-    private val leftMillis get() = (end - System.nanoTime()) / 1_000_000
+    private val end = nanos() + timeLimit.inWholeNanoseconds
+    private val leftMillis get() = (end - nanos()) / 1_000_000
     private val input = Thread(::feed, "badlog-hook-input").apply {
         isDaemon = true
         start()

@@ -27,13 +27,18 @@ import kotlin.time.Duration.Companion.seconds
  * @property timeLimit the time that the program may take for one recording before it and all its children are killed.
  * @property name its name; usually the script, or the program if no script is among its arguments.
  * @property folder its working directory; null for that of this program.
+ * @param nanos returns the time in ns, from any moment, by which [timeLimit] passes.
  */
-class HookRunner(
+class HookRunner internal constructor(
     val command: List<String>,
-    val timeLimit: Duration = DEFAULT_TIME_LIMIT,
-    val name: String = nameOf(command),
-    val folder: Path? = null,
+    val timeLimit: Duration,
+    val name: String,
+    val folder: Path?,
+    private val nanos: () -> Long,
 ) {
+    constructor(command: List<String>, timeLimit: Duration = DEFAULT_TIME_LIMIT, name: String = nameOf(command), folder: Path? = null) :
+        this(command, timeLimit, name, folder, System::nanoTime)
+
     init {
         require(command.isNotEmpty()) { "The command of the hook is empty." }
         require(timeLimit.isPositive()) { "The time limit of a hook must be above 0, not $timeLimit." }
@@ -64,7 +69,7 @@ class HookRunner(
             return withShutdownHook(::end) {
                 val rows = inRows(recording)
                 Files.writeString(header, headerOf(rows))
-                HookRun(start(header), rows, timeLimit).also(running::set).result()
+                HookRun(start(header), rows, timeLimit, nanos).also(running::set).result()
             }
         } catch (e: HookException) {
             throw e
