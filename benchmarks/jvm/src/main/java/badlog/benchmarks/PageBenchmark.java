@@ -44,10 +44,7 @@ public final class PageBenchmark {
         boards.add("|---|---|---|---|---|---|");
         for (Path bag : MeasuredBags.find(args.length > 3 ? args[3] : "", work.resolve("bags"))) {
             Path page = work.resolve(bag.getFileName() + ".html");
-            int exit = new ProcessBuilder(args[0], bag.toString(), page.toString()).inheritIO().start().waitFor();
-            if (exit != 0) {
-                throw new IllegalStateException("badlog-html exited with " + exit + " for " + bag);
-            }
+            export(args[0], bag.toString(), page.toString());
             lines.add(measure(bag, page));
             boards.add(measureBoard(bag, page));
         }
@@ -57,8 +54,18 @@ public final class PageBenchmark {
         lines.add("| page of, with y over x | samples | script of a zoom into it, median | slowest |");
         lines.add("|---|---|---|---|");
         lines.addAll(PathOnPage.measure(args[0], work));
+        export(args[0], "--empty", "--out", work + "/");
+        lines.add("");
+        lines.add("`badlog.html`, which opens any log, has " + Files.size(work.resolve("badlog.html")) + " bytes.");
         Files.write(Path.of(args[2]), lines);
         lines.forEach(System.out::println);
+    }
+
+    private static void export(String... command) throws Exception {
+        int exit = new ProcessBuilder(command).inheritIO().start().waitFor();
+        if (exit != 0) {
+            throw new IllegalStateException(String.join(" ", command) + " exited with " + exit);
+        }
     }
 
     private static String measure(Path bag, Path page) throws Exception {
