@@ -61,6 +61,7 @@ public final class InstallGradle {
         groovy("groovy", "9ed2a565a8592a9f63f410afed892d0ca6bec1ff96277ce4cc7f3e2e366e794f"),
         groovy("groovy-ant", "baf25567b0a5c7e13fe57a48d1f7458cafb33bed8e4f0aefa1874491f8291c51"),
         groovy("groovy-json", "f577bd1551570162d42f22373ff164894ebf2f295d72d8ee914866aaa2ac37d4"),
+        groovy("groovy-templates", "64aea1cad62685bbf71d4a69ca5b21ff1b50d4bb364b0c1308170e6f3ad317a3"),
         groovy("groovy-xml", "52fc4047a3dcb870b05ad73f6b1dcebb5a0ae97b5a58f58b581f8960ab128ab1"));
 
     private static final String COPY = "org.apache.maven.plugins:maven-dependency-plugin:3.6.1:copy-dependencies";
@@ -375,6 +376,7 @@ public final class InstallGradle {
             package org.gradle.api.internal.classpath;
 
             import java.io.File;
+            import java.util.Arrays;
             import java.util.List;
             import java.util.Set;
             import org.gradle.cache.GlobalCache;
@@ -394,7 +396,7 @@ public final class InstallGradle {
                 }
 
                 public Module getModule(String name) {
-                    return new Jars(".*");
+                    return new Jars(".*jar");
                 }
 
                 public Module findModule(String name) {
@@ -418,7 +420,9 @@ public final class InstallGradle {
 
                     Jars(String name) {
                         File lib = new File(installation.getGradleHome(), "lib");
-                        classPath = DefaultClassPath.of(lib.listFiles(file -> file.getName().matches(name)));
+                        File[] jars = lib.listFiles(file -> file.getName().matches(name));
+                        Arrays.sort(jars);
+                        classPath = DefaultClassPath.of(jars);
                     }
 
                     public ClassPath getImplementationClasspath() {
