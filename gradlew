@@ -199,28 +199,13 @@ if "$cygwin" || "$msys" ; then
 fi
 
 
-# Not part of the generated script: where Gradle is not installed yet and the wrapper cannot download it, this program puts
-# it together from Maven Central; see gradle/README.md. The test only saves starting a JVM: it says yes if what exactly this
-# distributionUrl stands for (the long name is Gradle's hash of it) is in place, and no if in doubt.
-gradleIsInstalled () {
-    case " $JAVA_OPTS $GRADLE_OPTS $JAVA_TOOL_OPTIONS $JDK_JAVA_OPTIONS $*" in #(
-      *' -g'* | *' --gradle-user-home'* | *user.home=*) return 1 ;;
-    esac
-    distribution=${GRADLE_USER_HOME-$HOME/.gradle}/wrapper/dists/gradle-8.7-bin/bhs2wmbdwecv87pi65oeuq5iu
-    [ -f "$distribution/gradle-8.7-bin.zip.ok" ] &&
-        [ -f "$distribution/gradle-8.7/lib/gradle-launcher-8.7.jar" ] &&
-        [ "$( grep -cx \
-            -e 'distributionUrl=https\\://services\.gradle\.org/distributions/gradle-8\.7-bin\.zip' \
-            -e 'distributionBase=GRADLE_USER_HOME' -e 'distributionPath=wrapper/dists' \
-            -e 'zipStoreBase=GRADLE_USER_HOME' -e 'zipStorePath=wrapper/dists' \
-            "$APP_HOME/gradle/wrapper/gradle-wrapper.properties" )" = 5 ]
-}
-if ! gradleIsInstalled "$@" ; then
-    if "$JAVACMD" --list-modules 2>/dev/null | grep -Eq '^jdk\.compiler@(1[7-9]|[2-9][0-9])' ; then
-        "$JAVACMD" "$APP_HOME/gradle/InstallGradle.java" "$@" || exit
-    else
-        warn "Gradle can only be downloaded, not put together by gradle/InstallGradle.java: that needs a JDK 17 or newer."
-    fi
+# This block is not part of the generated script: where Gradle is not installed and cannot be downloaded, the program puts it
+# together from Maven Central; see gradle/README.md. The long name is Gradle's hash of the distributionUrl.
+if [ ! -f "${GRADLE_USER_HOME-$HOME/.gradle}/wrapper/dists/gradle-8.7-bin/bhs2wmbdwecv87pi65oeuq5iu/gradle-8.7-bin.zip.ok" ]
+then
+    "$JAVACMD" --list-modules 2>/dev/null | grep -Eq '^jdk\.compiler@(1[7-9]|[2-9][0-9])' ||
+        die "ERROR: This project needs a JDK 17 or newer; set JAVA_HOME to the folder of one."
+    "$JAVACMD" "$APP_HOME/gradle/InstallGradle.java" || exit
 fi
 
 # Add default JVM options here. You can also use JAVA_OPTS and GRADLE_OPTS to pass JVM options to this script.

@@ -71,26 +71,21 @@ goto fail
 set CLASSPATH=%APP_HOME%\gradle\wrapper\gradle-wrapper.jar
 
 
-@rem Not part of the generated script: where Gradle is not installed yet and the wrapper cannot download it, this program
-@rem puts it together from Maven Central; see gradle/README.md. The test only saves starting a JVM: the long name is Gradle's
-@rem hash of the distributionUrl that is searched for.
-set GRADLE_DIST=%USERPROFILE%\.gradle
-if defined GRADLE_USER_HOME set GRADLE_DIST=%GRADLE_USER_HOME%
-set GRADLE_DIST=%GRADLE_DIST%\wrapper\dists\gradle-8.7-bin\bhs2wmbdwecv87pi65oeuq5iu
-if not exist "%GRADLE_DIST%\gradle-8.7-bin.zip.ok" goto installGradle
-if not exist "%GRADLE_DIST%\gradle-8.7\lib\gradle-launcher-8.7.jar" goto installGradle
-findstr /l /c:"//services.gradle.org/distributions/gradle-8.7-bin.zip" "%APP_HOME%\gradle\wrapper\gradle-wrapper.properties" >NUL
-if %ERRORLEVEL% equ 0 goto gradleInstalled
-
-:installGradle
+@rem This block is not part of the generated script: where Gradle is not installed and cannot be downloaded, the program puts
+@rem it together from Maven Central; see gradle/README.md. The long name is Gradle's hash of the distributionUrl.
+set GRADLE_DISTS=%USERPROFILE%\.gradle
+if defined GRADLE_USER_HOME set GRADLE_DISTS=%GRADLE_USER_HOME%
+set GRADLE_DISTS=%GRADLE_DISTS%\wrapper\dists
+if exist "%GRADLE_DISTS%\gradle-8.7-bin\bhs2wmbdwecv87pi65oeuq5iu\gradle-8.7-bin.zip.ok" goto gradleInstalled
 "%JAVA_EXE%" --list-modules 2>NUL | findstr /r /b "jdk\.compiler@1[7-9] jdk\.compiler@[2-9][0-9]" >NUL
 if %ERRORLEVEL% neq 0 goto noCompiler
-"%JAVA_EXE%" "%APP_HOME%\gradle\InstallGradle.java" %*
+"%JAVA_EXE%" "%APP_HOME%\gradle\InstallGradle.java"
 if %ERRORLEVEL% neq 0 goto fail
 goto gradleInstalled
 
 :noCompiler
-echo Gradle can only be downloaded, not put together by gradle\InstallGradle.java: that needs a JDK 17 or newer. 1>&2
+echo ERROR: This project needs a JDK 17 or newer; set JAVA_HOME to the folder of one. 1>&2
+goto fail
 
 :gradleInstalled
 @rem Execute Gradle
