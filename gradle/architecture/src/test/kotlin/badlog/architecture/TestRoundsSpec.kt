@@ -1,0 +1,54 @@
+package badlog.architecture
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+import java.io.File
+
+/** Tests wait for conditions, and say in which round they run. */
+class TestRoundsSpec : FunSpec({
+    val tests = sourcesUnder(ROOT).filter { it.isTest }.map { it.path }.filterNot { it.endsWith("TestRoundsSpec.kt") }
+
+    test("no test sleeps or measures time, but for those that still have to be mended") {
+        val timed = tests.filter { TIME.containsMatchIn(File(ROOT, it).readText()) && "/measure/" !in it }.map { it.substringAfterLast('/') }
+        // Whoever mends one of them takes its name from the list.
+        timed.sorted() shouldContainExactly (MAY + STILL_TIMED).sorted()
+    }
+
+    test("a tag is the name of a round, so that no spec is in none") {
+        tests.flatMap { path -> TAG.findAll(File(ROOT, path).readText()).map { "$path: ${it.groupValues[1]}" } }
+            .filterNot { it.endsWith(": \"InCheck\"") || it.endsWith(": \"InProve\"") }.shouldBeEmpty()
+    }
+})
+
+private val ROOT = File("../..").canonicalFile
+private val TIME = Regex("""Thread\.sleep|\bdelay\(|nanoTime|currentTimeMillis|measureTime|elapsedNow|markNow""")
+private val TAG = Regex("""@Tags\(([^)]*)\)""")
+
+/** What waits for all others, and a real double click. */
+private val MAY = listOf("Eventually.kt", "RealWindow.kt")
+
+private val STILL_TIMED = listOf(
+    "BrowserTab.kt",
+    "Chromium.kt",
+    "FailuresSpec.kt",
+    "FileWritesSpec.kt",
+    "FolderChartsSpec.kt",
+    "KilledWorkerSpec.kt",
+    "LiveSpec.kt",
+    "LocalCluster.kt",
+    "LogFindingsSpec.kt",
+    "LongTasksSpec.kt",
+    "Mouse.kt",
+    "NewLogsSpec.kt",
+    "OpenGraphs.kt",
+    "OpenPage.kt",
+    "OwnFilesSpec.kt",
+    "RobotServer.kt",
+    "SharedFolderSpec.kt",
+    "VendordepProof.kt",
+    "ViewerProof.kt",
+    "WebKit.kt",
+    "WindowOnScreen.kt",
+    "WritingRobot.kt",
+)
