@@ -15,7 +15,7 @@ internal class TestPython(private val module: String, private val from: String) 
 
     /** A condition for tests that need it. */
     val isHere: EnabledOrReasonIf = {
-        if (command != null) Enabled.enabled else Enabled.disabled("No Python here has $from; .ci/run installs one.")
+        if (command != null) Enabled.enabled else Enabled.disabled("No Python here has $from; .ci/install installs one.")
     }
 
     /** Python as it runs [script] with [arguments]; its error output is printed. */

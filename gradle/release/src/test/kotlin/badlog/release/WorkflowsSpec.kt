@@ -15,10 +15,10 @@ class WorkflowsSpec : FunSpec({
     val actionlint = listOf(File(System.getProperty("badlog.actionlint")), found("actionlint")).firstOrNull { it.canExecute() }
 
     test("actionlint finds no mistake in the workflows").config(
-        enabledOrReasonIf = { if (actionlint != null) Enabled.enabled else Enabled.disabled("actionlint is not installed; .ci/run installs it by Go") },
+        enabledOrReasonIf = { if (actionlint != null) Enabled.enabled else Enabled.disabled("actionlint is not installed; .ci/install installs it by Go") },
     ) {
         val files = WORKFLOWS.listFiles().orEmpty().map { it.path }.sorted()
-        files.size shouldBe 2
+        files.map { File(it).name } shouldBe listOf("check.yml", "prove.yml", "release.yml")
         val ended = run(ProcessBuilder(listOf("$actionlint", "-no-color") + files))
         ended.text shouldBe ""
         ended.code shouldBe 0
