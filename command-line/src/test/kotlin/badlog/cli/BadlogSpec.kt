@@ -8,6 +8,7 @@ import badlog.exporter.BADLOG_VERSION
 import badlog.files.inFolder
 import badlog.rules.commandWords
 import com.github.ajalt.clikt.core.parse
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -17,6 +18,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.io.InputStream
 
+@Tags("InCheck")
 class BadlogSpec : FunSpec({
     val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "table", "report", "replay", "record", "fetch", "open", "doctor", "lake", "sql", "mcp", "rules")
 

@@ -5,6 +5,7 @@ import badlog.core.recording.ProblemKind
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldContainExactly
@@ -33,6 +34,7 @@ private val IF_POSIX =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has other permissions")
 
 /** What every sub-command does with files that are not whole logs. */
+@Tags("InCheck")
 class BrokenFilesSpec : FunSpec({
     fun each(folder: Path, log: Path, check: (List<Any>) -> Unit) {
         val other = folder.with("other.bag", BAG)

@@ -7,6 +7,7 @@ import badlog.formats.driverstation.STATION_LOG
 import badlog.rules.RulesException
 import badlog.rules.RulesFile
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.property.PropertyTesting
@@ -20,6 +21,7 @@ import kotlin.random.Random
 private val MUTANTS = PropertyTesting.defaultIterationCount
 
 /** Whatever stands in a file: no stack trace, no exit code but 0 to 3, and an end. */
+@Tags("InCheck")
 class ReadersOfMutantsSpec : FunSpec({
     fun gzipped(bytes: ByteArray) = ByteArrayOutputStream().also { out -> GZIPOutputStream(out).use { it.write(bytes) } }.toByteArray()
 

@@ -5,6 +5,7 @@ import badlog.core.bag.BagParser
 import badlog.core.recording.Severity
 import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -15,6 +16,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
 import kotlin.math.abs
 
+@Tags("InCheck")
 class FaultyMatchSpec : FunSpec({
     fun viewOf(fault: Fault?): LogView {
         val bag = FaultyMatch(5, fault).bag()

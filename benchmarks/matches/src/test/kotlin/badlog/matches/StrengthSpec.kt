@@ -8,6 +8,7 @@ import badlog.matches.robot.MatchObserver
 import badlog.matches.robot.MatchRun
 import badlog.matches.robot.RobotPlan
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeBetween
 import kotlin.math.abs
@@ -35,6 +36,7 @@ private fun atBoth(id: String, clear: ClosedRange<Double>, faint: ClosedRange<Do
 }
 
 /** What the strengths of faults mean, measured in the simulation. */
+@Tags("InCheck")
 class StrengthSpec : FunSpec({
     test("an oscillating shooter swings by about 9 % at 1, by about 3 % at 0.3") {
         atBoth("oscillating-controller", 0.06..0.13, 0.02..0.055) { strength ->

@@ -14,6 +14,7 @@ import badlog.core.recording.RecordingFormat
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -74,6 +75,7 @@ private val bags: Arb<String> = arbitrary { random ->
     "$header\nDrive/Speed,T,On,Mode,Log,messages\n${rows.joinToString("\n")}\n"
 }
 
+@Tags("InCheck")
 class ConvertWpilogSpec : FunSpec({
     fun leftOut(folder: Path, vararg arguments: Any): List<String> = badlogJson("convert", *arguments, "--force").json.single().getValue("leftOut").jsonArray.map { it.jsonPrimitive.content }
 

@@ -9,6 +9,7 @@ import badlog.fetch.FakeRobot
 import badlog.fetch.IMPATIENCE
 import badlog.fetch.matchBag
 import badlog.files.inFolder
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -20,6 +21,7 @@ import java.time.Duration
 import kotlin.concurrent.thread
 import kotlin.io.path.div
 
+@Tags("InCheck")
 class FetchSpec : FunSpec({
     test("what is new comes, and is said; then nothing is new, which is a success") {
         besideRobot { robot, robots ->

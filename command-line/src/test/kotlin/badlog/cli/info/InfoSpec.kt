@@ -20,6 +20,7 @@ import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.report.NamedTopics
 import badlog.terminal.displayWidth
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -38,6 +39,7 @@ import java.io.PrintStream
 import kotlin.io.path.div
 import kotlin.io.path.listDirectoryEntries
 
+@Tags("InCheck")
 class InfoSpec : FunSpec({
     test("tables fit terminals of 60 to 200 columns") {
         for (width in 60..200 step 5) {

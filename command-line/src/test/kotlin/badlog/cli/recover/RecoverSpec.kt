@@ -13,6 +13,7 @@ import badlog.cli.with
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -32,6 +33,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 
+@Tags("InCheck")
 class RecoverSpec : FunSpec({
     /** The clean log of [log] is whole, has all of its rows and topics, and recovering it again changes nothing. */
     fun shouldBecomeWhole(log: Path, folder: Path) {

@@ -12,6 +12,7 @@ import badlog.core.recording.Recording
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
@@ -54,6 +55,7 @@ private val LOG = listOf(
 /** Later than all else, so that its record is the last, of 17 and 5 bytes. */
 private val PHOTO = Logged("photo", "raw", "", listOf(9.0 to "bytes"))
 
+@Tags("InCheck")
 class RecoverWpilogSpec : FunSpec({
     fun lost(json: JsonObject, what: String) = json.getValue("lost").jsonObject.getValue(what).jsonPrimitive.int
 

@@ -1,6 +1,7 @@
 package badlog.core.number
 
 import io.kotest.assertions.fail
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.shouldBe
@@ -22,6 +23,7 @@ private val IF_REFERENCE = Runtime.version().feature().let { version ->
     if (version == 17) Enabled.enabled else Enabled.disabled("Java $version does not format like the reference, Java 17")
 }
 
+@Tags("InCheck")
 class FiveDigitFormatJavaSpec : FunSpec({
     test("equals Java for random bit patterns").config(enabledOrReasonIf = { IF_REFERENCE }) {
         checkAll(200 * PropertyTesting.defaultIterationCount, Arb.long()) { expectJava(Double.fromBits(it)) }

@@ -17,6 +17,7 @@ import badlog.window.bagOf
 import badlog.window.log.OpenRecording
 import badlog.window.recordingOf
 import badlog.window.sidebar.InspectorTab
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.comparables.shouldBeGreaterThan
@@ -25,6 +26,7 @@ import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class LabelsSpec : FunSpec({
     val match = OpenRecording.read(samples.resolve("qualification-42.bag").toAbsolutePath().normalize(), null)
 

@@ -12,12 +12,14 @@ import badlog.viewer.choices.board.Board
 import badlog.window.bagOf
 import badlog.window.export.recordingOf
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class PlacesInLogsSpec : FunSpec({
     val folder = tempdir().toPath()
 

@@ -25,11 +25,13 @@ import badlog.window.graph.withFormulas
 import badlog.window.recordingOf
 import badlog.window.theme.Theme
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class FormulaDialogSpec : FunSpec({
     val topics = listOf("Time|xaxis", "System/Battery Voltage", "PDP/Total Current")
     fun bag(volts: Int) = recordingOf(bagOf(topics, List(50) { "$it,$volts,${it % 7}" }), "volts-$volts.bag")

@@ -20,6 +20,7 @@ import badlog.window.export.recordingOf
 import badlog.window.files.ChosenFiles
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -27,6 +28,7 @@ import kotlinx.coroutines.MainScope
 import java.nio.file.Files
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class LayoutMenuSpec : FunSpec({
     val home = tempdir().toPath()
     val log = Files.writeString(home.resolve("match.bag"), armBag(500))

@@ -17,6 +17,7 @@ import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -27,6 +28,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class VideoPanelSpec : FunSpec({
     val home = tempdir().toPath()
     val video = CountedVideo.write(home.resolve("match.mp4"))

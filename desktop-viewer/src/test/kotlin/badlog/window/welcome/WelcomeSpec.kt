@@ -15,6 +15,7 @@ import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
 import badlog.window.waiting.waitFor
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -28,6 +29,7 @@ import java.nio.file.Path
 import java.util.zip.GZIPInputStream
 
 @OptIn(ExperimentalTestApi::class)
+@Tags("InCheck")
 class WelcomeSpec : FunSpec({
     fun atFirstStart(chosen: ChosenFiles = ChosenFiles(null), steps: DesktopComposeUiTest.(Viewer) -> Unit) {
         val home = tempdir().toPath()

@@ -1,6 +1,7 @@
 package badlog.assistant
 
 import badlog.assistant.call.AnswerText
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -21,6 +22,7 @@ import kotlin.io.path.writeText
  * Runs the examples of `docs/assistant.md`: in each, a tool with its arguments, and below it the data of the answer, in which a line `…`
  * stands for any lines, and `…` in a line for any part of it. With the environment variable `BADLOG_WRITE_GUIDE` those that differ are written anew instead, in full.
  */
+@Tags("InCheck")
 class AssistantGuideSpec : FunSpec({
     val guide = Path.of("../../docs/assistant.md")
     val example = Regex("""(?<=```assistant\n)(.*?)(?=```)""", RegexOption.DOT_MATCHES_ALL)

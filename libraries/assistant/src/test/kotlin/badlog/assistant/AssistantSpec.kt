@@ -1,5 +1,6 @@
 package badlog.assistant
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
@@ -19,6 +20,7 @@ import javax.imageio.ImageIO
 
 private const val MATCH = "qualification-42.bag"
 
+@Tags("InCheck")
 class AssistantSpec : FunSpec({
     test("it offers tools that only read, and says what each is for") {
         asking(SAMPLES) {

@@ -5,6 +5,7 @@ import badlog.rules.number.Measure
 import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -24,6 +25,7 @@ private fun parsed(svg: String): Document = DocumentBuilderFactory.newInstance()
 
 private fun textsIn(svg: String): List<String> = parsed(svg).getElementsByTagName("text").let { all -> List(all.length) { all.item(it).textContent.trim() } }
 
+@Tags("InCheck")
 class ChartsSpec : FunSpec({
     val charts = chartsOf((1..12).map { measuredLog(it) })
 

@@ -3,6 +3,7 @@ package badlog.fetch
 import badlog.files.UnwritableFileException
 import badlog.files.windows.WindowsFiles
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -15,6 +16,7 @@ import kotlin.io.path.writeText
 
 private const val Q1 = "MILLC/match Qualification 1.bag"
 
+@Tags("InCheck")
 class FetchOnWindowsSpec : FunSpec({
     fun inWindowsPit(work: (Pit, WindowsFiles, FakeRobot) -> Unit) {
         val disk = Files.createTempDirectory("badlog")

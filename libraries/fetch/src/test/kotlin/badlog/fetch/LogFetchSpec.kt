@@ -2,6 +2,7 @@ package badlog.fetch
 
 import badlog.core.waiting.eventually
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -62,6 +63,7 @@ private val IF_LINKS =
 /** Whether this thread waits within [function] of [type]. */
 private fun Thread.isIn(type: Class<*>, function: String) = state == Thread.State.WAITING && stackTrace.any { it.className == type.name && it.methodName == function }
 
+@Tags("InCheck")
 class LogFetchSpec : FunSpec({
     test("logs come whole, the newest first, sorted by event and named by match, and the robot keeps them") {
         inPit { pit, robot ->

@@ -1,5 +1,6 @@
 package badlog.files
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.booleans.shouldBeFalse
 import io.kotest.matchers.booleans.shouldBeTrue
@@ -11,6 +12,7 @@ import java.io.ByteArrayOutputStream
 import java.util.zip.GZIPOutputStream
 import kotlin.random.Random
 
+@Tags("InCheck")
 class GzipReaderSpec : FunSpec({
     class Inflated(val bytes: ByteArray, val isCut: Boolean) {
         val text get() = bytes.decodeToString()

@@ -7,11 +7,13 @@ import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.VARIED_LOG
 import badlog.formats.wpilog.describeLog
 import badlog.formats.wpilog.parseLog
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
+@Tags("InCheck")
 class ParsingThreadsSpec : FunSpec({
     test("a bag reads the same on all cores as on one, whole or damaged, wherever its pieces end") {
         val random = Random(7)

@@ -16,6 +16,7 @@ import badlog.formats.wpilog.VARIED_LOG
 import badlog.formats.wpilog.describeLog
 import badlog.formats.wpilog.parseLog
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.booleans.shouldBeFalse
@@ -41,6 +42,7 @@ private val LARGE = VARIED_HEADER + "0.020000,-1.2346e+05,\"armed, ready\",false
 private val IF_PIPES =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no pipes among files")
 
+@Tags("InCheck")
 class ReadRecordingSpec : FunSpec({
     fun fileOf(folder: Path, bytes: ByteArray) = folder.resolve("log").also { it.writeBytes(bytes) }
 

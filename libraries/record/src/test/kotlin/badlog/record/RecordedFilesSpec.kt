@@ -1,6 +1,7 @@
 package badlog.record
 
 import badlog.core.waiting.eventually
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldNotContain
@@ -12,6 +13,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.name
 
 /** Which files a recording makes, of which servers. */
+@Tags("InCheck")
 class RecordedFilesSpec : FunSpec({
     test("each time enabled gets a log, which begins with what holds, and has the name of its match") {
         FakeServer().use { server ->

@@ -1,6 +1,7 @@
 package badlog.replay
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
@@ -23,6 +24,7 @@ private fun serving(
     action: (TestReplay) -> Unit,
 ) = TestReplay(options = ReplayOptions(0, speed = speed, isLooping = isLooping, range = range, prefix = prefix)).use(action)
 
+@Tags("InCheck")
 class ReplayServerSpec : FunSpec({
     test("Whoever subscribes to all receives every topic with type, unit and current value") {
         serving { replay ->

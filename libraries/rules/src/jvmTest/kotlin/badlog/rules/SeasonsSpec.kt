@@ -17,6 +17,7 @@ import badlog.signals.pose.posesOf
 import badlog.signals.signalTopicsOf
 import badlog.signals.withSignals
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -51,6 +52,7 @@ private fun findingsIn(view: LogView, later: Double) = RuleSet.BUILT_IN.over(vie
     Said("${finding.rule} ${finding.severity} $text", finding.spans.flatMap { listOf(it.from - later, it.to - later) })
 }.sortedWith(compareBy({ it.text }, { it.times.firstOrNull() ?: 0.0 }))
 
+@Tags("InCheck")
 class SeasonsSpec : FunSpec({
     val generator = MatchGenerator(2027)
     val matches = listOf(generator.healthy(Naming.WPILIB, 0), generator.healthy(Naming.WPILIB, 2)) +

@@ -6,6 +6,7 @@ import badlog.season.sql.LakeDatabase
 import badlog.season.sql.SqlException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
@@ -14,6 +15,7 @@ import io.kotest.matchers.string.shouldNotContain
 import java.nio.file.Path
 import kotlin.io.path.div
 
+@Tags("InCheck")
 class ConfinedQueriesSpec : FunSpec({
     fun inLake(work: (Path, LakeDatabase) -> Unit) = inFolder { folder ->
         (folder / "logs").put("q1.bag", matchBag(1, 12.5, 11.5))

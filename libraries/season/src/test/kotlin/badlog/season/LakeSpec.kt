@@ -8,6 +8,7 @@ import badlog.rules.RuleSet
 import badlog.season.lake.Lake
 import badlog.season.lake.LakeException
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -22,6 +23,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeText
 
+@Tags("InCheck")
 class LakeSpec : FunSpec({
     test("a bag becomes a table with a row for each of its rows: numbers, flags, texts and gaps") {
         inFolder { folder ->
