@@ -3,7 +3,7 @@ package badlog.cli
 import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.files.inFolder
-import badlog.terminal.displayWidth
+import badlog.files.terminal.displayWidth
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain

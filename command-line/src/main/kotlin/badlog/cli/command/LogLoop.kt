@@ -8,7 +8,7 @@ import badlog.exporter.ExportException
 import badlog.files.NotReadException
 import badlog.files.ReadResult
 import badlog.files.UnwritableFileException
-import badlog.terminal.Progress
+import badlog.files.terminal.Progress
 import java.nio.file.Path
 
 /**

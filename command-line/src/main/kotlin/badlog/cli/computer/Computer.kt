@@ -2,7 +2,7 @@ package badlog.cli.computer
 
 import badlog.files.UserFolders
 import badlog.files.programOnPath
-import badlog.terminal.startProgram
+import badlog.files.terminal.startProgram
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path

@@ -2,9 +2,9 @@ package badlog.cli.console
 
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.grouped
-import badlog.terminal.ProgressBar
-import badlog.terminal.StatusLine
-import badlog.terminal.printable
+import badlog.files.terminal.ProgressBar
+import badlog.files.terminal.StatusLine
+import badlog.files.terminal.printable
 import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.charset.Charset

@@ -25,6 +25,7 @@ import badlog.cli.text.wrapped
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.resampled
 import badlog.core.recording.Recording
+import badlog.files.terminal.Progress
 import badlog.formats.wpilog.Omission
 import badlog.formats.wpilog.record.MergedEntry
 import badlog.formats.wpilog.record.RecordEntry
@@ -32,7 +33,6 @@ import badlog.formats.wpilog.record.RecordMerge
 import badlog.formats.wpilog.record.RecordPiece
 import badlog.report.UndefinedJson
 import badlog.report.withX
-import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 

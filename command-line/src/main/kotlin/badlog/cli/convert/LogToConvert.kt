@@ -7,8 +7,8 @@ import badlog.cli.search.signalsBeside
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
+import badlog.files.terminal.Progress
 import badlog.signals.withVirtualTopics
-import badlog.terminal.Progress
 
 /**
  * The log of [input], read to be written in another format.

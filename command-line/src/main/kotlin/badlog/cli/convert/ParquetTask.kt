@@ -20,8 +20,8 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.LogView
+import badlog.files.terminal.Progress
 import badlog.report.UndefinedJson
-import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString

@@ -28,9 +28,9 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
 import badlog.core.recording.Value
+import badlog.files.terminal.Progress
 import badlog.rules.ofPart
 import badlog.signals.withSignals
-import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 

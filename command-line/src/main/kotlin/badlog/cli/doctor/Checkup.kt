@@ -7,7 +7,7 @@ import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.RobotAddress
 import badlog.fetch.answering
 import badlog.files.UserFolders
-import badlog.terminal.browserCommand
+import badlog.files.terminal.browserCommand
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.Files

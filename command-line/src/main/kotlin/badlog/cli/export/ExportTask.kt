@@ -26,6 +26,7 @@ import badlog.expression.undefinedTopics
 import badlog.files.NotReadException
 import badlog.files.UnreadableFileException
 import badlog.files.requireRegularFile
+import badlog.files.terminal.Progress
 import badlog.protocol.PageAdditions
 import badlog.report.HookFailureJson
 import badlog.report.SkippedJson
@@ -35,7 +36,6 @@ import badlog.rules.SkippedRule
 import badlog.rules.folder.FolderRules
 import badlog.rules.skippedFor
 import badlog.signals.namesWith
-import badlog.terminal.Progress
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files

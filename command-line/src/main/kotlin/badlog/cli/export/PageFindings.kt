@@ -3,10 +3,10 @@ package badlog.cli.export
 import badlog.cli.input.readLog
 import badlog.files.NotReadException
 import badlog.files.ReadResult
+import badlog.files.terminal.Progress
 import badlog.report.hook.HookException
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
-import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**

@@ -19,7 +19,7 @@ import badlog.fetch.LogFetch
 import badlog.fetch.RobotAddress
 import badlog.files.UnreadableFileException
 import badlog.files.UnwritableFileException
-import badlog.terminal.ProgressBar
+import badlog.files.terminal.ProgressBar
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 

@@ -11,11 +11,11 @@ import badlog.cli.text.wrapped
 import badlog.core.analysis.Units
 import badlog.core.recording.Severity
 import badlog.core.recording.TopicKind
+import badlog.files.terminal.TextTable
+import badlog.files.terminal.TextTable.Column
+import badlog.files.terminal.displayWidth
+import badlog.files.terminal.printable
 import badlog.signals.vocabulary.SignalTopic
-import badlog.terminal.TextTable
-import badlog.terminal.TextTable.Column
-import badlog.terminal.displayWidth
-import badlog.terminal.printable
 import kotlin.math.roundToLong
 
 /**

@@ -5,8 +5,8 @@ import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.grouped
 import badlog.core.recording.Severity
-import badlog.terminal.TextTable
-import badlog.terminal.TextTable.Column
+import badlog.files.terminal.TextTable
+import badlog.files.terminal.TextTable.Column
 
 /** One line about each log, of [width] columns. */
 internal class OverviewText(width: Int) {

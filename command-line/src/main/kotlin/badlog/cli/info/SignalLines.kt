@@ -1,8 +1,8 @@
 package badlog.cli.info
 
+import badlog.files.terminal.TextTable
+import badlog.files.terminal.TextTable.Column
 import badlog.signals.vocabulary.SignalTopic
-import badlog.terminal.TextTable
-import badlog.terminal.TextTable.Column
 import kotlinx.serialization.Serializable
 
 /**

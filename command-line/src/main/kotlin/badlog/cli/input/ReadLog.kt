@@ -5,10 +5,10 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.files.ReadOptions
 import badlog.files.readLog
+import badlog.files.terminal.Progress
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogFormat
 import badlog.report.withX
-import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**

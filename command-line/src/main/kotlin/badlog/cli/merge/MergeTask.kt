@@ -14,9 +14,9 @@ import badlog.cli.output.LogFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.writeLog
 import badlog.files.NotReadException
+import badlog.files.terminal.Progress
 import badlog.report.TopicException
 import badlog.report.withX
-import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**

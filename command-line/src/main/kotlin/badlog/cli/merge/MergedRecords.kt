@@ -6,6 +6,7 @@ import badlog.cli.output.recordsOf
 import badlog.cli.output.topicOf
 import badlog.files.ReadOptions
 import badlog.files.readRecording
+import badlog.files.terminal.Progress
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.record.MergedEntry
 import badlog.formats.wpilog.record.RecordEntry
@@ -13,7 +14,6 @@ import badlog.formats.wpilog.record.RecordLog
 import badlog.formats.wpilog.record.RecordMerge
 import badlog.formats.wpilog.record.RecordPiece
 import badlog.rules.PART_VALUE
-import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**

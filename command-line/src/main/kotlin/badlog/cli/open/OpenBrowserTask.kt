@@ -8,7 +8,7 @@ import badlog.cli.computer.Computer
 import badlog.cli.console.Console
 import badlog.exporter.EmptyPage
 import badlog.exporter.ExportException
-import badlog.terminal.browserCommand
+import badlog.files.terminal.browserCommand
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.div

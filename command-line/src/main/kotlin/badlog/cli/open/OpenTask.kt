@@ -12,7 +12,7 @@ import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.files.ResultPlace
 import badlog.files.missingSentence
-import badlog.terminal.browserCommand
+import badlog.files.terminal.browserCommand
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
 import java.nio.file.Path

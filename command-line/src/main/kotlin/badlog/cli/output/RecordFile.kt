@@ -3,11 +3,11 @@ package badlog.cli.output
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
+import badlog.files.terminal.Progress
 import badlog.formats.wpilog.WpilogWriter
 import badlog.formats.wpilog.record.RecordCopy
 import badlog.formats.wpilog.record.RecordEntry
 import badlog.formats.wpilog.record.RecordLog
-import badlog.terminal.Progress
 import java.nio.file.Path
 
 /**

@@ -4,9 +4,9 @@ import badlog.cli.input.FileName
 import badlog.core.recording.Recording
 import badlog.files.GzipReader
 import badlog.files.reading
+import badlog.files.terminal.Progress
 import badlog.files.unpacked
 import badlog.files.writeAtomically
-import badlog.terminal.Progress
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path

@@ -12,9 +12,9 @@ import badlog.cli.text.counted
 import badlog.cli.text.jsonOf
 import badlog.cli.text.wrapped
 import badlog.files.safeName
+import badlog.files.terminal.Progress
 import badlog.rules.pack.PackException
 import badlog.rules.pack.RulePack
-import badlog.terminal.Progress
 import kotlinx.serialization.Serializable
 import java.nio.file.Files
 import java.nio.file.Path

@@ -12,10 +12,10 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
 import badlog.core.recording.Recording
+import badlog.files.terminal.Progress
 import badlog.rules.ofPart
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
-import badlog.terminal.Progress
 
 /**
  * The slice that [order] asks for, cut from its log.

@@ -6,9 +6,9 @@ import badlog.cli.fetch.Robots
 import badlog.cli.topic.OnlyOption
 import badlog.cli.topic.TopicChoice
 import badlog.fetch.NetworkTablesSearch
-import badlog.record.RecordOptions
-import badlog.record.ServerAddress
-import badlog.record.robotServers
+import badlog.networktables.record.RecordOptions
+import badlog.networktables.record.ServerAddress
+import badlog.networktables.record.robotServers
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.help

@@ -21,8 +21,8 @@ import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.files.ReadOptions
 import badlog.files.readRecording
+import badlog.files.terminal.Progress
 import badlog.formats.LOG_FORMATS
-import badlog.terminal.Progress
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import java.nio.file.Path
 

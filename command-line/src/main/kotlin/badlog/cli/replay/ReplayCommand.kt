@@ -20,10 +20,10 @@ import badlog.cli.text.shortNumber
 import badlog.cli.text.undefinedLines
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
-import badlog.replay.LoggedTopic
-import badlog.replay.ReplayOptions
-import badlog.replay.ReplayServer
-import badlog.replay.UnavailablePortException
+import badlog.networktables.replay.LoggedTopic
+import badlog.networktables.replay.ReplayOptions
+import badlog.networktables.replay.ReplayServer
+import badlog.networktables.replay.UnavailablePortException
 import badlog.report.UndefinedJson
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics

@@ -4,7 +4,7 @@ import badlog.cli.console.Console
 import badlog.cli.plugin.SqlColumn
 import badlog.cli.plugin.SqlSession
 import badlog.cli.text.counted
-import badlog.terminal.TextTable
+import badlog.files.terminal.TextTable
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject

@@ -1,8 +1,8 @@
 package badlog.cli.text
 
-import badlog.terminal.displayWidth
-import badlog.terminal.printable
-import badlog.terminal.startOf
+import badlog.files.terminal.displayWidth
+import badlog.files.terminal.printable
+import badlog.files.terminal.startOf
 
 /** The minimum width of a terminal. */
 internal const val LINE_WIDTH = 80

@@ -17,9 +17,9 @@ import badlog.core.recording.NumberSinks
 import badlog.files.ReadOptions
 import badlog.files.inFolder
 import badlog.files.readRecording
+import badlog.files.terminal.displayWidth
 import badlog.formats.LOG_FORMATS
 import badlog.report.NamedTopics
-import badlog.terminal.displayWidth
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -16,8 +16,8 @@ import badlog.core.waiting.eventually
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.replay.ReplayOptions
-import badlog.replay.ReplayServer
+import badlog.networktables.replay.ReplayOptions
+import badlog.networktables.replay.ReplayServer
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain

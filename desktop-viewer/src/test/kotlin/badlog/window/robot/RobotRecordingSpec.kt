@@ -15,8 +15,8 @@ import badlog.fetch.RobotAddress
 import badlog.files.UserFolders
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
-import badlog.replay.ReplayOptions
-import badlog.replay.ReplayServer
+import badlog.networktables.replay.ReplayOptions
+import badlog.networktables.replay.ReplayServer
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.withSignals

@@ -7,11 +7,11 @@ import badlog.files.ReadOptions
 import badlog.files.Unpacked
 import badlog.files.partsOfLog
 import badlog.files.readRecording
+import badlog.files.terminal.Progress
 import badlog.files.unpacked
 import badlog.files.withGzipCut
 import badlog.formats.LOG_FORMATS
 import badlog.protocol.PageAdditions
-import badlog.terminal.Progress
 import java.io.ByteArrayInputStream
 import java.io.InputStream
 import java.io.SequenceInputStream

@@ -1,6 +1,6 @@
 package badlog.exporter
 
-import badlog.terminal.Progress
+import badlog.files.terminal.Progress
 
 /** Carries an exception thrown by a [Progress] past all code that would take it for a failure of a file. */
 private class ProgressFailure(override val cause: Throwable) : RuntimeException(cause)

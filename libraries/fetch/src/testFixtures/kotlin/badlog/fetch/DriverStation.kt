@@ -2,8 +2,8 @@ package badlog.fetch
 
 import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
-import badlog.replay.ReplayOptions
-import badlog.replay.ReplayServer
+import badlog.networktables.replay.ReplayOptions
+import badlog.networktables.replay.ReplayServer
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.withSignals

@@ -1,6 +1,6 @@
 package badlog.report
 
-import badlog.terminal.TextTable
+import badlog.files.terminal.TextTable
 import badlog.viewer.shown.battery.AdvisedBattery
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatteryColumn

@@ -3,9 +3,9 @@ package badlog.report
 import badlog.expression.Outcome
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.files.LogFile
+import badlog.files.terminal.TextTable
+import badlog.files.terminal.TextTable.Column
 import badlog.rules.timeText
-import badlog.terminal.TextTable
-import badlog.terminal.TextTable.Column
 
 /**
  * Returns the logs in which the question holds, as a table of match, file, time and value at most [width] columns wide, and below it

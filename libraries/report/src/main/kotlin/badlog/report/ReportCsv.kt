@@ -1,8 +1,8 @@
 package badlog.report
 
+import badlog.files.terminal.printable
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
-import badlog.terminal.printable
 
 /**
  * Returns all incidents and findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic,

@@ -2,6 +2,9 @@ package badlog.report
 
 import badlog.core.recording.Severity
 import badlog.files.LogFile
+import badlog.files.terminal.TextTable
+import badlog.files.terminal.TextTable.Column
+import badlog.files.terminal.printable
 import badlog.rules.NotLookedAt
 import badlog.rules.SkippedRule
 import badlog.rules.comparison.resistanceText
@@ -9,9 +12,6 @@ import badlog.rules.incident.Incident
 import badlog.rules.lackingIn
 import badlog.rules.listed
 import badlog.rules.timeText
-import badlog.terminal.TextTable
-import badlog.terminal.TextTable.Column
-import badlog.terminal.printable
 
 /**
  * Returns all incidents and findings, match by match, with time, severity and text, at most [width] columns wide, and below them what

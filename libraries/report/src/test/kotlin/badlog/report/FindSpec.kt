@@ -3,7 +3,7 @@ package badlog.report
 import badlog.expression.Outcome
 import badlog.expression.syntax.ExpressionErrorKind
 import badlog.files.inFolder
-import badlog.terminal.displayWidth
+import badlog.files.terminal.displayWidth
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly

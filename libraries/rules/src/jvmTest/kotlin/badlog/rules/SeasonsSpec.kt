@@ -6,10 +6,10 @@ import badlog.core.analysis.knowsAutonomous
 import badlog.core.bag.RecordingParser
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.stationStartIn
-import badlog.matches.GeneratedMatch
-import badlog.matches.MatchGenerator
-import badlog.matches.fault.FAULTS
-import badlog.matches.fault.Naming
+import badlog.samples.generated.GeneratedMatch
+import badlog.samples.generated.MatchGenerator
+import badlog.samples.generated.fault.FAULTS
+import badlog.samples.generated.fault.Naming
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.StationOverlay
 import badlog.signals.clock.StationSearch

@@ -12,12 +12,12 @@ import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
 import badlog.files.NO_LOGS_SENTENCE
 import badlog.files.ReadResult
+import badlog.files.terminal.Progress
+import badlog.files.terminal.ProgressBar
+import badlog.files.terminal.printable
 import badlog.protocol.PageAdditions
 import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
-import badlog.terminal.Progress
-import badlog.terminal.ProgressBar
-import badlog.terminal.printable
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,6 +1,6 @@
 package badlog.exporter.program
 
-import badlog.terminal.openInBrowser
+import badlog.files.terminal.openInBrowser
 import kotlin.system.exitProcess
 
 fun main(arguments: Array<String>) {

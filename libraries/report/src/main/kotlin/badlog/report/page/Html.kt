@@ -1,8 +1,8 @@
 package badlog.report.page
 
 import badlog.core.recording.Severity
+import badlog.files.terminal.printable
 import badlog.rules.Finding
-import badlog.terminal.printable
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.session.link.PageAddress
 import java.net.URLEncoder

@@ -1,12 +1,12 @@
 package badlog.report.table
 
 import badlog.expression.Quantity
+import badlog.files.terminal.TextTable
 import badlog.report.cell
 import badlog.report.hookTexts
 import badlog.report.plain
 import badlog.report.shortNames
 import badlog.report.undefinedTexts
-import badlog.terminal.TextTable
 
 /**
  * Returns [rows] of [table] for a terminal of [width] columns: a line for each included log, and more of them below if there are more values

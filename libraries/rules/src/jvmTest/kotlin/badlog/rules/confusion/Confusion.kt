@@ -1,10 +1,10 @@
 package badlog.rules.confusion
 
-import badlog.matches.GeneratedMatch
-import badlog.matches.fault.FAULTS
-import badlog.matches.fault.Fault
-import badlog.matches.fault.Naming
-import badlog.matches.fault.Visibility
+import badlog.samples.generated.GeneratedMatch
+import badlog.samples.generated.fault.FAULTS
+import badlog.samples.generated.fault.Fault
+import badlog.samples.generated.fault.Naming
+import badlog.samples.generated.fault.Visibility
 import java.io.File
 import java.util.concurrent.atomic.AtomicInteger
 

@@ -1,11 +1,11 @@
 package badlog.rules.confusion
 
-import badlog.matches.GeneratedMatch
-import badlog.matches.MatchGenerator
-import badlog.matches.fault.FAULTS
-import badlog.matches.fault.Fault
-import badlog.matches.fault.Naming
-import badlog.matches.fault.STRENGTHS
+import badlog.samples.generated.GeneratedMatch
+import badlog.samples.generated.MatchGenerator
+import badlog.samples.generated.fault.FAULTS
+import badlog.samples.generated.fault.Fault
+import badlog.samples.generated.fault.Naming
+import badlog.samples.generated.fault.STRENGTHS
 
 /**
  * Matches for one purpose.

@@ -1,7 +1,7 @@
 package badlog.rules.confusion
 
-import badlog.matches.fault.Fault
-import badlog.matches.fault.Verdict
+import badlog.samples.generated.fault.Fault
+import badlog.samples.generated.fault.Verdict
 
 /** How the diagnosis of a match with a fault ended; each match has one of these. */
 internal enum class Outcome(val title: String) {

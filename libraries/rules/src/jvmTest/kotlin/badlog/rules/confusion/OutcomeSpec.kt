@@ -1,6 +1,6 @@
 package badlog.rules.confusion
 
-import badlog.matches.fault.FAULTS
+import badlog.samples.generated.fault.FAULTS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith

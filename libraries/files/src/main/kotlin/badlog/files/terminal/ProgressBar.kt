@@ -1,0 +1,76 @@
+package badlog.files.terminal
+
+import java.io.PrintStream
+import kotlin.math.ceil
+import kotlin.math.roundToInt
+
+/**
+ * Receives the progress of a piece of work. Called on the working thread; an exception from it stops the work, which then leaves
+ * nothing behind and passes the exception on.
+ */
+public fun interface Progress {
+    /** Called when [done] of [total] bytes, or other units, are done; [total] is an estimate if the input is still being written. */
+    public fun advanced(done: Long, total: Long)
+}
+
+/**
+ * Shows on a terminal the progress of a piece of work and the remaining time, once it has taken a while. Closing it removes it from the
+ * terminal.
+ *
+ * @param label what is being processed.
+ * @param delay nanoseconds before the bar appears.
+ * @param clock returns nanoseconds since an arbitrary moment.
+ */
+public class ProgressBar(
+    label: String,
+    err: PrintStream,
+    private val isShown: Boolean,
+    private val delay: Long = 500_000_000L,
+    private val clock: () -> Long = System::nanoTime,
+) : Progress,
+    AutoCloseable {
+    private val label = label.takeLast(LABEL)
+    private val start = clock()
+    private var percent = -1
+    private var second = -1L
+    private val line = StatusLine(err)
+
+    override fun advanced(done: Long, total: Long) {
+        if (!isShown) return
+        val taken = clock() - start
+        if (taken < delay) return
+        val now = if (total > 0) (done * 100 / total).coerceAtMost(100).toInt() else 100
+        if (now == percent && taken / SECOND == second) return
+        percent = now
+        second = taken / SECOND
+        val filled = now * BAR / 100
+        val left = if (now in 1..99) ", ${timeLeft(taken.toDouble() / SECOND * (total - done) / done)}" else ""
+        line.show("$label [${"#".repeat(filled)}${" ".repeat(BAR - filled)}] $now %$left")
+    }
+
+    override fun close(): Unit = line.close()
+
+    private companion object {
+        // Together with the remaining time, this fits in 80 columns.
+        const val LABEL = 34
+        const val BAR = 20
+
+        /** Nanoseconds. */
+        const val SECOND = 1_000_000_000L
+    }
+}
+
+/**
+ * Returns [seconds] with the precision of an estimate: `12 s left`, from a minute and a half on `3 min left`, from an hour and a half on `2
+ * h left`.
+ */
+internal fun timeLeft(seconds: Double): String = when {
+    seconds < LEAST_MINUTES -> "${ceil(seconds).toInt()} s left"
+    seconds < LEAST_HOURS -> "${(seconds / MINUTE).roundToInt()} min left"
+    else -> "${(seconds / HOUR).roundToInt()} h left"
+}
+
+private const val MINUTE = 60
+private const val HOUR = 3600
+private const val LEAST_MINUTES = 90
+private const val LEAST_HOURS = 5400

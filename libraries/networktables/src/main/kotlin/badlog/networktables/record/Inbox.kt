@@ -1,0 +1,75 @@
+package badlog.networktables.record
+
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/** Something that happened on the connection [link]. */
+internal sealed interface Incoming {
+    val link: Link
+
+    /** It is open. */
+    class Opened(override val link: Link) : Incoming
+
+    class Text(override val link: Link, val text: String) : Incoming
+
+    /** @property localMicros when it arrived. */
+    class Values(override val link: Link, val frame: ByteArray, val localMicros: Long) : Incoming
+
+    /**
+     * It is closed, because of [reason].
+     *
+     * @property localMicros when its last message arrived.
+     */
+    class Closed(override val link: Link, val reason: String, val localMicros: Long) : Incoming
+}
+
+/**
+ * What arrived and is not written yet, in limited memory: if the disk is too slow, values are dropped and counted. Thread-safe.
+ *
+ * @param limit the number of bytes of values that may wait.
+ */
+internal class Inbox(private val limit: Long) {
+    private val waiting = ArrayDeque<Incoming>()
+    private val lock = ReentrantLock()
+    private val arrival = lock.newCondition()
+    private var bytes = 0L
+
+    /** The number of values that were dropped. */
+    var dropped: Long = 0
+        get() = lock.withLock { field }
+        private set
+
+    /** Adds [incoming]. Returns false if there is no room for it. */
+    fun add(incoming: Incoming): Boolean = lock.withLock {
+        val size = sizeOf(incoming)
+        if (size > 0 && bytes + size > limit) {
+            if (incoming is Incoming.Values) dropped += countValues(incoming.frame)
+            return false
+        }
+        bytes += size
+        waiting.addLast(incoming)
+        arrival.signal()
+        true
+    }
+
+    /** Removes and returns the first; null if nothing comes within [millis]. */
+    fun next(millis: Long): Incoming? = lock.withLock {
+        var left = TimeUnit.MILLISECONDS.toNanos(millis)
+        while (waiting.isEmpty()) {
+            if (left <= 0) return null
+            left = arrival.awaitNanos(left)
+        }
+        waiting.removeFirst().also { bytes -= sizeOf(it) }
+    }
+
+    private fun sizeOf(incoming: Incoming): Long = when (incoming) {
+        is Incoming.Values -> incoming.frame.size + OVERHEAD
+        is Incoming.Text -> 2L * incoming.text.length + OVERHEAD
+        else -> 0
+    }
+
+    private companion object {
+        const val OVERHEAD = 64L
+    }
+}

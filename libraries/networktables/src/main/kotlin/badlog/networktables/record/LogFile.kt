@@ -1,0 +1,133 @@
+package badlog.networktables.record
+
+import badlog.formats.wpilog.WpilogStream
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.channels.FileChannel
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.time.Instant
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
+import java.util.concurrent.Executors
+import java.util.concurrent.TimeUnit
+
+/**
+ * A log that is being written. Its name is that of WPILib's `DataLogManager`: `FRC_yyyyMMdd_HHmmss.wpilog`, in UTC, and with event and match
+ * when these are known. What was [flushed][flush] is on the disk a tenth of a second later. Use it on one thread.
+ *
+ * @param path its first name; the file exists and is empty.
+ * @property startMicros the robot's time at its start.
+ */
+internal class LogFile private constructor(path: Path, private val channel: FileChannel, val startMicros: Long) : AutoCloseable {
+    /** Its current name. */
+    var path: Path = path
+        private set
+
+    /** Its size in bytes, without what was not flushed. */
+    @Volatile
+    var bytes: Long = 0
+        private set
+
+    @Volatile
+    private var isDirty = false
+    private var nameEnd: String? = null
+    private val stem = path.fileName.toString().removeSuffix(ENDING)
+    private val stream = WpilogStream(::write)
+    private val syncs = Executors.newSingleThreadScheduledExecutor { Thread(it, "record sync").apply { isDaemon = true } }
+
+    init {
+        syncs.scheduleWithFixedDelay(::sync, SYNC_MILLIS, SYNC_MILLIS, TimeUnit.MILLISECONDS)
+    }
+
+    fun start(name: String, type: String, metadata: String, micros: Long): Int = stream.start(name, type, metadata, micros)
+
+    fun record(entry: Int, micros: Long, payload: ByteArray): Unit = stream.record(entry, micros, payload)
+
+    fun changeMetadata(entry: Int, metadata: String, micros: Long): Unit = stream.changeMetadata(entry, metadata, micros)
+
+    fun finish(entry: Int, micros: Long): Unit = stream.finish(entry, micros)
+
+    /** Passes everything on to the system. */
+    fun flush(): Unit = stream.flush()
+
+    /** Adds [end] to its name, once. If the system refuses that now, it [may be tried again][isTriedAgain] when it is closed. */
+    fun rename(end: String, isTriedAgain: Boolean) {
+        if (nameEnd != null) return
+        nameEnd = end
+        move()
+        if (!isTriedAgain) nameEnd = ""
+    }
+
+    /** Writes the rest, and closes it. */
+    override fun close() {
+        try {
+            flush()
+        } finally {
+            syncs.shutdown()
+            syncs.awaitTermination(1, TimeUnit.SECONDS)
+            channel.use(::force)
+            move()
+        }
+    }
+
+    private fun move() {
+        val end = nameEnd.orEmpty()
+        if (end.isEmpty()) return
+        val target = path.resolveSibling(stem + end + ENDING)
+        if (target == path) return
+        try {
+            Files.move(path, target)
+            path = target
+        } catch (_: IOException) {
+            // It keeps its first name.
+        }
+    }
+
+    private fun write(piece: ByteArray, size: Int) {
+        val buffer = ByteBuffer.wrap(piece, 0, size)
+        while (buffer.hasRemaining()) channel.write(buffer)
+        bytes += size
+        isDirty = true
+    }
+
+    private fun sync() {
+        if (!isDirty) return
+        isDirty = false
+        force(channel)
+    }
+
+    private fun force(channel: FileChannel) = try {
+        channel.force(false)
+    } catch (_: IOException) {
+        // The next write reports it.
+    }
+
+    companion object {
+        private const val ENDING = ".wpilog"
+        private const val SYNC_MILLIS = 100L
+        private val NAME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
+
+        /** Creates a log in [folder], named after [now], or a second later if there is one already. Throws [IOException]. */
+        fun create(folder: Path, now: Instant, startMicros: Long): LogFile {
+            Files.createDirectories(folder)
+            var time = now
+            while (true) {
+                val stem = "FRC_${NAME.format(time)}"
+                time = time.plusSeconds(1)
+                // It may have got its match's name.
+                val isTaken = Files.newDirectoryStream(folder, "$stem*").use { it.iterator().hasNext() }
+                if (isTaken) continue
+                val path = folder.resolve(stem + ENDING)
+                try {
+                    val channel = FileChannel.open(path, StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW)
+                    return LogFile(path, channel, startMicros)
+                } catch (_: FileAlreadyExistsException) {
+                    continue
+                }
+            }
+        }
+    }
+}

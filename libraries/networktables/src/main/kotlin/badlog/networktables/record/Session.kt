@@ -1,0 +1,276 @@
+package badlog.networktables.record
+
+import badlog.networktables.TopicType
+import kotlinx.serialization.json.add
+import kotlinx.serialization.json.addJsonObject
+import kotlinx.serialization.json.buildJsonArray
+import kotlinx.serialization.json.put
+import kotlinx.serialization.json.putJsonArray
+import kotlinx.serialization.json.putJsonObject
+
+/**
+ * Follows what servers send, and decides what is written. Use it on one thread; the functions throw [java.io.IOException] if the log cannot
+ * be written.
+ *
+ * @param sources the servers; the first is the robot's, whose clock is that of the log.
+ * @param dropped returns the number of values dropped so far.
+ * @param clock returns this computer's time in µs, from any moment.
+ */
+internal class Session(
+    private val sources: List<Source>,
+    private val options: RecordOptions,
+    private val listener: RecordListener,
+    private val dropped: () -> Long,
+    private val clock: () -> Long,
+) {
+    private val robot = sources.first()
+    private val output = LogOutput(options)
+    private var match = MatchFacts()
+    private var subscriptions = 0
+    private var ignored = 0L
+    private var flushedMicros = 0L
+    private var disabledMicros = 0L
+    private var connectedMicros = 0L
+    private var isSilenceNoted = false
+
+    /** How far it is. */
+    val progress: RecordProgress get() = output.progress(robot.isSubscribed)
+
+    fun take(incoming: Incoming) {
+        val source = incoming.link.source
+        if (incoming is Incoming.Opened) return opened(source, incoming.link)
+        // Of a connection that has been replaced.
+        if (source.link !== incoming.link) return
+        when (incoming) {
+            is Incoming.Text -> for (message in serverMessages(incoming.text) { ignore(source, it) }) take(source, message)
+            is Incoming.Values -> readValues(incoming.frame, Values(source, incoming.localMicros))
+            is Incoming.Closed -> closed(source, incoming)
+            is Incoming.Opened -> Unit
+        }
+    }
+
+    fun tick() {
+        val now = clock()
+        if (now - flushedMicros < FLUSH_MICROS) return
+        flushedMicros = now
+        val isOver = options.isPerEnable && match.isEnabled == false && now - disabledMicros > PAUSE_MICROS
+        if (isOver && robot.isSubscribed) finish() else output.tick(robotMicros(), dropped())
+        val isSilent = options.isPerEnable && robot.isSubscribed && match.isEnabled == null && now - connectedMicros > PAUSE_MICROS
+        if (isSilent && !isSilenceNoted) {
+            isSilenceNoted = true
+            val missing = "neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}"
+            note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
+        }
+    }
+
+    /** Ends the file at [micros]. */
+    fun finish(micros: Long = robotMicros()) {
+        output.close(micros, dropped(), ignored)?.let(listener::finished)
+        ignored = 0
+    }
+
+    private fun opened(source: Source, link: Link) {
+        source.link = link
+        source.isSubscribed = false
+        source.byId.clear()
+    }
+
+    private fun closed(source: Source, closed: Incoming.Closed) {
+        val wasSubscribed = source.isSubscribed
+        source.link = null
+        source.isSubscribed = false
+        source.sync.disconnected()
+        if (!wasSubscribed) return
+        val name = source.server.name
+        output.connected(source, false, logMicros(source, closed.localMicros + (source.sync.offset ?: 0)))
+        output.message("The connection to the $name was lost: ${closed.reason}.", robotMicros())
+        listener.disconnected(name, closed.reason)
+    }
+
+    private fun answered(source: Source, sent: Long, server: Long, local: Long) {
+        val before = robotMicros()
+        val isAnother = source.sync.answered(sent, server, local)
+        if (isAnother) clockChanged(source, before)
+        val link = source.link ?: return
+        if (source.isSubscribed) {
+            // The server's values are those of its former clock; connected anew, it sends those of the new one.
+            if (isAnother) link.close("its clock was set")
+            return
+        }
+        source.isSubscribed = true
+        subscribe(link, "", isAll = options.isWanted == null)
+        if (options.isWanted != null) MatchFacts.FOLDERS.forEach { subscribe(link, it, isAll = true) }
+        if (options.isWanted != null) subscribe(link, SCHEMAS, isAll = true)
+        if (source.isRobot) connectedMicros = local
+        if (output.isOpen) {
+            output.connected(source, true, robotMicros())
+        } else if (source.isRobot && !options.isPerEnable) {
+            open(robotMicros())
+        }
+        output.message("Connected to the ${source.server.name} at ${link.address}.", robotMicros())
+        listener.connected(source.server.name, link.address)
+    }
+
+    /** The server of [source] has another clock; by the former one, it is [before] now. */
+    private fun clockChanged(source: Source, before: Long) {
+        val name = source.server.name
+        if (source.isRobot) {
+            val text = "The clock of the $name began anew, as after a restart of its program: so does the log."
+            if (output.isOpen) listener.noted(text)
+            output.message(text, before)
+            finish(before)
+            match = MatchFacts()
+        } else {
+            note("The clock of the $name began anew, as after a restart of its program; its values are still in the robot's time.")
+        }
+        source.byName.clear()
+        source.byId.clear()
+    }
+
+    private fun subscribe(link: Link, name: String, isAll: Boolean, isPrefix: Boolean = true) {
+        val id = ++subscriptions
+        val request = buildJsonArray {
+            addJsonObject {
+                put("method", "subscribe")
+                putJsonObject("params") {
+                    putJsonArray("topics") { add(name) }
+                    put("subuid", id)
+                    putJsonObject("options") {
+                        put("periodic", PERIOD_SECONDS)
+                        if (isPrefix) put("prefix", true)
+                        put(if (isAll) "all" else "topicsonly", true)
+                    }
+                }
+            }
+        }
+        link.send(request.toString())
+    }
+
+    private fun take(source: Source, message: ServerMessage) {
+        when (message) {
+            is ServerMessage.Announce -> announced(source, message)
+
+            is ServerMessage.Unannounce -> {
+                source.byId.remove(message.id)
+                source.byName.remove(message.name)?.let { output.unannounced(it, robotMicros()) }
+            }
+
+            is ServerMessage.Properties -> source.byName[message.name]?.let {
+                it.update(message.update)
+                output.described(it, robotMicros())
+            }
+        }
+    }
+
+    private fun announced(source: Source, message: ServerMessage.Announce) {
+        val logName = source.server.prefix + message.name
+        val isAlways = message.name.startsWith(SCHEMAS) || MatchFacts.isOne(message.name)
+        val wanted = options.isWanted
+        if (wanted != null && !isAlways && !wanted(logName)) return
+        if (source.server.isMirror && message.name in robot.byName) return
+        if (source.isRobot) sources.filter { it.server.isMirror }.forEach { unmirror(it, message.name) }
+        val known = source.byName[message.name]
+        val topic = if (known != null && known.typeName == message.type) {
+            known.also { redescribe(it, message) }
+        } else {
+            if (source.byName.size >= Source.MAX_TOPICS) return ignore(source, "more than ${Source.MAX_TOPICS} topics")
+            known?.let { output.unannounced(it, robotMicros()) }
+            RecordedTopic(message.name, message.type, logName, message.properties).also { source.byName[message.name] = it }
+        }
+        topic.isRepeating = true
+        source.byId[message.id] = topic
+        output.announced(topic, robotMicros())
+        if (wanted != null && !isAlways) source.link?.let { subscribe(it, message.name, isAll = true, isPrefix = false) }
+    }
+
+    /** The mirror [source] was faster than the robot to announce the topic [name]. */
+    private fun unmirror(source: Source, name: String) {
+        val topic = source.byName.remove(name) ?: return
+        source.byId.values.remove(topic)
+        output.unannounced(topic, robotMicros())
+    }
+
+    private fun redescribe(topic: RecordedTopic, message: ServerMessage.Announce) {
+        if (topic.properties == message.properties) return
+        topic.replaceProperties(message.properties)
+        output.described(topic, robotMicros())
+    }
+
+    private inner class Values(private val source: Source, private val localMicros: Long) : ValueSink {
+        override fun typeOf(id: Long): TopicType? {
+            val topic = source.byId[id]
+            // Values are sent after the announcement of their topic, but for those that are not wanted.
+            return topic?.type
+        }
+
+        override fun value(id: Long, micros: Long, payload: ByteArray) {
+            val topic = source.byId[id] ?: return
+            val time = logMicros(source, micros)
+            if (topic.isRepeating) {
+                topic.isRepeating = false
+                if (output.has(topic, time, payload)) return
+            }
+            topic.latest = payload
+            topic.latestMicros = micros
+            val wasOpen = output.isOpen
+            if (source.isRobot && MatchFacts.isOne(topic.name)) handle(topic, payload)
+            // A file that was opened by this value has it.
+            val isInOrder = if (wasOpen) output.value(topic, time) else true
+            if (!isInOrder) {
+                note(
+                    "“${topic.logName}” has a value with an earlier time than the one before; more such values are only counted.",
+                )
+            }
+        }
+
+        override fun time(serverMicros: Long, sentMicros: Long) = answered(source, sentMicros, serverMicros, localMicros)
+
+        override fun ignored(what: String) = ignore(source, what)
+    }
+
+    private fun handle(topic: RecordedTopic, payload: ByteArray) {
+        val was = match.isEnabled
+        match.handle(topic.name, payload)
+        val isEnabled = match.isEnabled
+        if (was != isEnabled && isEnabled == false) disabledMicros = clock()
+        if (options.isPerEnable && isEnabled == true && !output.isOpen) open(topic.latestMicros)
+        if (options.isRenamed) match.nameEnd?.let(output::match)
+    }
+
+    private fun open(micros: Long) {
+        output.open(sources, micros, dropped(), ::logMicros)
+        match.nameEnd?.let(output::match)
+    }
+
+    /** The robot's time now; 0 if it is not known, when no file is open either. */
+    private fun robotMicros(): Long = robot.sync.offset?.let { clock() + it } ?: 0
+
+    /** Returns [micros] of the server of [source] in the robot's time. */
+    private fun logMicros(source: Source, micros: Long): Long {
+        val own = source.sync.offset
+        val robots = robot.sync.offset
+        return if (source.isRobot || own == null || robots == null) micros else micros - own + robots
+    }
+
+    private fun ignore(source: Source, what: String) {
+        if (ignored++ == 0L) note("The ${source.server.name} sent $what; what cannot be read is left out and counted.")
+    }
+
+    private fun note(message: String) {
+        output.message(message, robotMicros())
+        listener.noted(message)
+    }
+
+    private companion object {
+        const val SCHEMAS = "/.schema/"
+
+        /** How often the server sends values. */
+        const val PERIOD_SECONDS = 0.05
+
+        /** With that period, and a sync each 100 ms, a cut costs less than 0.25 s. */
+        const val FLUSH_MICROS = 50_000L
+
+        /** Between autonomous and teleop a robot is disabled for a few seconds, and so is its log. */
+        const val PAUSE_MICROS = 15_000_000L
+    }
+}

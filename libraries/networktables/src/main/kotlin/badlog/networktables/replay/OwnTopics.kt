@@ -1,0 +1,42 @@
+package badlog.networktables.replay
+
+import kotlinx.serialization.json.JsonObject
+
+/**
+ * The topics that one client publishes besides those of the recording. The client gets the answers it expects; nobody else
+ * sees these topics, and their values are dropped.
+ *
+ * @param firstId the lowest id that no topic of the recording has.
+ */
+internal class OwnTopics(firstId: Int) {
+    private class Topic(val name: String, val id: Int, val type: String, val properties: JsonObject) {
+        val publishers = HashSet<Long>()
+    }
+
+    private var nextId = firstId
+    private val byName = HashMap<String, Topic>()
+    private val byPublisher = HashMap<Long, Topic>()
+
+    /** The number of publishers. */
+    val size: Int get() = byPublisher.size
+
+    fun publish(request: Request.Publish): JsonObject {
+        val topic = byName.getOrPut(request.name) { Topic(request.name, nextId++, request.type, request.properties) }
+        byPublisher.put(request.id, topic)?.publishers?.remove(request.id)
+        topic.publishers += request.id
+        return announce(topic.name, topic.id, topic.type, topic.properties, request.id)
+    }
+
+    /** Returns null while somebody else publishes it, and for an unknown publisher. */
+    fun unpublish(request: Request.Unpublish): JsonObject? {
+        val topic = byPublisher.remove(request.id) ?: return null
+        topic.publishers -= request.id
+        if (topic.publishers.isNotEmpty()) return null
+        byName.remove(topic.name, topic)
+        return unannounce(topic.name, topic.id)
+    }
+
+    /** Returns null for a topic that is not one of these. */
+    fun setProperties(request: Request.SetProperties): JsonObject? =
+        if (request.name in byName) acknowledge(request.name, request.update) else null
+}

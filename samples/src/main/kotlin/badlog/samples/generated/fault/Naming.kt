@@ -1,0 +1,24 @@
+package badlog.samples.generated.fault
+
+/**
+ * How a team logs, which decides what of a fault can be seen at all.
+ *
+ * @property id the word for it in file names and on the command line.
+ * @property isBag whether its file is a bag; otherwise a WPILOG.
+ */
+enum class Naming(val id: String, val isBag: Boolean) {
+    /** AdvantageKit: all inputs and outputs of the robot's code, once per loop, only changes. */
+    ADVANTAGEKIT("advantagekit", false),
+
+    /** WPILib's `DataLogManager`: the Driver Station, what the team puts on its dashboard, and the console. */
+    WPILIB("wpilib", false),
+
+    /** A `hoot` log of Phoenix 6's signal logger, converted: each status signal of each CTRE device, and the state of the drive. */
+    PHOENIX("phoenix", false),
+
+    /** A `revlog` of REVLib's status logger, merged with the Driver Station's part of WPILib's log: each status signal of each Spark. */
+    REV("rev", false),
+
+    /** A bag, with names as teams gave them in badlog's first years. */
+    BADLOG("badlog", true),
+}

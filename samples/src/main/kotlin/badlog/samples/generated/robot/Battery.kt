@@ -1,0 +1,68 @@
+package badlog.samples.generated.robot
+
+/**
+ * A lead-acid battery of 18 Ah with its leads: a voltage that falls with the charge, a resistance, and a slow part that recovers.
+ *
+ * @param restVolts the voltage at rest, before the match.
+ * @param resistance in Ω, leads and breaker included.
+ */
+internal class Battery(restVolts: Double, val resistance: Double) {
+    private val fullVolts = restVolts
+    private var used = 0.0
+    private var slow = 0.0
+
+    /** A contact's resistance in its leads, in Ω; 0 if they are tight. */
+    var contact = 0.0
+
+    /** What it has less than when charged, in V. */
+    var missingVolts = 0.0
+
+    /** The voltage that the robot gets. */
+    var volts = restVolts
+        private set
+
+    /** What the robot takes, in A. */
+    var current = 0.0
+        private set
+
+    /** The energy that left the battery's terminals, in J. */
+    var energy = 0.0
+        private set
+
+    /** The energy that became heat in the battery and its leads, in J. */
+    var heat = 0.0
+        private set
+
+    /** The voltage without a load. */
+    val openVolts: Double get() = fullVolts - missingVolts - used / CAPACITY * VOLTS_OVER_CHARGE - slow
+
+    /** Takes [amperes] for [dt] s, of which [slope] is how much it rises per V. */
+    fun take(amperes: Double, slope: Double, dt: Double) {
+        current = amperes
+        used += amperes * dt
+        slow += dt / SLOW_SECONDS * (amperes * SLOW_RESISTANCE - slow)
+        val series = resistance + contact
+        val target = openVolts - amperes * series
+        volts += FOLLOWING * (target - volts) / (1 + series * slope)
+        volts = volts.coerceIn(LEAST_VOLTS, MOST_VOLTS)
+        energy += volts * amperes * dt
+        heat += (openVolts - volts) * amperes * dt
+    }
+
+    private companion object {
+        // 18 Ah at the 20 h rate; at a robot's currents it gives about two thirds.
+        const val CAPACITY = 18.0 * 3600 * 0.65
+        const val VOLTS_OVER_CHARGE = 1.1
+        const val SLOW_SECONDS = 12.0
+        const val SLOW_RESISTANCE = 0.003
+
+        // Capacitors of the controllers smooth what one step would jump.
+        const val FOLLOWING = 0.7
+
+        // Below that, the roboRIO is off, and there would be no log.
+        const val LEAST_VOLTS = 4.8
+
+        // What braking motors feed back beyond that, their controllers turn into heat.
+        const val MOST_VOLTS = 13.45
+    }
+}

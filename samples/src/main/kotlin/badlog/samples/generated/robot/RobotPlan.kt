@@ -1,0 +1,65 @@
+package badlog.samples.generated.robot
+
+import badlog.samples.generated.fault.Fault
+import badlog.samples.generated.fault.Naming
+import badlog.samples.generated.fault.Need
+
+/**
+ * What makes a match without a fault hard to distinguish from one with a fault.
+ *
+ * @property title what it is, in words.
+ */
+internal enum class Hardship(val title: String) {
+    /** Nothing special: the hits and the haste of any match. */
+    NONE("an ordinary match"),
+    COLLISIONS("many hits by other robots"),
+    HARD_BRAKING("a driver who brakes hard and turns back at once"),
+    AGED_BATTERY("an aged battery that is still acceptable: 26 mΩ, 12.55 V"),
+    SLOW_SENSORS("status frames at a fifth of the usual rate"),
+    PUSHED("pushing matches against other robots"),
+    LONG_SPRINT("sprints over the whole field, without a pause"),
+}
+
+/**
+ * The robot of a match, and what happens to it.
+ *
+ * @property seed what everything random in the match follows from.
+ * @property parts what it has: [Need.SWERVE] or [Need.TANK], mechanisms, and [Need.VISION].
+ * @property driveKind the motors of its drive.
+ * @property steerKind the motors that turn its wheels, and those of its mechanisms.
+ * @property hardship what makes the match hard.
+ * @property fault what is wrong with it; null for nothing.
+ * @property strength how strong the fault is; see [Fault.strength].
+ */
+internal data class RobotPlan(
+    val seed: Long,
+    val naming: Naming,
+    val parts: Set<Need>,
+    val driveKind: MotorKind,
+    val steerKind: MotorKind,
+    val hardship: Hardship,
+    val fault: Fault?,
+    val strength: Double,
+) {
+    companion object {
+        private val MECHANISMS = listOf(Need.ELEVATOR, Need.ARM, Need.SHOOTER, Need.INTAKE, Need.PNEUMATICS, Need.VISION)
+
+        fun of(seed: Long, naming: Naming, fault: Fault?, strength: Double, hardship: Hardship): RobotPlan {
+            val chance = Chance(seed, "plan")
+            val needs = fault?.needs.orEmpty()
+            val likesSwerve = chance.isIn(if (naming == Naming.BADLOG) 0.25 else 0.7)
+            val isSwerve = Need.SWERVE in needs || (Need.TANK !in needs && likesSwerve)
+            val parts = linkedSetOf(if (isSwerve) Need.SWERVE else Need.TANK)
+            for (part in MECHANISMS) if (chance.isIn(0.55) || part in needs) parts += part
+            if (parts.size < 3) parts += listOf(Need.SHOOTER, Need.INTAKE)
+            val kinds = when (naming) {
+                Naming.PHOENIX -> listOf(MotorKind.KRAKEN_X60, MotorKind.FALCON_500)
+                Naming.REV -> listOf(MotorKind.NEO)
+                else -> listOf(MotorKind.KRAKEN_X60, MotorKind.FALCON_500, MotorKind.NEO)
+            }
+            val kind = chance.of(kinds)
+            val isBrushed = chance.isIn(0.5) && !isSwerve && (naming == Naming.BADLOG || naming == Naming.WPILIB)
+            return RobotPlan(seed, naming, parts, if (isBrushed) MotorKind.CIM else kind, kind, hardship, fault, strength)
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package badlog.samples.generated
+
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.Topic
+import badlog.formats.wpilog.WpilogFormat
+import badlog.samples.generated.fault.FAULTS
+import badlog.samples.generated.fault.Naming
+import badlog.samples.generated.fault.STRENGTHS
+import badlog.samples.generated.fault.Visibility
+import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.comparables.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import kotlin.math.abs
+
+private val GENERATOR = MatchGenerator(2026)
+
+/** How much a topic differs, from [from] until [until], as a part of its range in the match without the fault; texts differ by 1. */
+private fun difference(one: Held, other: Held, from: Double, until: Double): Double {
+    var sum = 0.0
+    var count = 0
+    var least = Double.POSITIVE_INFINITY
+    var most = Double.NEGATIVE_INFINITY
+    var time = from
+    while (time < until) {
+        val a = one.at(time)
+        val b = other.at(time)
+        if (!b.isNaN()) {
+            least = minOf(least, b)
+            most = maxOf(most, b)
+        }
+        if (!a.isNaN() || !b.isNaN()) {
+            sum += if (a.isNaN() || b.isNaN()) 1.0 else abs(a - b)
+            count++
+        }
+        time += 0.1
+    }
+    return if (count == 0) 0.0 else sum / count / maxOf(most - least, 1e-3)
+}
+
+/** What contradicts the table of faults in [match], which has one; null for nothing. */
+private fun mistakeOf(match: GeneratedMatch): String? {
+    val fault = checkNotNull(match.fault)
+    val start = checkNotNull(match.start)
+    val isSeen = fault.sightIn(match.naming).visibility != Visibility.NOTHING
+    if (match.evidence.isEmpty() == isSeen) return "the evidence is ${match.evidence}"
+    val with = recordingOf(match)
+    val without = recordingOf(MatchGenerator.withoutFault(match))
+    val others = without.topics.associateBy { it.name }
+    fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(Held(with, topic), Held(without, it), from, until) } ?: 1.0
+    // Heat and a hard pull come before what they cause.
+    val quiet = if (fault.id == "hot-motor") 0.0 else start - 7
+    with.topics.find { it.name in others && changeOf(it, 0.0, quiet) != 0.0 }?.let { return "“${it.name}” differs before the fault starts" }
+    if (!isSeen) return null
+    val shown = with.topics.filter { topic -> match.evidence.any { topic.name == it || topic.name.startsWith("$it/") || topic.name.startsWith("$it[") } }
+    val most = shown.maxOfOrNull { changeOf(it, start, start + 120) } ?: 0.0
+    return if (most > 0.01) null else "its evidence ${match.evidence} differs by $most of its range only"
+}
+
+@Tags("InCheck")
+class MatchGeneratorSpec : FunSpec({
+    test("the same seed gives the same bytes, another seed others") {
+        for (naming in Naming.entries) {
+            val fault = FAULTS[naming.ordinal * 5]
+            val match = GENERATOR.faulty(naming, fault, 1.0)
+            (match.bytes contentEquals MatchGenerator(2026).faulty(naming, fault, 1.0).bytes) shouldBe true
+            (match.bytes contentEquals MatchGenerator(2027).faulty(naming, fault, 1.0).bytes) shouldBe false
+        }
+    }
+
+    test("a short sequence has all namings, strengths, faults and hardships, and as many good matches as a third") {
+        class Facts(val naming: Naming, val fault: String?, val strength: Double, val name: String, val isHard: Boolean)
+        val some = GENERATOR.matches().take(FAULTS.size * 3).map { Facts(it.naming, it.fault?.id, it.strength, it.name, it.isHard) }.toList()
+        some.map { it.naming }.toSet() shouldBe Naming.entries.toSet()
+        some.mapNotNull { it.fault }.toSet() shouldBe FAULTS.map { it.id }.toSet()
+        some.filter { it.fault != null }.map { it.strength }.toSet() shouldBe STRENGTHS.toSet()
+        some.count { it.fault == null } shouldBe FAULTS.size
+        some.map { it.name }.toSet().size shouldBe some.size
+        some.count { it.isHard } shouldBe FAULTS.size / 3
+    }
+
+    for (naming in Naming.entries) {
+        test("logs of ${naming.id} are read without a problem, whether a fault is planted or not") {
+            val matches = (0..6).asSequence().map { GENERATOR.healthy(naming, it * 3 + 2) } + FAULTS.asSequence().map { GENERATOR.faulty(naming, it, 1.0) }
+            for (match in matches) {
+                withClue(match.name) {
+                    val recording = recordingOf(match)
+                    recording.format shouldBe if (naming.isBag) RecordingFormat.BAG else WpilogFormat
+                    recording.problems.shouldBeEmpty()
+                    recording.topics.filter { it.size == 0 }.map { it.name }.filterNot { "Console" in it || it == "messages" }.shouldBeEmpty()
+                    recording.topics.map { it.name }.toSet().size shouldBe recording.topics.size
+                }
+            }
+        }
+
+        test("each fault changes, in logs of ${naming.id}, a topic that is to show it, and nothing before it starts") {
+            FAULTS.mapNotNull { fault -> mistakeOf(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
+        }
+    }
+
+    test("what is said of a match is JSON that names the fault, its causes and its evidence") {
+        val match = GENERATOR.faulty(Naming.ADVANTAGEKIT, FAULTS.first(), 0.3)
+        val members = checkNotNull(badlog.core.json.JsonReader.readObject(describe(match))).associate { it.key to it.value }
+        members.getValue("fault").text shouldBe FAULTS.first().id
+        checkNotNull(members.getValue("evidence").items).map { it.text } shouldContainAll listOf("/SystemStats/BatteryVoltage")
+        members.getValue("start").json.toDouble() shouldBe match.start
+        match.name shouldNotBe GENERATOR.faulty(Naming.ADVANTAGEKIT, FAULTS.first(), 1.0).name
+        match.bytes.size shouldBeGreaterThan 100_000
+    }
+})
