@@ -85,7 +85,7 @@ internal class ArrivalSpec : PageSpec({
             click("#leave-arrival")
             news() shouldBe ""
             focused() shouldBe "go-back"
-            texts("[data-column='FILE']").size shouldBe 3
+            await("three rows") { texts("[data-column='FILE']").size == 3 }
             script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
             await("the next") { "arrived" in news() }
             openListed("later")
@@ -116,7 +116,8 @@ internal class ArrivalSpec : PageSpec({
                     number("return document.querySelector('.arrival').offsetHeight")
             }
             focused() shouldBe "only-errors"
-            texts("[data-column='FILE']").joinToString() shouldContain "qualification-42.bag"
+            // The news is there before the list's next row.
+            await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
             elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
             press("a")
             awaitLog("Qualification 42")
