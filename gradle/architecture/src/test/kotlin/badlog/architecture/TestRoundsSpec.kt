@@ -29,26 +29,18 @@ private val TAG = Regex("""@Tags\(([^)]*)\)""")
 private val MAY = listOf("Eventually.kt", "RealWindow.kt")
 
 private val STILL_TIMED = listOf(
-    "BrowserTab.kt",
-    "Chromium.kt",
     "FailuresSpec.kt",
     "FileWritesSpec.kt",
     "FolderChartsSpec.kt",
     "KilledWorkerSpec.kt",
-    "LiveSpec.kt",
     "LocalCluster.kt",
     "LogFindingsSpec.kt",
     "LongTasksSpec.kt",
-    "Mouse.kt",
     "NewLogsSpec.kt",
     "OpenGraphs.kt",
-    "OpenPage.kt",
     "OwnFilesSpec.kt",
-    "RobotServer.kt",
     "SharedFolderSpec.kt",
     "VendordepProof.kt",
     "ViewerProof.kt",
-    "WebKit.kt",
     "WindowOnScreen.kt",
-    "WritingRobot.kt",
 )

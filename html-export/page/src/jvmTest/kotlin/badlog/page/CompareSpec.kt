@@ -117,7 +117,7 @@ internal class CompareSpec : PageSpec({
             fun addFormula(text: String) {
                 press("f")
                 press(text, Keys.ENTER)
-                settle()
+                await("its graph") { text.substringBefore(" [") in graphNames }
             }
             addFormula("First [V] = $VOLTS * 2")
             compare("other.bag" to log(100.0, 3.0, 11.0))

@@ -42,7 +42,7 @@ internal class FormulaSpec : PageSpec({
             press(Keys.ENTER)
             element("#formula-dialog").isDisplayed shouldBe false
             awaitGraph("Power/Sum")
-            graph("Power/Sum").hover(0.5)
+            graph("Power/Sum").scrollTo().hover(0.5)
             graph("Power/Sum").value("Sum") shouldBe "150"
             press("f")
             press("New folder/Twice = Sum * 2", Keys.ENTER)
@@ -167,7 +167,7 @@ internal class FormulaSpec : PageSpec({
             script("location.hash = '#f=$five&t=4'")
             await("the formulas") { graphNames.containsAll(isAllThere) }
             graphNames.count { it == "F1" } shouldBe 1
-            texts(".cursor-readout").single() shouldStartWith "4.0"
+            await("its moment") { texts(".cursor-readout").single().startsWith("4.0") }
         }
     }
 

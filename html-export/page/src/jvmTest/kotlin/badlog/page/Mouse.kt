@@ -27,7 +27,7 @@ internal fun OpenPage.doubleClick(x: Int, y: Int) = clicks(listOf(x to y, x to y
  */
 internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {
     act { mouseTo(places.first().first, places.first().second) }
-    val begin = System.currentTimeMillis() / 1000.0
+    val begin = now()
     places.forEachIndexed { index, (x, y) ->
         for ((type, buttons) in listOf("mousePressed" to 1, "mouseReleased" to 0)) {
             driver.executeCdpCommand(
@@ -41,7 +41,7 @@ internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {
 
 /** Taps with a finger at [places] of the window, likewise. */
 internal fun OpenPage.taps(places: List<Pair<Int, Int>>, pause: Double) {
-    val begin = System.currentTimeMillis() / 1000.0
+    val begin = now()
     places.forEachIndexed { index, (x, y) ->
         for ((type, fingers) in listOf("touchStart" to listOf(mapOf("x" to x, "y" to y)), "touchEnd" to emptyList())) {
             driver.executeCdpCommand(
@@ -52,3 +52,6 @@ internal fun OpenPage.taps(places: List<Pair<Int, Int>>, pause: Double) {
     }
     settle()
 }
+
+/** The time by the browser's own clock, in seconds. */
+private fun OpenPage.now() = number("return performance.timeOrigin + performance.now()") / 1000

@@ -139,7 +139,7 @@ internal class PageLinkSpec : PageSpec({
             script("location.hash = '#t=3&board=~12'")
             await("the notice") { notice().isNotEmpty() }
             notice() shouldBe "This link’s board is damaged; copy the link again."
-            texts(".cursor-readout").single() shouldBe "3.000 s"
+            await("its moment") { texts(".cursor-readout").single() == "3.000 s" }
             script("location.hash = '#board=Voltage;Nothing'")
             await("the notice") { "Nothing" in notice() }
             notice() shouldBe "1 graph hidden: topics not in this log (“Nothing”)."

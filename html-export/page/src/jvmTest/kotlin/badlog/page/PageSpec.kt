@@ -31,6 +31,7 @@ internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
         OpenPage.open(page, screen, script).use { open ->
             open.awaitState(state)
             open.test()
+            open.passTime()
             open.consoleMessages().shouldBeEmpty()
             open.requests().filterNot { it.startsWith("file:") || it.startsWith("blob:") || it.startsWith("data:") }
                 .shouldBeEmpty()
@@ -51,6 +52,7 @@ internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
         OpenPage.open(address, screen, script = null).use { open ->
             open.awaitState(state)
             open.test()
+            open.passTime()
             open.consoleMessages().filterNot { message -> says.any { it in message } }.shouldBeEmpty()
             val server = address.substringBeforeLast('/')
             open.requests().filterNot { it.startsWith(server) || it.startsWith("blob:") || it.startsWith("data:") }.shouldBeEmpty()

@@ -1,8 +1,8 @@
 package badlog.page
 
+import badlog.core.waiting.eventually
 import badlog.web.LogServer
 import badlog.web.LogServerOptions
-import java.net.ConnectException
 import java.net.HttpURLConnection
 import java.net.URI
 import java.nio.file.Path
@@ -13,17 +13,10 @@ internal fun withRobot(folder: Path, options: LogServerOptions = LogServerOption
     val port = freePort()
     LogServer.start(port, options).use {
         val address = "http://127.0.0.1:$port/"
-        val end = System.nanoTime() + 60_000_000_000
-        while (!isAnswering(address)) {
-            check(System.nanoTime() < end) { "The server did not start." }
-            Thread.sleep(5)
-        }
+        eventually("the robot's server") { isAnswering(address) }
         test(address)
     }
 }
 
-private fun isAnswering(address: String): Boolean = try {
-    (URI(address).toURL().openConnection() as HttpURLConnection).responseCode > 0
-} catch (_: ConnectException) {
-    false
-}
+/** Asks as nobody else does: the answer takes none of the server's two places. */
+private fun isAnswering(address: String): Boolean = (URI(address).toURL().openConnection() as HttpURLConnection).apply { requestMethod = "HEAD" }.responseCode > 0

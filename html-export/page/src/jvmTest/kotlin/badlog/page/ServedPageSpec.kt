@@ -18,6 +18,7 @@ import java.util.function.BooleanSupplier
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.div
+import kotlin.io.path.moveTo
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeBytes
@@ -178,6 +179,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitList()
                 // The list is asked for again every 15 s, from the moment when it is shown.
                 script("const set = window.setTimeout; window.keepsTime = true; window.setTimeout = (work, delay, ...more) => set(work, Math.min(delay, 200), ...more)")
+                passTime()
                 for (isShown in listOf(false, true)) {
                     openRow(0)
                     awaitLog("bench.bag")
@@ -185,7 +187,8 @@ internal class ServedPageSpec : PageSpec({
                     click("#go-back")
                     awaitList()
                 }
-                SAMPLES.resolve("qualification-42.bag").copyTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
+                // Whole at once: half a log that nobody writes any more would be announced as well.
+                SAMPLES.resolve("qualification-42.bag").copyTo(logs / "new.part").moveTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
                 await("the news") { texts(".arrival p").single() != "" }
                 texts(".arrival p").single() shouldContain "Qualification 42 arrived: "
                 texts(".arrival p").single() shouldContain "Browned out at 1:3"

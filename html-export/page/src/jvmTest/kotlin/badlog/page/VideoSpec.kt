@@ -154,7 +154,7 @@ internal class VideoSpec : PageSpec({
 
     videoTest("a step goes by exactly one frame, even if a busy browser reports frames late", { page }) {
         openAligned()
-        script("reports.delay = 400")
+        script("reports.delay = 200")
         goToFrame(100)
         for (frame in listOf(101, 102)) {
             press(".")

@@ -12,10 +12,6 @@ internal class WritingRobot(val file: Path) {
     var rows = 0
         private set
     var volts = 12.4
-    private val times = LongArray(100_000)
-
-    /** When [row] was on the disk, in ns. */
-    fun writtenAt(row: Int): Long = times[row]
 
     init {
         file.writeBytes(bagOf(topics, 0) { _, _ -> null })
@@ -33,7 +29,6 @@ internal class WritingRobot(val file: Path) {
             }
         }
         file.appendBytes(bytes.copyOfRange(header, bytes.size))
-        times.fill(System.nanoTime(), rows, rows + count)
         rows += count
     }
 }

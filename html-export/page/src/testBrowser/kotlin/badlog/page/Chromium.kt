@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.core.waiting.eventually
 import io.kotest.core.test.Enabled
 import org.openqa.selenium.chrome.ChromeDriver
 import org.openqa.selenium.chrome.ChromeDriverService
@@ -69,10 +70,7 @@ internal object Chromium {
     }
 
     // The browser still writes for a moment after it has reported its end.
-    private fun delete(folder: Path) {
-        var tries = 0
-        while (!folder.toFile().deleteRecursively() && tries++ < MAX_TRIES) Thread.sleep(PAUSE_MILLISECONDS)
-    }
+    private fun delete(folder: Path) = eventually("$folder to be deleted") { folder.toFile().deleteRecursively() }
 
     private fun present(program: Path?, name: String): Path = checkNotNull(program) {
         "BADLOG_BROWSER=required, but $name is not on the PATH."
@@ -87,6 +85,4 @@ internal object Chromium {
 
     /** For the driver's start, and for a script; the limit only serves to end a failed test. */
     private val PATIENCE: Duration = Duration.ofMinutes(2)
-    private const val MAX_TRIES = 40
-    private const val PAUSE_MILLISECONDS = 50L
 }

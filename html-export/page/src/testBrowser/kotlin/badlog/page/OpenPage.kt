@@ -1,11 +1,11 @@
 package badlog.page
 
+import badlog.core.waiting.eventually
 import io.kotest.assertions.withClue
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import org.openqa.selenium.OutputType
-import org.openqa.selenium.StaleElementReferenceException
 import org.openqa.selenium.WebElement
 import org.openqa.selenium.WindowType
 import org.openqa.selenium.chrome.ChromeDriver
@@ -14,8 +14,15 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 
-/** A page in a tab of its own. */
-internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String) : AutoCloseable {
+/**
+ * A page in the one tab of all tests: a tab of its own would start a process that compiles the page's script again. Only a page that is opened
+ * beside another one has that.
+ *
+ * @param scripts what runs in it before its own script does, by the names that the browser has given.
+ * @param before the tab of the page that it is opened beside, if there is one.
+ */
+internal class OpenPage private constructor(val driver: ChromeDriver, private val scripts: List<String>, private val before: String?) :
+    AutoCloseable {
     private val logs = PageLogs(driver)
 
     /** The state that the page reports. */
@@ -88,19 +95,19 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         )
     }
 
-    /** Waits for [what], also while the page makes anew what [isSo] looks at; the limit only serves to end a failed test. */
+    /** Waits for [what], also while the page makes anew what [isSo] looks at. */
     fun await(what: String, isSo: () -> Boolean) {
-        val end = System.nanoTime() + PATIENCE_NANOSECONDS
-        while (!isNow(isSo)) {
-            check(System.nanoTime() < end) { "Waited in vain for $what. The page shows:\n${text.take(MAX_TEXT)}" }
-            Thread.sleep(POLL_MILLISECONDS)
+        try {
+            eventually(what, isSo)
+        } catch (e: AssertionError) {
+            throw AssertionError("${e.message} The page shows:\n${text.take(MAX_TEXT)}", e)
         }
     }
 
-    private fun isNow(isSo: () -> Boolean): Boolean = try {
-        isSo()
-    } catch (_: StaleElementReferenceException) {
-        false
+    /** Lets the time pass for which the page's held timers wait. */
+    fun passTime() {
+        script("window.passTime?.()")
+        settle()
     }
 
     /** Performs mouse and key actions with the browser's own driver. */
@@ -173,16 +180,21 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
 
     override fun close() {
         // All pages on a disk share the browser's storage.
-        driver.executeScript("try { localStorage.clear() } catch { }")
-        driver.close()
-        driver.switchTo().window(before)
+        driver.executeScript("try { localStorage.clear(); sessionStorage.clear() } catch { }")
+        if (before != null) {
+            driver.close()
+            driver.switchTo().window(before)
+            return
+        }
+        for (script in scripts) driver.executeCdpCommand("Page.removeScriptToEvaluateOnNewDocument", mapOf("identifier" to script))
+        driver.get("about:blank")
+        isTabTaken = false
     }
 
     internal companion object {
-        private const val PATIENCE_NANOSECONDS = 180_000_000_000
-        private const val POLL_MILLISECONDS = 15L
         private const val POINTER_MILLISECONDS = 10L
         private const val MAX_TEXT = 1000
+        private var isTabTaken = false
 
         /** Opens [file]. */
         fun open(file: Path, screen: Screen, script: String?): OpenPage = open(file.toUri().toString(), screen, script)
@@ -190,12 +202,18 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         /** Opens the page at [address]. */
         fun open(address: String, screen: Screen, script: String?): OpenPage {
             val driver = Chromium.driver
-            val before = driver.windowHandle
-            driver.switchTo().newWindow(WindowType.TAB)
-            val page = OpenPage(driver, before)
+            val before = if (isTabTaken) driver.windowHandle else null
+            if (before != null) driver.switchTo().newWindow(WindowType.TAB)
+            isTabTaken = true
+            val scripts = ArrayList<String>()
+            val page = OpenPage(driver, scripts, before)
             page.emulate(screen)
             for (source in listOfNotNull(PATIENT_TIMERS, script)) {
-                driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to source))
+                scripts +=
+                    driver.executeCdpCommand(
+                        "Page.addScriptToEvaluateOnNewDocument",
+                        mapOf("source" to source),
+                    ).getValue("identifier") as String
             }
             page.logs.forget()
             driver.get(address)
@@ -203,14 +221,26 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         }
 
         /**
-         * Stops the clock of notices that disappear by themselves and of fingers that rest: on a busy machine, it would go off between two
-         * steps of a test. A test of such a clock sets `keepsTime`.
+         * Holds the timers of notices that disappear by themselves and of fingers that rest, until a test lets [passTime]: on a busy
+         * machine, they would go off between two steps of it. With `keepsTime`, they go off when they would.
          */
         private const val PATIENT_TIMERS = """
             (() => {
-                const set = window.setTimeout
+                const [set, clear] = [window.setTimeout, window.clearTimeout]
+                const held = new Map()
+                let next = 1e9
                 window.keepsTime = false
-                window.setTimeout = (work, delay, ...more) => delay >= 500 && !window.keepsTime ? 0 : set(work, delay, ...more)
+                window.setTimeout = (work, delay, ...more) => {
+                    if (!(delay >= 500) || window.keepsTime) return set(work, delay, ...more)
+                    held.set(++next, () => work(...more))
+                    return next
+                }
+                window.clearTimeout = timer => held.delete(timer) || clear(timer)
+                window.passTime = () => {
+                    const due = [...held.values()]
+                    held.clear()
+                    for (const run of due) run()
+                }
             })()
         """
 

@@ -1,5 +1,6 @@
 package badlog.page.browser
 
+import badlog.core.waiting.eventually
 import org.openqa.selenium.interactions.Sequence
 
 /** A tab of a browser, by what its driver and those of the other browsers have in common. */
@@ -19,24 +20,17 @@ internal interface BrowserTab : AutoCloseable {
 
 /** Waits until [expression] is true on the page. */
 internal fun BrowserTab.await(expression: String) {
-    val end = System.nanoTime() + PATIENCE_NANOSECONDS
-    while (evaluate(expression) != "true") {
-        check(System.nanoTime() < end) { "Waited in vain for: $expression\nThe page shows:\n" + evaluate("document.body.innerText").take(MAX_TEXT) }
-        Thread.sleep(POLL_MILLISECONDS)
+    try {
+        eventually(expression) { evaluate(expression) == "true" }
+    } catch (e: AssertionError) {
+        throw AssertionError("${e.message} The page shows:\n" + evaluate("document.body.innerText").take(MAX_TEXT), e)
     }
 }
 
 /** Waits until [state] holds: where a browser handles an action later than its driver says, [settle] would not be enough. */
-internal fun BrowserTab.awaitThat(state: () -> Unit) {
-    val end = System.nanoTime() + PATIENCE_NANOSECONDS
-    while (true) {
-        try {
-            return state()
-        } catch (e: AssertionError) {
-            if (System.nanoTime() > end) throw e
-        }
-        Thread.sleep(POLL_MILLISECONDS)
-    }
+internal fun BrowserTab.awaitThat(state: () -> Unit) = eventually("what the cause says") {
+    state()
+    true
 }
 
 /** Waits until what was just done is on the screen. */
@@ -44,6 +38,4 @@ internal fun BrowserTab.settle() {
     evaluate("new Promise(done => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))))")
 }
 
-private const val PATIENCE_NANOSECONDS = 180_000_000_000
-private const val POLL_MILLISECONDS = 20L
 private const val MAX_TEXT = 1000

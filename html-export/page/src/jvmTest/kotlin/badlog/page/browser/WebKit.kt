@@ -1,10 +1,10 @@
 package badlog.page.browser
 
+import badlog.core.waiting.eventually
 import badlog.page.freePort
 import org.openqa.selenium.Dimension
 import org.openqa.selenium.ImmutableCapabilities
 import org.openqa.selenium.remote.RemoteWebDriver
-import java.io.IOException
 import java.net.InetAddress
 import java.net.Socket
 import java.net.URI
@@ -23,9 +23,10 @@ internal fun webKitTab(downloads: Path): BrowserTab {
             environment()["XDG_CONFIG_HOME"] = "$downloads/config"
         }
         .start()
-    while (!isListening(port)) {
-        check(service.isAlive) { "$WEBKIT_PROGRAM ended by itself, with code ${service.exitValue()}." }
-        Thread.sleep(POLL_MILLISECONDS)
+    eventually("$WEBKIT_PROGRAM to listen") {
+        check(service.isAlive) { "It ended by itself, with code ${service.exitValue()}." }
+        Socket(InetAddress.getLoopbackAddress(), port).close()
+        true
     }
     // The tests have servers with certificates of their own.
     val wanted = ImmutableCapabilities("browserName", "MiniBrowser", "acceptInsecureCerts", true)
@@ -37,12 +38,3 @@ internal fun webKitTab(downloads: Path): BrowserTab {
         service.end()
     }
 }
-
-private fun isListening(port: Int): Boolean = try {
-    Socket(InetAddress.getLoopbackAddress(), port).close()
-    true
-} catch (_: IOException) {
-    false
-}
-
-private const val POLL_MILLISECONDS = 50L
