@@ -38,6 +38,7 @@ import kotlin.time.TimeSource
  *
  * @param folder returns the folder of logs, whose rules count.
  * @param awaitDrawn returns when the opened recording is visible.
+ * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
  * @param find runs the rules over a recording.
  */
 internal class LogFindings(
@@ -46,6 +47,7 @@ internal class LogFindings(
     private val board: GraphBoard,
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
+    private val rest: suspend (running: Duration) -> Unit = { delay(restAfter(it)) },
     private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
 ) : StateHolder<Findings>(Findings()) {
     /** The log whose worst finding will be shown once it is known; null for none. */
@@ -75,7 +77,7 @@ internal class LogFindings(
                 // It may have been found again in a log that grows, as another object.
                 select(selected?.let(list::like))
                 if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
-                delay(restAfter(began.elapsedNow()))
+                rest(began.elapsedNow())
             }
         }
     }
@@ -155,11 +157,11 @@ internal class LogFindings(
 
     private companion object {
         val PATIENCE = 3.seconds
-
-        /** While a log grows, the machine should mostly be free for the program that writes it. */
-        fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
     }
 }
+
+/** How long rules that took the time [running] rest while a log grows: the machine should mostly be free for the program that writes it. */
+internal fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
 
 /**
  * Runs the rules for [file], which was read as [view]. It may take long; interrupting the thread cancels it.

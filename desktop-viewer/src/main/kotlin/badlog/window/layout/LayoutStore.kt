@@ -247,8 +247,8 @@ internal class LayoutStore(
         formulas.definitions,
     )
 
-    // Also if something changes meanwhile, such as by what another window did: what is written counts as stored.
-    private suspend fun save() = withContext(NonCancellable) {
+    /** Saves what has changed; also if more changes meanwhile, such as by what another window did: what is written counts as stored. */
+    suspend fun save() = withContext(NonCancellable) {
         try {
             store()
         } catch (e: IOException) {

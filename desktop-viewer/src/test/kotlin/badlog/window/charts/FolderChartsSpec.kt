@@ -6,6 +6,7 @@ import badlog.files.UserFolders
 import badlog.viewer.catalog.LogFound
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -14,15 +15,12 @@ import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancelAndJoin
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
-import kotlinx.coroutines.withTimeout
 import kotlinx.coroutines.yield
 import java.util.concurrent.Semaphore
-import kotlin.time.Duration.Companion.milliseconds
-import kotlin.time.Duration.Companion.minutes
+import kotlin.time.Duration.Companion.seconds
 
 /** When charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
 @Tags("InCheck")
@@ -30,7 +28,7 @@ class FolderChartsSpec : FunSpec({
     val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = LogFound(0, emptyList())) }
     val some = logs.take(2)
 
-    suspend fun until(condition: () -> Boolean) = withTimeout(3.minutes) { while (!condition()) delay(5.milliseconds) }
+    suspend fun until(condition: () -> Boolean) = eventually(60.seconds) { condition() shouldBe true }
 
     /** Does [steps] with what makes charts of a list of logs, and with permits, each of which lets one drawing end. */
     suspend fun following(steps: suspend (FolderCharts, MutableStateFlow<List<LogEntry>>, Semaphore) -> Unit) = withContext(Dispatchers.Main) {

@@ -37,6 +37,7 @@ import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.attribute.FileTime
+import java.time.Instant
 import kotlin.io.path.div
 
 @OptIn(ExperimentalTestApi::class)
@@ -57,7 +58,7 @@ class NewLogsSpec : FunSpec({
             waitFor { viewer.newLogs.state.hasBegun && viewer.current.recording != null }
             try {
                 steps(viewer) {
-                    Files.setLastModifiedTime(match, FileTime.fromMillis(System.currentTimeMillis() - 3_600_000))
+                    Files.setLastModifiedTime(match, FileTime.from(Instant.now().minusSeconds(3600)))
                     Files.move(match, logs / name)
                 }
             } finally {
@@ -125,7 +126,7 @@ class NewLogsSpec : FunSpec({
             onNodeWithText("Later").performClick()
             viewer.newLogs.state.latest shouldBe null
             val other = tempdir().toPath().put("other.bag", bag(values = matchValues(36)))
-            Files.setLastModifiedTime(other, FileTime.fromMillis(System.currentTimeMillis() - 3_600_000))
+            Files.setLastModifiedTime(other, FileTime.from(Instant.now().minusSeconds(3600)))
             Files.move(other, checkNotNull(viewer.library.state.folder) / "other.bag")
             waitFor { viewer.newLogs.state.latest != null }
             onNodeWithContentDescription("Log other.bag").performClick()

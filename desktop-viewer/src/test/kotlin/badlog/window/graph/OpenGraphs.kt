@@ -19,14 +19,14 @@ import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancelAndJoin
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.swing.Swing
-import kotlinx.coroutines.withTimeout
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 import java.nio.file.Files
@@ -90,12 +90,10 @@ internal fun DesktopComposeUiTest.savePicture(name: String): ImageBitmap {
 internal fun choosing(viewer: Viewer, choice: () -> Unit) = runBlocking(Dispatchers.Swing) {
     val following = launch { viewer.shown.run() }
     choice()
-    withTimeout(60.seconds) {
-        while (viewer.shown.isWaiting || viewer.tasks.all.isNotEmpty()) {
-            // Without a window, nobody else does.
-            Snapshot.sendApplyNotifications()
-            delay(5)
-        }
+    eventually(60.seconds) {
+        // Without a window, nobody else does.
+        Snapshot.sendApplyNotifications()
+        (viewer.shown.isWaiting || viewer.tasks.all.isNotEmpty()) shouldBe false
     }
     following.cancelAndJoin()
 }

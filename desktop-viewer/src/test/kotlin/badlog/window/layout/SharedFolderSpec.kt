@@ -7,6 +7,7 @@ import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
 import badlog.window.log.OpenRecording
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -23,12 +24,10 @@ import io.kotest.property.checkAll
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancelAndJoin
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
-import kotlinx.coroutines.withTimeout
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.CyclicBarrier
@@ -51,7 +50,7 @@ class SharedFolderSpec : FunSpec({
         withContext(Dispatchers.IO) { layouts.update(folder) { (it ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)) } }
         viewer.library.change { LibraryState(folder) }
         val saving = launch { viewer.layouts.autosave() }
-        withTimeout(60.seconds) { while (viewer.panels.state.topics) delay(1) }
+        eventually(60.seconds) { viewer.panels.state.topics shouldBe false }
         saving.cancelAndJoin()
         if (viewer.current.recording == null) viewer.show(recording)
         viewer

@@ -19,6 +19,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancel
+import kotlinx.coroutines.launch
 import java.nio.file.Files
 
 @OptIn(ExperimentalTestApi::class)
@@ -36,7 +37,9 @@ class OwnFilesSpec : FunSpec({
                 onNodeWithContentDescription("Theme: system").performClick()
                 steps(viewer)
                 viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
-                rest()
+                // As a moment later, by itself.
+                val saving = viewer.scope.launch { viewer.layouts.save() }
+                waitFor { saving.isCompleted }
             }
             return viewer.notices.all.map { it.text }
         } finally {
@@ -74,10 +77,3 @@ class OwnFilesSpec : FunSpec({
         said.single().startsWith("Settings and layouts cannot be saved: ${home.resolve(SettingsFile.NAME)} cannot be") shouldBe true
     }
 })
-
-/** Waits until what has changed would have been saved. */
-@OptIn(ExperimentalTestApi::class)
-private fun DesktopComposeUiTest.rest() {
-    val begin = System.nanoTime()
-    waitFor { System.nanoTime() - begin > 1_500_000_000 }
-}

@@ -12,6 +12,7 @@ import kotlinx.coroutines.isActive
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import java.nio.file.Files
+import java.util.concurrent.CountDownLatch
 import kotlin.time.Duration.Companion.seconds
 
 class FailuresSpec : FunSpec({
@@ -36,7 +37,7 @@ class FailuresSpec : FunSpec({
     test("a task that is given up before it has begun leaves no trace") {
         withContext(Dispatchers.Main) {
             val tasks = LongTasks(MainScope(), Notices())
-            val job = tasks.run("Waiting", { Thread.sleep(60_000) }) {}
+            val job = tasks.run("Waiting", { CountDownLatch(1).await() }) {}
             tasks.all.single().cancel()
             job.join()
             tasks.all.shouldBeEmpty()

@@ -10,21 +10,24 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.launch
 import java.io.IOException
 import java.util.Collections
+import java.util.concurrent.CountDownLatch
 
 class FileWritesSpec : FunSpec({
     test("when the window is closed, what is on its way is written first, in its order") {
         val writes = FileWrites()
         val written = Collections.synchronizedList(ArrayList<Int>())
+        val isClosing = CountDownLatch(1)
         val window = CoroutineScope(Dispatchers.Default)
         for (number in 1..5) {
             window.launch(start = CoroutineStart.UNDISPATCHED) {
                 writes.write {
-                    Thread.sleep(20)
+                    isClosing.await()
                     written += number
                 }
             }
         }
         window.cancel()
+        isClosing.countDown()
         writes.finish { writes.write { written += 6 } }
         written shouldContainExactly listOf(1, 2, 3, 4, 5, 6)
     }

@@ -33,7 +33,7 @@ class LongTasksSpec : FunSpec({
             val isRunning = CountDownLatch(1)
             val job = tasks.run("Opening", {
                 isRunning.countDown()
-                Thread.sleep(Long.MAX_VALUE)
+                CountDownLatch(1).await()
             }) { error("Nothing is done.") }
             tasks.run("Waiting", { isRunning.await() }) {}.join()
             tasks.all.single().let {

@@ -10,7 +10,7 @@ import badlog.window.app.Viewer
  */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.waitFor(condition: () -> Boolean) {
-    waitUntil(timeoutMillis = 180_000, condition = condition)
+    waitUntil(timeoutMillis = 60_000, condition = condition)
     runOnUiThread { }
 }
 

@@ -13,6 +13,9 @@ private val TABLE = moduleTable(File(ROOT, "docs/architecture.md"))
 
 private val MODULES_OF_PACKAGES = SOURCES.filter { !it.isTest }.groupBy({ it.packageName }, { it.module }).mapValues { it.value.toSet() }
 
+/** What `libraries/season/build.gradle` only compiles with. */
+private val LOADED_BY_PROGRAM = listOf("badlog.charts", "badlog.cli", "badlog.report")
+
 class ArchitectureSpec : FunSpec({
     test("the sources of robot, page, window and benchmarks are read") {
         SOURCES.map { it.sourceSet }.toSet() shouldContainAll listOf("main", "commonMain", "jvmMain", "jsMain", "test", "commonTest", "benchmark")
@@ -36,6 +39,12 @@ class ArchitectureSpec : FunSpec({
                 if (modules.isEmpty() || modules.any { it in allowed }) null else "${file.path}: $import, of ${modules.joinToString()}"
             }
         }.shouldBeEmpty()
+    }
+
+    test("only the commands of season use the program that loads them: it is not there where Spark runs") {
+        SOURCES.filter { it.module == "season" && !it.isTest && it.packageName != "badlog.season.command" }
+            .flatMap { file -> file.imports.filter { name -> LOADED_BY_PROGRAM.any { name.startsWith("$it.") } }.map { "${file.path}: $it" } }
+            .shouldBeEmpty()
     }
 
     test("a package is in one module") {

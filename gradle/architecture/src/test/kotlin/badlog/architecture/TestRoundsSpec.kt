@@ -29,17 +29,8 @@ private val TAG = Regex("""@Tags\(([^)]*)\)""")
 private val MAY = listOf("Eventually.kt", "RealWindow.kt")
 
 private val STILL_TIMED = listOf(
-    "FailuresSpec.kt",
-    "FileWritesSpec.kt",
-    "FolderChartsSpec.kt",
     "KilledWorkerSpec.kt",
     "LocalCluster.kt",
-    "LogFindingsSpec.kt",
-    "LongTasksSpec.kt",
-    "NewLogsSpec.kt",
-    "OpenGraphs.kt",
-    "OwnFilesSpec.kt",
-    "SharedFolderSpec.kt",
     "VendordepProof.kt",
     "ViewerProof.kt",
     "WindowOnScreen.kt",

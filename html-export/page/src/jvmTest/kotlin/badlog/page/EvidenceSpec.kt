@@ -81,7 +81,7 @@ internal class EvidenceSpec : PageSpec({
             // Somebody who began a search while the rules ran goes on with it.
             val begun = "document.addEventListener('DOMContentLoaded', () => " +
                 "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
-            driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to begun))
+            runFirst(begun)
             reload()
             script(focused) shouldBe "|search"
         }

@@ -260,7 +260,7 @@ internal class LiveSpec : RunningLogSpec({
         val robot = WritingRobot(logs("busy") / "running.bag").apply { write(500) }
         (robot.file.parent / "long.bag").writeBytes(ByteArray(20_000_000))
         withRobot(robot.file.parent) { address ->
-            onServedPage(address, says = listOf("503")) {
+            onServedPage(address, says = listOf("status of 503")) {
                 script("keepsTime = true; performance.setResourceTimingBufferSize(1e5)")
                 openRunning()
                 element("#live").click()

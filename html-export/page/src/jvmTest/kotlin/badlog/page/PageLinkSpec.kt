@@ -50,7 +50,7 @@ internal class PageLinkSpec : PageSpec({
                     return mark.call(performance, name)
                 }
             """
-            driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to whatIsDrawn))
+            runFirst(whatIsDrawn)
             script("location.hash = '#board=Current'")
             reload()
             script("return window.first[0]") shouldBe "Current"

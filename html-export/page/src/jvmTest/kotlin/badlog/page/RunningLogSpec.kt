@@ -47,7 +47,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         test: OpenPage.() -> Unit,
     ) = withRobot(folder, options) { address ->
         // A robot that sends two logs already answers so, and is asked again.
-        onServedPage(address, screen, says = says + "503") {
+        onServedPage(address, screen, says = says + "status of 503") {
             script("keepsTime = true")
             openRunning()
             test()

@@ -123,7 +123,7 @@ internal class ServedPageSpec : PageSpec({
     browserTest("while the robot is enabled, the page says why there is no log, and the way back leads to the list") {
         val options = LogServerOptions()
         withRobot(logs("enabled"), options) { address ->
-            onServedPage(address, says = listOf("503")) {
+            onServedPage(address, says = listOf("status of 503")) {
                 awaitList()
                 options.isEnabled = BooleanSupplier { true }
                 openRow(0)
@@ -211,7 +211,7 @@ internal class ServedPageSpec : PageSpec({
             (it / "long.bag").writeBytes(long)
         }
         withRobot(folder, options) { address ->
-            onServedPage(address, says = listOf("503", "ERR_")) {
+            onServedPage(address, says = listOf("status of 503", "ERR_")) {
                 awaitList()
                 openRow(0)
                 await("a part") { script("return parseFloat(document.querySelector('.progress-bar')?.style.width || '0') > 0") as Boolean }

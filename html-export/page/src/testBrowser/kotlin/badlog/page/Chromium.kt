@@ -63,7 +63,7 @@ internal object Chromium {
         Runtime.getRuntime().addShutdownHook(
             Thread {
                 driver.quit()
-                listOf(profile, downloads).forEach(::delete)
+                for (folder in listOf(profile, downloads)) runCatching { delete(folder) }
             },
         )
         return driver

@@ -6,6 +6,7 @@ import io.kotest.matchers.shouldBe
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import org.openqa.selenium.OutputType
+import org.openqa.selenium.WebDriverException
 import org.openqa.selenium.WebElement
 import org.openqa.selenium.WindowType
 import org.openqa.selenium.chrome.ChromeDriver
@@ -18,12 +19,13 @@ import java.time.Duration
  * A page in the one tab of all tests: a tab of its own would start a process that compiles the page's script again. Only a page that is opened
  * beside another one has that.
  *
- * @param scripts what runs in it before its own script does, by the names that the browser has given.
  * @param before the tab of the page that it is opened beside, if there is one.
  */
-internal class OpenPage private constructor(val driver: ChromeDriver, private val scripts: List<String>, private val before: String?) :
-    AutoCloseable {
+internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String?) : AutoCloseable {
     private val logs = PageLogs(driver)
+
+    /** What runs in it before its own script does, by the names that the browser has given. */
+    private val scripts = ArrayList<String>()
 
     /** The state that the page reports. */
     val state: String? get() = script("return document.documentElement.dataset.state") as String?
@@ -72,6 +74,12 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun color(name: String): Int {
         val style = "getComputedStyle(document.documentElement).getPropertyValue(arguments[0])"
         return (script("return $style.trim()", name) as String).removePrefix("#").toInt(radix = 16)
+    }
+
+    /** Runs [source] whenever the page is loaded, before its own script. */
+    fun runFirst(source: String) {
+        val added = driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", mapOf("source" to source))
+        scripts += added.getValue("identifier") as String
     }
 
     /** Runs JavaScript. */
@@ -179,16 +187,16 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     }
 
     override fun close() {
+        if (before == null) isTabTaken = false
         // All pages on a disk share the browser's storage.
         driver.executeScript("try { localStorage.clear(); sessionStorage.clear() } catch { }")
-        if (before != null) {
+        for (script in scripts) driver.executeCdpCommand("Page.removeScriptToEvaluateOnNewDocument", mapOf("identifier" to script))
+        if (before == null) {
+            driver.get("about:blank")
+        } else {
             driver.close()
             driver.switchTo().window(before)
-            return
         }
-        for (script in scripts) driver.executeCdpCommand("Page.removeScriptToEvaluateOnNewDocument", mapOf("identifier" to script))
-        driver.get("about:blank")
-        isTabTaken = false
     }
 
     internal companion object {
@@ -205,18 +213,16 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             val before = if (isTabTaken) driver.windowHandle else null
             if (before != null) driver.switchTo().newWindow(WindowType.TAB)
             isTabTaken = true
-            val scripts = ArrayList<String>()
-            val page = OpenPage(driver, scripts, before)
-            page.emulate(screen)
-            for (source in listOfNotNull(PATIENT_TIMERS, script)) {
-                scripts +=
-                    driver.executeCdpCommand(
-                        "Page.addScriptToEvaluateOnNewDocument",
-                        mapOf("source" to source),
-                    ).getValue("identifier") as String
+            val page = OpenPage(driver, before)
+            try {
+                page.emulate(screen)
+                listOfNotNull(PATIENT_TIMERS, script).forEach(page::runFirst)
+                page.logs.forget()
+                driver.get(address)
+            } catch (e: WebDriverException) {
+                page.close()
+                throw e
             }
-            page.logs.forget()
-            driver.get(address)
             return page
         }
 

@@ -24,10 +24,10 @@ internal fun webKitTab(downloads: Path): BrowserTab {
         }
         .start()
     eventually("$WEBKIT_PROGRAM to listen") {
-        check(service.isAlive) { "It ended by itself, with code ${service.exitValue()}." }
-        Socket(InetAddress.getLoopbackAddress(), port).close()
+        if (service.isAlive) Socket(InetAddress.getLoopbackAddress(), port).close()
         true
     }
+    check(service.isAlive) { "$WEBKIT_PROGRAM ended by itself, with code ${service.exitValue()}." }
     // The tests have servers with certificates of their own.
     val wanted = ImmutableCapabilities("browserName", "MiniBrowser", "acceptInsecureCerts", true)
     val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), wanted, false)
