@@ -17,8 +17,12 @@ class CompareWindowSpec : FunSpec({
     ) {
         val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag")).use { window ->
-            window.awaitState("the match, and all logs") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
+            // What the rules find makes rows of the list higher, so that the others move.
+            window.awaitState("the match, and what is known of all logs") { viewer ->
+                viewer.current.recording != null && viewer.library.state.run { entries.size == 4 && reading == null && entries.all { it.found != null } }
+            }
             window.click("Compare qualification-42.bag")
+            window.awaitState("the first one") { it.compared.state.checked.size == 1 }
             window.click("Compare qualification-57.bag.gz")
             window.awaitState("two recordings") { it.compared.drawn.size == 2 }
             window.look { viewer -> viewer.compared.state.checked.size } shouldBe 2
