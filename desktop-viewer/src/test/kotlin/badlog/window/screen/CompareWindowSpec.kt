@@ -17,10 +17,7 @@ class CompareWindowSpec : FunSpec({
     ) {
         val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag")).use { window ->
-            // What the rules find makes rows of the list higher, so that the others move.
-            window.awaitState("the match, and what is known of all logs") { viewer ->
-                viewer.current.recording != null && viewer.library.state.run { entries.size == 4 && reading == null && entries.all { it.found != null } }
-            }
+            window.awaitLogs(4)
             window.click("Compare qualification-42.bag")
             window.awaitState("the first one") { it.compared.state.checked.size == 1 }
             window.click("Compare qualification-57.bag.gz")

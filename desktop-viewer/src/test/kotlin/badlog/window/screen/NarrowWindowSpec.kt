@@ -14,7 +14,7 @@ class NarrowWindowSpec : FunSpec({
     test("a window as narrow as a phone shows one part at a time").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath().also { it.putSamples() }
         RealWindow(tempdir().toPath(), folder.resolve("qualification-42.bag"), width = 420, height = 800).use { window ->
-            window.awaitState("the match") { it.current.recording != null && it.library.state.entries.size == 4 && it.library.state.reading == null }
+            window.awaitLogs(4)
             window.awaitGraphs()
             window.picture("narrow-graphs")
             window.click("Show the logs")

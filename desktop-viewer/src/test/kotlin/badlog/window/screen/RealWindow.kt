@@ -99,6 +99,11 @@ internal class RealWindow(
     /** Waits until [isSo] holds of the state. */
     fun awaitState(what: String, isSo: (Viewer) -> Boolean) = await(what) { look(isSo) }
 
+    /** Waits until a log is open, and all [count] of its folder are known: what the rules find makes rows of the list higher, and moves the others. */
+    fun awaitLogs(count: Int) = awaitState("what is known of $count logs") { viewer ->
+        viewer.current.recording != null && viewer.library.state.run { entries.size == count && reading == null && entries.all { it.found != null } }
+    }
+
     /** Waits until it has said something that has [text] in it, and may have taken that away again. */
     fun awaitSaid(text: String) = await("a notice “$text”") { said.any { text in it } }
 
