@@ -19,6 +19,7 @@ fun LogFindings.toJson(): String = jsonObject(
             "message" to quotedJson(it.message),
             "isMistake" to it.isMistake.toString(),
             "lacking" to it.lacking?.let(::quotedJson),
+            "simulated" to it.simulated?.let(::quotedJson),
         )
     },
     "ran" to ran.toString(),
@@ -37,6 +38,7 @@ fun logFindingsOf(text: String): LogFindings? = unlessMalformed {
                 fields["message"].string,
                 fields["isMistake"].boolean,
                 lacking = fields.find("lacking")?.string,
+                simulated = fields.find("simulated")?.string,
             )
         },
         json["ran"].number.toInt(),

@@ -42,6 +42,6 @@ internal class SkippedRules(private val rules: RuleSet) {
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }
         val why = (if (isMistake) first.mistake else first.refusal).orEmpty()
-        return SkippedRule(rule.name, logs, why, isMistake, rule.isBuiltIn, first.lacking)
+        return SkippedRule(rule.name, logs, why, isMistake, rule.isBuiltIn, first.lacking, first.simulated)
     }
 }

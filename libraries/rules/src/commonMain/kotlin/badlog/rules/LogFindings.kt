@@ -31,6 +31,7 @@ class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, v
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
  * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all of those.
  * @property lacking the signal that the first of those logs has no topic for; null for another reason.
+ * @property simulated why the first of those logs is of a simulated robot, if it was skipped for that; otherwise null.
  */
 class SkippedRule(
     val rule: String,
@@ -39,6 +40,7 @@ class SkippedRule(
     val isMistake: Boolean,
     val isBuiltIn: Boolean = false,
     val lacking: String? = null,
+    val simulated: String? = null,
 ) {
     /** Returns a sentence, or more if the rule is wrong. */
     override fun toString(): String = if (isMistake) {

@@ -6,16 +6,21 @@ package badlog.rules
  * @property ran how many rules ran.
  * @property couldNot how many did not.
  * @property lacking the signals that the log has no topic for, those first that most rules need.
+ * @property simulated why the log is of a simulated robot; null if it is not.
  */
 class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
     private val others = skipped.filter { !it.isMistake }
     val couldNot: Int = others.size
     val lacking: List<String> = lackingIn(others)
+    val simulated: String? = others.firstNotNullOfOrNull { it.simulated }
 
     /** A sentence or two, such as `21 rules ran; 58 could not: this log has no battery, motor output and 12 other signals.` */
     val text: String
+        get() = simulated?.let { "A simulation ($it): rules about power, wear and sensors do not run. " }.orEmpty() + ranText
+
+    private val ranText
         get() = "$ran rule${if (ran == 1) "" else "s"} ran" + when {
-            couldNot == 0 -> "."
+            couldNot == 0 || simulated != null -> "."
             lacking.isEmpty() -> "; $couldNot could not, since this log lacks their topics."
             else -> "; $couldNot could not: this log has no ${listed(lacking)}."
         }

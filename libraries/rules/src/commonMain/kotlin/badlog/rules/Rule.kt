@@ -13,6 +13,7 @@ import badlog.core.recording.Severity
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
+ * @param isAboutProgram whether it is about what the program says and the drivers do, which a simulated robot has, too.
  */
 class Rule internal constructor(
     val name: String,
@@ -30,9 +31,14 @@ class Rule internal constructor(
     internal val isForEachText: Boolean = false,
     internal val isForWholeLogs: Boolean = false,
     val checklist: String = "",
+    private val isAboutProgram: Boolean = false,
+    internal val isOncePerEvent: Boolean = false,
 ) {
     /** Whether it is a built-in rule, in which nobody needs to look for a mistake. */
     val isBuiltIn: Boolean get() = place == null
+
+    /** Whether it also runs over the log of a simulated robot: built-in rules about power, wear and sensors do not. */
+    val isForSimulations: Boolean get() = isAboutProgram || !isBuiltIn
 
     /** Returns whether it applies to a match of the type [type]. */
     internal fun isFor(type: String?): Boolean = only.isEmpty() || (type != null && only.any { it.equals(type, ignoreCase = true) })

@@ -17,10 +17,13 @@ import badlog.signals.DEVIATION
 import badlog.signals.LogShape
 import badlog.signals.NamedSignal
 import badlog.signals.PLAN_DISTANCE
+import badlog.signals.SETTLED
+import badlog.signals.SETTLEMENT
 import badlog.signals.ScaledSignal
 import badlog.signals.TIME
 import badlog.signals.derived.busDeviceIn
 import badlog.signals.derivedSignalsOf
+import badlog.signals.kind.simulationIn
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopic
@@ -41,11 +44,17 @@ class AskedRule internal constructor(val rule: Rule, val findings: List<Finding>
  * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
  * otherwise null.
  * @property lacking the signal that the log has no topic for; null for another reason.
+ * @property simulated why the log is of a simulated robot, if that is the reason; otherwise null.
  */
-class Refusal internal constructor(val message: String, val mistake: String? = null, val lacking: String? = null) {
+class Refusal internal constructor(
+    val message: String,
+    val mistake: String? = null,
+    val lacking: String? = null,
+    val simulated: String? = null,
+) {
     /** Returns [rule] as skipped for this reason in [logs] logs. */
     fun of(rule: Rule, logs: Int): SkippedRule =
-        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn, lacking)
+        SkippedRule(rule.name, logs, mistake ?: message, isMistake = mistake != null, rule.isBuiltIn, lacking, simulated)
 }
 
 /** [rules] prepared for all logs with an equal [shape]. Thread-safe. */
@@ -120,9 +129,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             if (signal != null) aliases[alias.name] = signal
             signal == null
         }
-        val always = mapOf(TIME to time, ACTIVE to NamedSignal.of(ACTIVE, ACTIVITY))
-        named = always + found
-        namedOfTeam = (always - ACTIVE + found).filterKeys { !vocabulary.knows(it) } + (TIME to time) + aliases
+        named = mapOf(TIME to time, ACTIVE to NamedSignal.of(ACTIVE, ACTIVITY), SETTLED to NamedSignal.of(SETTLED, SETTLEMENT)) + found
+        namedOfTeam = (mapOf(TIME to time) + found).filterKeys { !vocabulary.knows(it) } + (TIME to time) + aliases
         absent = lacking
     }
 
@@ -146,8 +154,14 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val run = RuleRun(view.identified(match.title, signals.modes), file, rules.devices, isEverywhere)
         val type = match.type
         val isPart = view.recording.isPart
+        val simulated = simulationIn(view.recording, signals)
+        val refusal = simulated?.let { Refusal("the robot was simulated: $it", simulated = it) }
         return steps.asSequence().filter { it.rule.isFor(type) }.map { step ->
-            if (isPart && step.rule.isForWholeLogs) AskedRule(step.rule, emptyList(), Refusal(IS_PART)) else run.ask(step)
+            when {
+                refusal != null && !step.rule.isForSimulations -> AskedRule(step.rule, emptyList(), refusal)
+                isPart && step.rule.isForWholeLogs -> AskedRule(step.rule, emptyList(), Refusal(IS_PART))
+                else -> run.ask(step)
+            }
         }
     }
 
@@ -292,7 +306,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
 
     /** Returns whether [rule] would be valid in a log in which the topics it names are numbers, truth values or texts. */
     private fun fitsElsewhere(rule: Rule, names: Map<String, NamedSignal>, lacking: List<Signal>) = SignalKind.entries.any { kind ->
-        val others = names.values.map { if (it.name == TIME || it.name == ACTIVE) it.listed else it.listed.copy(kind = kind) }
+        val others = names.values.map { if (it.name in ALWAYS) it.listed else it.listed.copy(kind = kind) }
         val parsed = Expression.parse(rule.condition, Vocabulary(others + lacking + vocabulary.signals, vocabulary.hasTime))
         parsed is Expression && parsed.type.isCondition
     }
@@ -326,5 +340,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         private const val MAX_EVIDENCE = 12
 
         val RESERVED = setOf(TOPIC, TIME, ACTIVE)
+
+        /** What every log has a signal for. */
+        private val ALWAYS = setOf(TIME, ACTIVE, SETTLED)
     }
 }

@@ -10,6 +10,7 @@ import badlog.expression.signals.Signals
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignals
 import badlog.signals.derived.busDeviceIn
+import badlog.signals.kind.ListElements
 import badlog.signals.vocabulary.FRACTION
 import kotlin.math.round
 
@@ -25,6 +26,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     private val names = log.vocabulary.signals.mapTo(HashSet()) { it.name }
     private val isTimed = log.vocabulary.hasTime
     private val samples = NamedSamples(log, view)
+    private val lists = ListElements(log)
 
     /** What each rule has found something in: devices of the CAN bus, or else topics. */
     private val found = HashMap<String, Set<String?>>()
@@ -33,7 +35,9 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
-        val findings = step.questions.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
+        val asked = if (rule.each is TopicsByName && rule.isBuiltIn) step.questions.filter { it.topic.orEmpty() !in lists } else step.questions
+        val findings = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
+            .let { all -> if (rule.isOncePerEvent) all.distinctBy { it.spans } else all }
         if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { subjectOf(it.topic) }
         return AskedRule(rule, findings, step.refusal)
     }

@@ -70,6 +70,8 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },
     "whole" to "true".takeIf { rule.isForWholeLogs },
+    "aboutProgram" to "true".takeIf { rule.isBuiltIn && rule.isForSimulations },
+    "once" to "true".takeIf { rule.isOncePerEvent },
     "checklist" to if (hasChecklist) textJson(rule.checklist) else null,
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
@@ -91,6 +93,8 @@ private fun ruleOf(value: JsonValue): Rule {
         isForEachText = json.isTrue("eachText"),
         isForWholeLogs = json.isTrue("whole"),
         checklist = json.optional("checklist").orEmpty(),
+        isAboutProgram = json.isTrue("aboutProgram"),
+        isOncePerEvent = json.isTrue("once"),
     )
 }
 

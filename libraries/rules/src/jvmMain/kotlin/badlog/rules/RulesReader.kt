@@ -163,6 +163,8 @@ internal class RulesReader(private val source: String, private val signals: Sign
             isForEachText = toml.isTrue(table, "each_text"),
             isForWholeLogs = toml.isTrue(table, "whole"),
             checklist = toml.string(table, "checklist").orEmpty(),
+            isAboutProgram = toml.isTrue(table, "about_program"),
+            isOncePerEvent = toml.isTrue(table, "once"),
         )
     }
 
@@ -262,7 +264,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         const val DEFAULT = "default"
         val KEYS = setOf(
             "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
-            "each_text", "whole", "checklist",
+            "each_text", "whole", "checklist", "about_program", "once",
         )
         val COMPARISON_KEYS = setOf("name", "severity", "of", "text", "group", "why", "next", "limits")
     }

@@ -56,7 +56,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }
         from(20.0, "Phoenix6/TalonFX-2/DutyCycle") { "" }
     },
-    "Values frozen" to { from(20.0, "Drive/Left/PositionRad") { if (it < 20.5) "10" else TestMatch.position(it).toString() } },
+    "Values frozen" to {
+        within(20.0..20.8, "Drive/Left/PositionRad") { TestMatch.position(20.0).toString() }
+        within(20.0..20.8, "Drive/Left/VelocityRadPerSec") { "20" }
+    },
     "Limit switch contradicted" to { flag("Elevator/Bottom Limit") { it < 30 } },
     "Encoder frozen" to { arm { if (it < 20) 90 * TestMatch.wave(it / 2) else 45.0 } },
     "Motor turns alone" to { arm { 90 * TestMatch.wave(it / 2) + if (it < 20) 0.0 else 3 * (it - 20) } },
@@ -78,7 +81,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) 0.0 else angle }) },
     "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.93 else 0.95) * angle }) },
-    "Module points aside" to { swerve(speed = { module, _ -> if (module == 2) 1.8 else 2.0 }) },
     "Module drives weakly" to {
         swerve()
         for (i in 0..3) number("Drive/Module$i/DriveCurrentAmps") { if (i == 2) 10.0 else 20.0 }
@@ -110,9 +112,9 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, LOOP_TIME) { if (it < 20.05) "240" else "9" }
         from(20.0, "Vision/Latency") { if (it < 20.1) "220" else "30" }
     },
-    "Loop overrun" to { from(20.0, LOOP_TIME) { if (it < 20.05) "60" else "9" } },
+    "Loop overrun" to { from(20.0, LOOP_TIME) { if (it < 20.4) "60" else "9" } },
     "Slow loops" to { from(20.0, LOOP_TIME) { if (it < 24) "30" else "9" } },
-    "Long garbage collection" to { from(20.0, "/RealOutputs/LoggedRobot/GCTimeMS") { if (it < 20.05) "70" else "0" } },
+    "Long garbage collection" to { from(20.0, "/RealOutputs/LoggedRobot/GCTimeMS") { if (it < 20.05) "120" else "0" } },
     "Frequent garbage collection" to { from(20.0, "/RealOutputs/LoggedRobot/GCTimeMS") { if (it.toInt() % 2 == 0) "25" else "0" } },
     "CPU overloaded" to {
         from(5.0, "/DSLog/CPUUtilization") { "0.8" }
@@ -120,10 +122,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "CPU busy" to { from(20.0, "/DSLog/CPUUtilization") { "0.97" } },
     "CPU hot" to { from(20.0, "/SystemStats/CPUTempCelsius") { "78" } },
-    "Memory nearly full" to { number("System/Free Memory MB") { 60 - 1.4 * it } },
+    "Memory nearly full" to { number("System/Free Memory MB") { 60 - 1.6 * it } },
     "Disk nearly full" to { number("System/Free Disk MB") { 60 - it } },
     "CAN bus full" to { from(20.0, "/SystemStats/CANBus/Utilization") { "0.97" } },
-    "CAN utilization high" to { from(20.0, "/SystemStats/CANBus/Utilization") { "0.8" } },
+    "CAN utilization high" to { from(20.0, "/SystemStats/CANBus/Utilization") { "0.88" } },
     "One CAN bus full" to { number("DS:/Dscomm/Status/Resources/CanBusUtilizations[3]") { if (it < 20) 20.0 else 97.0 } },
     "CAN bus off" to { number("/SystemStats/CANBus/OffCount") { if (it < 20) 0.0 else 1.0 } },
     "CAN errors" to { number("/SystemStats/CANBus/ReceiveErrorCount") { if (it < 20) 0.0 else 12.0 } },

@@ -66,6 +66,12 @@ internal class TestMatch(private val seconds: Int = 40) {
 
     fun flag(name: String, at: (Double) -> Boolean) = cell(name, "ul") { time, _ -> at(time).toString() }
 
+    /** [name] has the cells that [at] returns, empty ones for none. */
+    fun cells(name: String, at: (Double) -> String) = cell(name, "ul") { time, _ -> at(time) }
+
+    /** [name] says [text] all the time. */
+    fun state(name: String, text: String) = cell(name, "ul") { _, _ -> text }
+
     fun event(name: String, vararg events: Pair<Double, String>) = cell(name, "ul") { _, row ->
         events.filter { (it.first * ROWS).toInt() == row }.joinToString("; ") { it.second }
     }

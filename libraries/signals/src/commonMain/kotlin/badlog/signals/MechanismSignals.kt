@@ -90,6 +90,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
+        if (part.any { topic -> topic.part.any { word -> HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
         val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
@@ -143,6 +144,11 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     }
 
     private companion object {
+        /** What stands still under power, because it holds something up, shut or against a stop. */
+        val HOLDING = listOf(
+            "elevator", "lift", "arm", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood", "turret",
+            "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
+        )
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }
 }

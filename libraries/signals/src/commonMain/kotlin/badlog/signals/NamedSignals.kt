@@ -43,7 +43,7 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
     val listed: Signal = Signal(name, kindOf(summands), unit)
 
     /** The names of its topics. */
-    val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY }.map { it.name }
+    val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY && it !== SETTLEMENT }.map { it.name }
 
     /** The only signal; null for a sum. */
     val only: Signal? get() = summands.singleOrNull()?.signal
@@ -127,6 +127,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         if (source.derived != null) return source.derived.samples(this)
         if (source.signal === CLOCK) return log.axis
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
+        if (source.signal === SETTLEMENT) return settledIn(view, log.enabled.orEmpty())
         if (source.signal === DEVIATION) return planDistanceIn(view, log)
         val series = log.series(source.signal.name)
         if (source.reading != null) return flagged(series, source.reading, source.signal)
@@ -158,9 +159,12 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
 
     private fun plausible(series: Series, scale: Double, source: ScaledSignal): Series {
         val most = source.atMost ?: return series
-        val count = series.y.count { it * scale > most }
+        fun isReading(sample: Double) = abs(sample * scale) <= most && (sample == 0.0 || abs(sample) > LEAST_READING)
+        val count = series.y.count { !it.isNaN() && !isReading(it) }
         if (count > 0) leftOut[source.signal.name] = count
-        return Series(series.x, DoubleArray(series.size) { i -> (series.y[i] * scale).let { if (it > most) Double.NaN else it } })
+        // A damaged row or a glitch is one sample; memory that was never written is all of them.
+        val isMemory = count > MOST_GLITCHES * series.size
+        return Series(series.x, DoubleArray(series.size) { i -> if (!isMemory && isReading(series.y[i])) series.y[i] * scale else Double.NaN })
     }
 
     private fun scaleBySamples(series: Series, whole: Double): Double {
@@ -204,6 +208,10 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         // No loop takes as little as 0.15 ms, or as long as 0.5 s, half of the time.
         const val MOST_SECONDS = 0.15
         const val LEAST_MICROS = 500.0
+
+        // No sensor has so small a reading; numbers below it are bits of something else.
+        const val LEAST_READING = 1e-30
+        const val MOST_GLITCHES = 0.05
 
         // A controller may demand a little more than the full value.
         const val MAX_FRACTION = 2.0

@@ -67,4 +67,5 @@ data class RuleOutcome(
     @Serializable(with = RepeatedText::class) val refusal: String? = null,
     @Serializable(with = RepeatedText::class) val mistake: String? = null,
     @Serializable(with = RepeatedText::class) val lacking: String? = null,
+    @Serializable(with = RepeatedText::class) val simulated: String? = null,
 )

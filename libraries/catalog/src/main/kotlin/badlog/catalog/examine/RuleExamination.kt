@@ -67,7 +67,7 @@ class RuleExamination(
         for (rule in programs[log.view].run(log.view, name)) {
             checkpoint()
             findings += rule.findings
-            asked += RuleOutcome(rule.rule.name, rule.refusal?.message, rule.refusal?.mistake, rule.refusal?.lacking)
+            asked += rule.refusal.let { RuleOutcome(rule.rule.name, it?.message, it?.mistake, it?.lacking, it?.simulated) }
         }
         val battery = batteryUseOf(log.view, rules.signals)
         val numbers = if (measures) numbersOf(log.view, rules.signals, name, battery).toText() else NO_NUMBERS

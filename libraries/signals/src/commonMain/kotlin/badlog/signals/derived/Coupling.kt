@@ -21,10 +21,12 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 
 /**
  * Returns whether [moved] stands exactly still at [times] although [turned] has moved by more than a twentieth of its range since it last
- * changed while the robot is enabled: 1 or 0. Two devices report at different times, so what [turned] does just after that does not count.
+ * changed while the robot is enabled: 1 or 0. Empty if the two were never coupled. Two devices report at different times, so what [turned] does just after that does not count.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)
+    val first = isEnabled.indexOfFirst { it }
+    if (first < 0 || ratioOf(turned, moved, first) == null) return Series(DoubleArray(0), DoubleArray(0))
     var low = Double.NaN
     var high = Double.NaN
     var since = 0
@@ -74,7 +76,7 @@ internal fun turnsAround(turns: DoubleArray): Boolean =
 
 /**
  * Returns the median of how far the mechanism moves for each turn of the motor, over its first steps: what breaks later does not count.
- * Null if there are too few.
+ * Null if there are too few, or if they differ: then nothing couples the two.
  */
 private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double? {
     val range = quantile(moved, 0.98) - quantile(moved, 0.02)
@@ -90,7 +92,10 @@ private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double
         if (ratios.size == FIRST_STEPS) break
     }
     if (ratios.size < LEAST_STEPS) return null
-    return quantile(ratios.toDoubleArray(), 0.5).takeIf { it != 0.0 && it.isFinite() }
+    val all = ratios.toDoubleArray()
+    val ratio = quantile(all, 0.5)
+    val isOne = quantile(all, 0.75) - quantile(all, 0.25) < ONE_RATIO * abs(ratio)
+    return ratio.takeIf { it != 0.0 && it.isFinite() && isOne }
 }
 
 private const val HALF_TURN = 0.5
@@ -104,4 +109,5 @@ private const val FROZEN_SHARE = 0.05
 private const val STEP_SHARE = 0.05
 private const val FIRST_STEPS = 60
 private const val LEAST_STEPS = 15
+private const val ONE_RATIO = 0.5
 private const val LATE_SECONDS = 0.05

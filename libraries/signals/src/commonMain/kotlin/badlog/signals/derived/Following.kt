@@ -4,6 +4,7 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 import kotlin.math.max
 import kotlin.math.min
+import kotlin.math.roundToLong
 import kotlin.math.sign
 
 /**
@@ -35,6 +36,26 @@ class Following(
         }
     }
 
+    /**
+     * Returns whether it follows at all: whether it came to within [tolerance] of the range to at least some of its targets, and to two of
+     * five. Otherwise the two are in different units, or measure different things, as an angle of a drum does the height of its elevator.
+     * Targets near 0 do not count, where anything that rests agrees.
+     */
+    private fun follows(tolerance: Double): Boolean {
+        val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
+        val reached = HashMap<Long, Boolean>()
+        for (i in times.indices) {
+            if (!isEnabled[i] || age[i] < STAYED_SECONDS || abs(target[i]) < LEAST_TARGET * largest) continue
+            val isThere = abs(target[i] - measured[i]) <= tolerance * range
+            val kind = (target[i] / (LEAST_TARGET * range)).roundToLong()
+            reached[kind] = isThere || reached[kind] == true
+        }
+        return reached.values.count { it } >= maxOf(1.0, LEAST_REACHED * reached.size)
+    }
+
+    private fun unlessUnrelated(tolerance: Double, samples: () -> Series): Series =
+        if (follows(tolerance)) samples() else Series(DoubleArray(0), DoubleArray(0))
+
     private fun spread(): Double {
         val used = DoubleArray(times.size) { if (isEnabled[it]) target[it] else Double.NaN }
         val spread = quantile(used, 0.99) - quantile(used, 0.01)
@@ -45,9 +66,9 @@ class Following(
      * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
      * it comes nearer, and just after the robot was enabled.
      */
-    fun missed(): Series {
+    fun missed(): Series = unlessUnrelated(NEAR) {
         var enabledSince = 0
-        return samples { i ->
+        samples { i ->
             if (i > 0 && !isEnabled[i - 1]) enabledSince = i
             val first = indexBefore(times, i, STAYED_SECONDS)
             if (times[i] - times[enabledSince] < SETTLED_SECONDS || times[i] - times[first] < STAYED_SECONDS / 2) return@samples Double.NaN
@@ -59,20 +80,21 @@ class Following(
     }
 
     /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
-    fun shortfall(): Series {
+    fun shortfall(): Series = unlessUnrelated(ROUGHLY) {
         val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
-        return samples { i ->
+        samples { i ->
             val wanted = abs(target[i])
             if (age[i] < SPUN_UP_SECONDS || wanted < 0.3 * largest || peakToPeak(i, STEADY_SECONDS) > STEADY * wanted) {
                 Double.NaN
             } else {
-                PERCENT * (wanted - measured[i] * sign(target[i])) / wanted
+                // What hardly turns is switched off, or stuck, which currents show.
+                (PERCENT * (wanted - measured[i] * sign(target[i])) / wanted).let { if (it > SWITCHED_OFF) Double.NaN else it }
             }
         }
     }
 
     /** Returns by how much it is beyond a target that it has just been moved to, in percent of the step. */
-    fun overshoot(): Series {
+    fun overshoot(): Series = unlessUnrelated(NEAR) {
         val beyond = DoubleArray(times.size) { Double.NaN }
         var before = Double.NaN
         var i = 0
@@ -88,7 +110,7 @@ class Following(
             if (isLong) before = if (isEnabled[i]) target[i] else Double.NaN
             i = end
         }
-        return Series(times, beyond)
+        Series(times, beyond)
     }
 
     /** Returns by how much it swings around a constant target, from peak to peak in percent of the target; NaN if it does not swing. */
@@ -167,6 +189,12 @@ class Following(
     private companion object {
         const val PERCENT = 100.0
 
+        // Of the range.
+        const val NEAR = 0.1
+        const val ROUGHLY = 0.4
+        const val LEAST_TARGET = 0.1
+        const val LEAST_REACHED = 0.4
+
         // Targets that differ less are the same.
         const val SAME = 0.002
         const val SETTLED_SECONDS = 1.0
@@ -175,6 +203,7 @@ class Following(
         const val SPUN_UP_SECONDS = 1.0
         const val STEADY_SECONDS = 0.4
         const val STEADY = 0.04
+        const val SWITCHED_OFF = 60.0
         const val STEP_SECONDS = 0.6
         const val LEAST_STEP = 0.25
         const val SWING_SECONDS = 2.0

@@ -43,6 +43,8 @@ private fun partTopicOf(signal: Signal, vocabulary: SignalVocabulary): PartTopic
     val named = vocabulary.unitIn(name)
     val ending = named?.let { unit -> name.length - name.trimEnd(')').length + unit.ending.length } ?: 0
     val words = wordsOf(name.dropLast(ending))
+    // A part of a rotation.
+    if ("q" in words) return null
     val unitOfLog = signal.unit.takeIf { it.isNotEmpty() && it != "ul" }
     val unit = unitOfLog ?: if (isRotation) "rad" else named?.unit.orEmpty()
     val quantity = quantityOf(words, unit, signal.kind)

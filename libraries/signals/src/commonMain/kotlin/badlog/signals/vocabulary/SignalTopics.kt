@@ -43,7 +43,8 @@ class SignalTopics(
     private val timeTopic: String?,
     private val empty: Set<String> = emptySet(),
 ) {
-    private val folded by lazy { names.signals.filter { it.name !in empty }.map { it to NamePattern.folded(it.name) } }
+    // Names that begin with a dot are how WPILib's dashboards describe what they show.
+    private val folded by lazy { names.signals.filter { it.name !in empty && "/." !in it.name }.map { it to NamePattern.folded(it.name) } }
     private val found = HashMap<String, List<SignalTopic>>()
 
     /** All topics that were recognized as signals, in the order of the vocabulary. */

@@ -1,0 +1,79 @@
+package badlog.rules
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.inspectors.forNone
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+private const val POSE_X = "Odometry/Robot/translation/x"
+
+/** What real logs have and what is none of the robot's faults; each was taken for one once. */
+class NoFaultSpec : FunSpec({
+    fun TestMatch.rules() = findings().map { it.rule }
+
+    test("the last elements of an array whose length changes are no lost sensors, and the unused ones no flat ones") {
+        val match = TestMatch().apply {
+            for (i in 0..5) cells("Drive/OdometryDrivePositionsRad[$i]") { if (i < 4 + (it * 50).toInt() % 3) "${it + i}" else "" }
+            for (i in 0..3) cells("Auto/CurrentPathPoints[$i]") { if (it in 5.0..9.0) "1.5" else "" }
+        }
+        match.findings().filter { "[" in it.topic.orEmpty() }.shouldBeEmpty()
+    }
+
+    test("an element that has no value while its array has one length is a lost sensor") {
+        TestMatch().apply { cells("Arm/position") { if (it < 20) "$it" else "" } }.rules().count { it == "Sensor lost" } shouldBe 1
+    }
+
+    test("a pose that is set anew in the second after the robot is enabled has not jumped; later it has") {
+        for ((at, isFound) in listOf(4.0 to false, 4.9 to false, 15.0 to false, 15.8 to false, 20.0 to true)) {
+            val jumped = TestMatch().apply { from(at, POSE_X) { "11" } }.rules()
+            ("Pose jumped" in jumped) shouldBe isFound
+        }
+    }
+
+    test("the first loops after the robot is enabled are slow") {
+        TestMatch().apply { within(4.1..4.4, LOOP_TIME) { "250" } }.rules().forNone { it shouldContain "Loop" }
+    }
+
+    test("currents that are memory that was never written are none") {
+        val match = TestMatch().apply {
+            for (i in 0..3) number("/PowerDistribution/ChannelCurrent[$i]") { if (it.toInt() % 2 == 0) 1.9e276 else 6.95e-310 }
+        }
+        match.rules().forNone { it shouldContain "urrent" }
+    }
+
+    test("a temperature that jumps is misread") {
+        TestMatch().apply { from(20.0, "Drive/Left/TempCelsius") { if (it < 30) "144" else "45" } }.rules().forNone { it shouldContain "hot" }
+    }
+
+    test("an elevator that is held up by its motor is not jammed; an intake that does not turn is") {
+        fun jammed(part: String) = TestMatch().apply {
+            number("$part/VelocityRadPerSec") { if (it in 20.0..25.0) 0.0 else 50 * TestMatch.output(it) }
+            number("$part/AppliedVolts") { if (it in 20.0..25.0) 10.0 else 12 * TestMatch.output(it) }
+            number("$part/CurrentAmps") { if (it in 20.0..25.0) 40.0 else 10.0 }
+        }.findings().any { it.rule == "Motor jammed" && part in it.text }
+        jammed("Climber") shouldBe false
+        jammed("Intake") shouldBe true
+    }
+
+    test("an encoder that was never read is not one that stopped") {
+        TestMatch().apply {
+            number("Wrist/Motor Position") { 20 * TestMatch.wave(it) }
+            number("Wrist/Encoder Position") { 0.0 }
+        }.rules().forNone { it shouldContain "Encoder" }
+    }
+
+    test("a controller that is unplugged is one finding, not one for each axis") {
+        val match = TestMatch().apply {
+            for (axis in 0..5) cells("DS:joystick0/axes[$axis]") { if (it in 20.0..25.0) "" else "0.01" }
+        }
+        match.findings().filter { it.rule == "Controller unplugged" }.map { it.topic } shouldBe listOf("DS:joystick0/axes[0]")
+    }
+
+    test("of what a loop wrote to the console, the line with the error is quoted") {
+        val match = TestMatch().apply {
+            event("messages", 20.0 to "********** Robot program starting **********\\nError at frc.Lights: no Arduino\\n\\tat java.Lang")
+        }
+        match.findings().single { it.rule == "Error logged" }.text shouldContain "Error at frc.Lights: no Arduino"
+    }
+})

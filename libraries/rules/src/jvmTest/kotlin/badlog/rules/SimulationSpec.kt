@@ -1,0 +1,80 @@
+package badlog.rules
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
+
+private const val FPGA = "/SystemStats/FPGAVersion"
+
+/** A match with a fault of power, one of a motor and one of the program. */
+private fun matchWith(own: TestMatch.() -> Unit) = TestMatch().apply {
+    from(20.0, "Drive/Left/TempCelsius") { (80 + (it - 20)).toString() }
+    number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 4.0 }
+    event("messages", 20.0 to "Unhandled exception: java.lang.NullPointerException")
+    own()
+}
+
+private fun LogFindings.rules() = findings.map { it.rule }
+
+class SimulationSpec : FunSpec({
+    fun found(own: TestMatch.() -> Unit) = RuleSet.BUILT_IN.over(matchWith(own).view(), "test.bag")
+
+    fun LogFindings.isSimulation() = NotLookedAt(ran, skipped).simulated != null
+
+    test("a robot's faults are found") {
+        found {}.run {
+            isSimulation() shouldBe false
+            rules() shouldBe listOf("Breaker open", "Motor too hot", "Error logged", "Code crashed").filter { it in rules() }
+            rules().size shouldBe 4
+        }
+    }
+
+    test("over a simulation run only the rules about what the program says and the drivers do") {
+        found { number(BATTERY) { 12.0 } }.run {
+            rules() shouldBe listOf("Error logged", "Code crashed")
+            val text = NotLookedAt(ran, skipped).text
+            text shouldStartWith "A simulation (its battery had exactly 12 V throughout): rules about power, wear and sensors do not run. "
+            text shouldNotContain "could not"
+            skipped.first { it.rule == "Breaker open" }.message shouldContain "the robot was simulated"
+        }
+    }
+
+    test("a battery that WPILib calculates from what is drawn rests at exactly 12 V") {
+        found { number(BATTERY) { 12.0 - 0.0187 * (TestMatch.load(it) - TestMatch.load(0.0)).coerceAtLeast(0.0) } }.isSimulation() shouldBe true
+    }
+
+    test("a weak battery that a program rounds is a real one") {
+        found { number(BATTERY) { Math.round(120 - 0.2 * TestMatch.load(it)) / 10.0 } }.isSimulation() shouldBe false
+    }
+
+    test("the FPGA of the simulation is known") {
+        found { number(FPGA) { 2018.0 } }.isSimulation() shouldBe true
+        found { number(FPGA) { 0x2024.toDouble() } }.isSimulation() shouldBe false
+    }
+
+    test("what its metadata say is believed, and nothing that only sounds like it") {
+        for ((text, isSimulated) in listOf("kSimulation" to true, "SIM" to true, "SIMBOT" to true, "kRoboRIO" to false, "Simple drive" to false)) {
+            found { state("/RealMetadata/RuntimeType", text) }.isSimulation() shouldBe isSimulated
+        }
+        found { state("Arm/Simulation", "SIM") }.isSimulation() shouldBe false
+    }
+
+    test("a robot whose dashboards all ran on its own computer is none") {
+        fun client(address: String) = "\"{\"\"connected\"\":true,\"\"remote_ip\"\":\"\"$address\"\",\"\"remote_port\"\":5}\""
+        found { event("NTConnection", 3.0 to client("127.0.0.1")) }.isSimulation() shouldBe true
+        found { event("NTConnection", 3.0 to client("127.0.0.1"), 5.0 to client("10.10.14.5")) }.isSimulation() shouldBe false
+    }
+
+    test("a team's own rules run over simulations, too") {
+        val own = RulesFile.parse("[[rule]]\nname = \"Own\"\nseverity = \"note\"\nwhen = \"min(battery) < 13\"\ntext = \"Low.\"\n").rules
+        TestMatch().apply { number(BATTERY) { 12.0 } }.findings(own).map { it.rule } shouldBe listOf("Own")
+    }
+
+    test("rules keep as JSON whether they run over simulations") {
+        val read = checkNotNull(RuleSet.fromJson(RuleSet.BUILT_IN.toJson()))
+        read.rules.filter { it.isForSimulations != RuleSet.BUILT_IN.rules.first { own -> own.name == it.name }.isForSimulations }.shouldBeEmpty()
+    }
+})

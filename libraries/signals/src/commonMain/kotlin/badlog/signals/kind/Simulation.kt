@@ -1,0 +1,76 @@
+package badlog.signals.kind
+
+import badlog.core.recording.Recording
+import badlog.core.recording.Topic
+import badlog.signals.vocabulary.SignalTopics
+import kotlin.math.abs
+import kotlin.math.round
+
+/**
+ * Returns why [recording] must be of a simulated robot, as part of a sentence such as `its battery had exactly 12 V throughout`; null for a
+ * real robot, and if nothing shows it. Its metadata say so, or the FPGA that WPILib's simulation has, or its dashboards, which all ran on the
+ * same computer; or its battery: WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it, which no battery and no
+ * converter that measures one does.
+ *
+ * @param topics the signals of the log.
+ */
+fun simulationIn(recording: Recording, topics: SignalTopics): String? =
+    saidIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
+
+private fun saidIn(recording: Recording): String? {
+    for (value in recording.values) if (says(value.name, value.text)) return "its ${lastWord(value.name)} is ${value.text.trim()}"
+    for (topic in recording.topics) {
+        val text = (0 until topic.texts.size).firstOrNull { says(topic.name, topic.texts[it]) }?.let { topic.texts[it] } ?: continue
+        return "its ${lastWord(topic.name)} is ${text.trim()}"
+    }
+    return null
+}
+
+private fun says(name: String, text: String) = lastWord(name).lowercase() in NAMES && SIMULATED.matches(text.trim())
+
+private fun lastWord(name: String) = name.substringAfterLast('/')
+
+private fun fpgaIn(recording: Recording): String? {
+    val versions = recording.topics.find { it.name.endsWith("SystemStats/FPGAVersion") }?.let(::numbersOf).orEmpty()
+    return "its FPGA is the one of WPILib's simulation".takeIf { versions.isNotEmpty() && versions.all { it == SIMULATED_FPGA } }
+}
+
+private fun clientsIn(recording: Recording): String? {
+    val texts = recording.topics.find { it.name == "NTConnection" }?.texts ?: return null
+    val addresses = (0 until texts.size).mapNotNull { ADDRESS.find(texts[it])?.groupValues?.get(1) }
+    return "its dashboards ran on the computer that it ran on".takeIf { addresses.isNotEmpty() && addresses.all(::isLocal) }
+}
+
+private fun isLocal(address: String) = address == "127.0.0.1" || address == "::1"
+
+private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
+    val found = topics.of("battery").firstOrNull() ?: return null
+    // The Driver Station's own measurement has few steps, of which one is 12 V.
+    if ("DSLog" in found.topic) return null
+    val volts = recording.topics.find { it.name == found.topic }?.let(::numbersOf).orEmpty()
+    if (volts.isEmpty() || volts.any { it > NOMINAL }) return null
+    // AdvantageKit logs changes; in others, a single sample is where something began that was never measured.
+    if (volts.size == 1 && "SystemStats" !in found.topic) return null
+    val resting = volts.count { it == NOMINAL }
+    return when {
+        resting == volts.size -> "its battery had exactly 12 V throughout"
+        resting > volts.size * LEAST_RESTING && volts.any(::isCalculated) -> "its battery rested at exactly 12 V"
+        else -> null
+    }
+}
+
+private fun numbersOf(topic: Topic) = topic.samples.filter { it.isFinite() }
+
+/** A program that rounds what it logs may meet 12 V by chance. */
+private fun isCalculated(volts: Double) = abs(volts * HUNDREDTHS - round(volts * HUNDREDTHS)) > ROUNDED
+
+private val NAMES = setOf("runtimetype", "runtime type", "robotmode", "robot mode", "mode", "robot", "robottype", "robot type", "environment")
+private val SIMULATED = Regex("k?sim(bot|ulation|ulated|ulator)?", RegexOption.IGNORE_CASE)
+private val ADDRESS = Regex("\"remote_ip\":\"([^\"]*)\"")
+
+/** As the simulation of WPILib's HAL reports it; a roboRIO's is the year of its image in hexadecimal digits, such as 0x2024. */
+private const val SIMULATED_FPGA = 2018.0
+private const val NOMINAL = 12.0
+private const val LEAST_RESTING = 0.02
+private const val HUNDREDTHS = 100
+private const val ROUNDED = 1e-4
