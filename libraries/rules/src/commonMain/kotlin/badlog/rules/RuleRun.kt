@@ -35,7 +35,13 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
-        val asked = if (rule.each is TopicsByName && rule.isBuiltIn) step.questions.filter { it.topic.orEmpty() !in lists } else step.questions
+        val asked = if (rule.each is TopicsByName &&
+            rule.isBuiltIn
+        ) {
+            step.questions.filter { it.topic.orEmpty() !in lists }
+        } else {
+            step.questions
+        }
         val findings = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
             .let { all -> if (rule.isOncePerEvent) all.distinctBy { it.spans } else all }
         if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { subjectOf(it.topic) }

@@ -31,6 +31,16 @@ class NoFaultSpec : FunSpec({
         }
     }
 
+    test("a heading that a driver sets to 0 has not jumped; one that jumps elsewhere has") {
+        for ((heading, isFound) in listOf(0.0 to false, 180.4 to false, 47.0 to true)) {
+            val match = TestMatch().apply {
+                number("Gyro/Angle") { 90 + 0.01 * TestMatch.wave(it * 40) }
+                from(20.0, "Gyro/Angle") { (heading + 0.01 * TestMatch.wave(it * 40)).toString() }
+            }
+            ("Heading jumped" in match.rules()) shouldBe isFound
+        }
+    }
+
     test("the first loops after the robot is enabled are slow") {
         TestMatch().apply { within(4.1..4.4, LOOP_TIME) { "250" } }.rules().forNone { it shouldContain "Loop" }
     }

@@ -146,8 +146,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private companion object {
         /** What stands still under power, because it holds something up, shut or against a stop. */
         val HOLDING = listOf(
-            "elevator", "lift", "arm", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood", "turret",
-            "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
+            "elevator", "lift", "arm", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
+            "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
         )
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }

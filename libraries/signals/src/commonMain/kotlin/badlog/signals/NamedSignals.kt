@@ -43,7 +43,8 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
     val listed: Signal = Signal(name, kindOf(summands), unit)
 
     /** The names of its topics. */
-    val topics: List<String> get() = madeOf ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY && it !== SETTLEMENT }.map { it.name }
+    val topics: List<String> get() = madeOf
+        ?: summands.map { it.signal }.filter { it !== CLOCK && it !== ACTIVITY && it !== SETTLEMENT }.map { it.name }
 
     /** The only signal; null for a sum. */
     val only: Signal? get() = summands.singleOrNull()?.signal
@@ -159,13 +160,27 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
 
     private fun plausible(series: Series, scale: Double, source: ScaledSignal): Series {
         val most = source.atMost ?: return series
-        fun isReading(sample: Double) = abs(sample * scale) <= most && (sample == 0.0 || abs(sample) > LEAST_READING)
+        fun isReading(sample: Double) = abs(sample * scale) <= most && !isBits(sample)
         val count = series.y.count { !it.isNaN() && !isReading(it) }
         if (count > 0) leftOut[source.signal.name] = count
-        // A damaged row or a glitch is one sample; memory that was never written is all of them.
-        val isMemory = count > MOST_GLITCHES * series.size
-        return Series(series.x, DoubleArray(series.size) { i -> if (!isMemory && isReading(series.y[i])) series.y[i] * scale else Double.NaN })
+        // A damaged row is one such sample; of memory that was never written, nothing is a reading.
+        val isMemory = series.y.count(::isBits) > MOST_GLITCHES * series.size
+        return Series(
+            series.x,
+            DoubleArray(series.size) { i ->
+                if (!isMemory &&
+                    isReading(series.y[i])
+                ) {
+                    series.y[i] * scale
+                } else {
+                    Double.NaN
+                }
+            },
+        )
     }
+
+    /** Bits of something else, which no sensor reads: the largest and the smallest numbers. */
+    private fun isBits(sample: Double) = abs(sample) > MOST_READING || (sample != 0.0 && abs(sample) < LEAST_READING)
 
     private fun scaleBySamples(series: Series, whole: Double): Double {
         if (!whole.isNaN()) return if (isFraction(series)) whole else whole / PERCENT
@@ -209,7 +224,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         const val MOST_SECONDS = 0.15
         const val LEAST_MICROS = 500.0
 
-        // No sensor has so small a reading; numbers below it are bits of something else.
+        const val MOST_READING = 1e12
         const val LEAST_READING = 1e-30
         const val MOST_GLITCHES = 0.05
 

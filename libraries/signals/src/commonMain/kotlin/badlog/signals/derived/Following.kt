@@ -43,9 +43,11 @@ class Following(
      */
     private fun follows(tolerance: Double): Boolean {
         val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
+        if (!(range > 0) || !(largest > 0)) return false
         val reached = HashMap<Long, Boolean>()
         for (i in times.indices) {
-            if (!isEnabled[i] || age[i] < STAYED_SECONDS || abs(target[i]) < LEAST_TARGET * largest) continue
+            // Not for a target that is missing, either.
+            if (!isEnabled[i] || age[i] < STAYED_SECONDS || !(abs(target[i]) >= LEAST_TARGET * largest)) continue
             val isThere = abs(target[i] - measured[i]) <= tolerance * range
             val kind = (target[i] / (LEAST_TARGET * range)).roundToLong()
             reached[kind] = isThere || reached[kind] == true

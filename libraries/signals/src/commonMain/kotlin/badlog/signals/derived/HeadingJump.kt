@@ -7,7 +7,8 @@ import kotlin.math.round
 
 /**
  * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned
- * just before and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°.
+ * just before and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°. A jump to
+ * a multiple of 90° is none either: a driver or the program says so where the robot looks. While it turns fast, a late sample looks like one.
  *
  * @param degrees what its numbers are multiplied by to get degrees.
  */
@@ -20,9 +21,20 @@ fun headingJump(heading: Series, degrees: Double): Series {
         if (abs(step) < LEAST_DEGREES) continue
         val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
         val jump = abs(step - usual * seconds)
-        if (jump > LEAST_DEGREES && abs(step) / seconds > FASTEST) jumps[i] = jump
+        val isReal = jump > LEAST_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees)
+        if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees)) jumps[i] = jump
     }
     return Series(heading.x, jumps)
+}
+
+private fun isSet(degrees: Double) = abs(degrees - QUARTER_TURN * round(degrees / QUARTER_TURN)) < SET_WITHIN
+
+/** Returns whether it turned fast over the samples before [at], as far as there are any. */
+private fun turnsFast(heading: Series, at: Int, degrees: Double): Boolean {
+    val last = at.coerceAtMost(heading.size - 1)
+    val first = (last - TURN_SAMPLES + 1).coerceAtLeast(1)
+    val seconds = heading.x[last] - heading.x[first - 1]
+    return seconds > 0 && abs((first..last).sumOf { turned(heading, it, degrees) }) / seconds > FAST
 }
 
 private fun turned(heading: Series, at: Int, degrees: Double): Double {
@@ -36,6 +48,16 @@ private fun rate(heading: Series, at: Int, degrees: Double): Double {
 }
 
 private const val FULL_TURN = 360.0
+private const val QUARTER_TURN = 90.0
+
+/** A heading that was just set has moved on by that much, in degrees. */
+private const val SET_WITHIN = 1.0
+
+/** Over how many samples a robot turns fast. */
+private const val TURN_SAMPLES = 5
+
+/** In °/s. */
+private const val FAST = 200.0
 private const val LEAST_DEGREES = 12.0
 
 /** No robot turns faster, in °/s. */

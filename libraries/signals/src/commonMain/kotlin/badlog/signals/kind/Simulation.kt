@@ -64,7 +64,8 @@ private fun numbersOf(topic: Topic) = topic.samples.filter { it.isFinite() }
 /** A program that rounds what it logs may meet 12 V by chance. */
 private fun isCalculated(volts: Double) = abs(volts * HUNDREDTHS - round(volts * HUNDREDTHS)) > ROUNDED
 
-private val NAMES = setOf("runtimetype", "runtime type", "robotmode", "robot mode", "mode", "robot", "robottype", "robot type", "environment")
+private val NAMES =
+    setOf("runtimetype", "runtime type", "robotmode", "robot mode", "mode", "robot", "robottype", "robot type", "environment")
 private val SIMULATED = Regex("k?sim(bot|ulation|ulated|ulator)?", RegexOption.IGNORE_CASE)
 private val ADDRESS = Regex("\"remote_ip\":\"([^\"]*)\"")
 

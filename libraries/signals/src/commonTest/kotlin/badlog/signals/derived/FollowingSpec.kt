@@ -30,6 +30,15 @@ class FollowingSpec : FunSpec({
         following({ 4.5 * followed(it) }).run { listOf(missed(), overshoot(), shortfall()) }.forEach { it.size shouldBe 0 }
     }
 
+    test("a target that is missing for a time is not one that is missed") {
+        val gaps = DoubleArray(times.size) { if (times[it] in 10.0..12.0) Double.NaN else target[it] }
+        following(::followed, gaps).missed().most() shouldBeLessThan 5.0
+    }
+
+    test("a target that is always 0 or always missing is followed by nothing") {
+        for (wanted in listOf(0.0, Double.NaN)) following(::followed, times.of { wanted }).missed().size shouldBe 0
+    }
+
     test("nothing is missed while the robot is disabled") {
         Following(times, target, times.of { 0.0 }, BooleanArray(times.size)).missed().most().isNaN() shouldBe true
     }
