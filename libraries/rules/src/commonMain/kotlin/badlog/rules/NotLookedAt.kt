@@ -5,14 +5,14 @@ package badlog.rules
  *
  * @property ran how many rules ran.
  * @property couldNot how many did not.
- * @property lacking the signals that the log has no topic for, those first that most rules need.
+ * @property lacking the signals that the log has no topic for, those first that most rules need; none of a simulated robot.
  * @property simulated why the log is of a simulated robot; null if it is not.
  */
 class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
     private val others = skipped.filter { !it.isMistake }
     val couldNot: Int = others.size
-    val lacking: List<String> = lackingIn(others)
     val simulated: String? = others.firstNotNullOfOrNull { it.simulated }
+    val lacking: List<String> = if (simulated == null) lackingIn(others) else emptyList()
 
     /** A sentence or two, such as `21 rules ran; 58 could not: this log has no battery, motor output and 12 other signals.` */
     val text: String

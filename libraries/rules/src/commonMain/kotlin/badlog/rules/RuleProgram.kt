@@ -23,6 +23,7 @@ import badlog.signals.ScaledSignal
 import badlog.signals.TIME
 import badlog.signals.derived.busDeviceIn
 import badlog.signals.derivedSignalsOf
+import badlog.signals.kind.namesOfKind
 import badlog.signals.kind.simulationIn
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
@@ -141,7 +142,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
     /** The names of the topics whose samples the rules need, besides those of time and of when the robot was enabled. */
-    val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf)
+    val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf) +
+        namesOfKind(vocabulary.signals.map { it.name }) + signals.of("battery").map { it.topic }
 
     /**
      * Runs the rules on [view], which was read from a file called [file] and must have the program's shape. Each rule runs when the
@@ -201,7 +203,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals
         // that are
         // calculated know of both.
-        val topics = signals.of(each.signal).filter { each.with.isEmpty() || busDeviceIn(it.topic) == null }
+        val topics = signals.of(each.signal).filter { each.with.isEmpty() || each.hasIds || busDeviceIn(it.topic) == null }
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
         return pairs.mapNotNull { (topic, other) ->
             val bound = linkedMapOf(TOPIC to NamedSignal.of(TOPIC, listOf(topic)))

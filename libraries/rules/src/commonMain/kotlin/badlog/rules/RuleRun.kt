@@ -35,16 +35,11 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     fun ask(step: RuleProgram.Step): AskedRule {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
-        val asked = if (rule.each is TopicsByName &&
-            rule.isBuiltIn
-        ) {
-            step.questions.filter { it.topic.orEmpty() !in lists }
-        } else {
-            step.questions
-        }
-        val findings = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
-            .let { all -> if (rule.isOncePerEvent) all.distinctBy { it.spans } else all }
-        if (findings.isNotEmpty()) found[rule.name] = findings.mapTo(HashSet()) { subjectOf(it.topic) }
+        val isByName = rule.each is TopicsByName && rule.isBuiltIn
+        val asked = if (isByName) step.questions.filter { it.topic.orEmpty() !in lists } else step.questions
+        val all = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
+        if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(it.topic) }
+        val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
         return AskedRule(rule, findings, step.refusal)
     }
 

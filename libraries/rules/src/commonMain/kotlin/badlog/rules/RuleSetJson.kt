@@ -120,13 +120,14 @@ private fun choiceJson(choice: TopicChoice): String = when (choice) {
         "signal" to quotedJson(choice.signal),
         "with" to textsJson(choice.with),
         "linked" to "true".takeIf { choice.isLinked },
+        "ids" to "true".takeIf { choice.hasIds },
     )
 }
 
 private fun choiceOf(value: JsonValue): TopicChoice {
     val json = JsonFields(value.members)
     val signal = json.optional("signal") ?: return TopicsByName(json.patterns("names"), json.patterns("except"), json.optional("unit"))
-    return TopicsOfSignal(signal, json.strings("with"), json.isTrue("linked"))
+    return TopicsOfSignal(signal, json.strings("with"), json.isTrue("linked"), json.isTrue("ids"))
 }
 
 // Most conditions are alone on their lines, which need not be written twice.

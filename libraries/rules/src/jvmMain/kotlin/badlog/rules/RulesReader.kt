@@ -238,7 +238,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
         if (value !is TomlTable) {
             return TopicsByName(toml.patterns(table, "each", true), toml.patterns(table, "except", false), toml.string(table, "unit"))
         }
-        toml.requireKnown(value, setOf("signal", "with", "linked"), "“each”")
+        toml.requireKnown(value, setOf("signal", "with", "linked", "ids"), "“each”")
         val names = listOfNotNull(toml.string(value, "signal")) + toml.optionalStrings(value, "with")
         val unknown = names.find { signals.find(it)?.isMany != true && it !in DERIVED_NAMES }
         if (unknown != null || !value.contains(listOf("signal"))) {
@@ -248,7 +248,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
                     if (unknown == null) "." else "; “$unknown” is not one.",
             )
         }
-        return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"))
+        return TopicsOfSignal(names[0], names.drop(1), toml.isTrue(value, "linked"), toml.isTrue(value, "ids"))
     }
 
     private fun text(table: TomlTable, limits: Limits?, places: List<String>): RuleText = try {

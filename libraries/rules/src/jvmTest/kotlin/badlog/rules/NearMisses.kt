@@ -64,6 +64,12 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "12" }
     },
+    // An arm is held up.
+    "Motor does not turn" to {
+        number("Phoenix6/TalonFX-5/DutyCycle") { if (it in 20.0..32.0) 0.3 else 0.3 * TestMatch.output(it) }
+        number("Phoenix6/TalonFX-5/Velocity") { if (it in 20.0..32.0) 0.0 else 60 * TestMatch.output(it) }
+        number("Phoenix6/TalonFX-5/SupplyCurrent") { if (it in 20.0..32.0) 22.0 else 3.0 }
+    },
     "Side stands still" to { within(20.0..20.15, LEFT) { "10" } },
     "Device silent" to {
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }

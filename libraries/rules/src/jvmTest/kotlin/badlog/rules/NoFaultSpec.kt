@@ -41,6 +41,22 @@ class NoFaultSpec : FunSpec({
         }
     }
 
+    test("a robot that turns has no ratio between its sides, and a side that stands still is found nevertheless") {
+        fun match(own: TestMatch.() -> Unit) = TestMatch().apply {
+            number("Drive/Right/PositionRad") { TestMatch.position(it) + 40 * TestMatch.wave(it / 3) }
+            own()
+        }
+        match {}.rules().forNone { it shouldContain "still" }
+        match { from(20.0, "Drive/Left/PositionRad") { "10" } }.rules().count { it == "Side stands still" } shouldBe 1
+    }
+
+    test("one of several sensors that comes and goes is lost, as the others are not") {
+        val match = TestMatch().apply {
+            for (i in 0..3) cells("Swerve/Module[$i]/Angle") { if (i == 1 && it in 20.0..22.0 || i == 1 && it in 25.0..27.0) "" else "$it" }
+        }
+        match.findings().filter { it.rule == "Sensor lost" }.map { it.topic } shouldBe listOf("Swerve/Module[1]/Angle")
+    }
+
     test("the first loops after the robot is enabled are slow") {
         TestMatch().apply { within(4.1..4.4, LOOP_TIME) { "250" } }.rules().forNone { it shouldContain "Loop" }
     }

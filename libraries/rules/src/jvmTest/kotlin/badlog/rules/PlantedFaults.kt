@@ -51,6 +51,11 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "25" }
     },
+    "Motor does not turn" to {
+        number("Phoenix6/TalonFX-5/DutyCycle") { if (it in 20.0..32.0) 0.55 else 0.3 * TestMatch.output(it) }
+        number("Phoenix6/TalonFX-5/Velocity") { if (it in 20.0..32.0) 0.0 else 60 * TestMatch.output(it) }
+        number("Phoenix6/TalonFX-5/SupplyCurrent") { if (it in 20.0..32.0) 22.0 else 3.0 }
+    },
     "Side stands still" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
     "Device silent" to {
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }

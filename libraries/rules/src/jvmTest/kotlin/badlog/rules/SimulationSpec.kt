@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.signals.LogShape
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
@@ -60,12 +61,19 @@ class SimulationSpec : FunSpec({
             found { state("/RealMetadata/RuntimeType", text) }.isSimulation() shouldBe isSimulated
         }
         found { state("Arm/Simulation", "SIM") }.isSimulation() shouldBe false
+        // A replay of a real match.
+        found { state("/ReplayMetadata/RuntimeType", "kSimulation") }.isSimulation() shouldBe false
     }
 
     test("a robot whose dashboards all ran on its own computer is none") {
         fun client(address: String) = "\"{\"\"connected\"\":true,\"\"remote_ip\"\":\"\"$address\"\",\"\"remote_port\"\":5}\""
         found { event("NTConnection", 3.0 to client("127.0.0.1")) }.isSimulation() shouldBe true
         found { event("NTConnection", 3.0 to client("127.0.0.1"), 5.0 to client("10.10.14.5")) }.isSimulation() shouldBe false
+    }
+
+    test("what shows a simulation is among the topics whose samples rules need") {
+        val view = TestMatch().apply { number(FPGA) { 2018.0 } }.view()
+        (FPGA in RuleProgram(RuleSet.BUILT_IN, LogShape.of(view)).topics) shouldBe true
     }
 
     test("a team's own rules run over simulations, too") {

@@ -23,10 +23,10 @@ const val SETTLED = "settled"
  */
 val SETTLEMENT = Signal(SETTLED, SignalKind.CONDITION)
 
-/** Returns the samples of [SETTLEMENT] in [view], where the robot was [enabled]. */
-fun settledIn(view: LogView, enabled: List<EnabledSpan>): Series {
+/** Returns the samples of [SETTLEMENT] in [view], where the robot was [enabled]; null if the log does not show it. */
+fun settledIn(view: LogView, enabled: List<EnabledSpan>?): Series {
     val start = view.xAxis.range?.start ?: return Series(DoubleArray(0), DoubleArray(0))
-    if (view.enabledTopics().isEmpty()) return Series(doubleArrayOf(start), doubleArrayOf(1.0))
+    if (enabled == null) return Series(doubleArrayOf(start), doubleArrayOf(1.0))
     val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
     val changes = arrayListOf(start to 0.0)
     for (stretch in enabled) {

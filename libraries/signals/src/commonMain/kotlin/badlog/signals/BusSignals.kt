@@ -220,7 +220,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             listOf(BusSignal.CURRENT, BusSignal.OUTPUT, BusSignal.POSITION, BusSignal.VELOCITY).mapNotNull(motor::topic)
         val output = motor.topic(BusSignal.OUTPUT)
         val effort = DerivedSignal("output without effect", "", motor.label, topics) { samples ->
-            effort(following(samples, ofPlaces = true).missed(), samples.raw(checkNotNull(output)), 1.0)
+            effort(following(samples, ofPlaces = true).missedOrStill(), samples.raw(checkNotNull(output)), 1.0)
         }
         return placeSignals(motor.label, topics) { following(it, ofPlaces = true) } + listOfNotNull(effort.takeIf { output != null }) +
             speedSignals(motor.label, topics) { following(it, ofPlaces = false) }

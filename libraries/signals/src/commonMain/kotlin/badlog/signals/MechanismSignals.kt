@@ -4,6 +4,7 @@ import badlog.core.analysis.Series
 import badlog.signals.derived.Following
 import badlog.signals.derived.PartTopic
 import badlog.signals.derived.Quantity
+import badlog.signals.derived.areCoupled
 import badlog.signals.derived.couplingError
 import badlog.signals.derived.deadReading
 import badlog.signals.derived.frictionRise
@@ -70,7 +71,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         val output = beside(target.part, Quantity.OUTPUT, Quantity.VOLTAGE).firstOrNull() ?: return null
         return DerivedSignal("output without effect", "", target.label, topics.take(2) + output.signal.name) { samples ->
             val driven = samples.raw(output.signal.name)
-            effort(following(samples).missed(), driven, if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven))
+            effort(following(samples).missedOrStill(), driven, if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven))
         }
     }
 
@@ -90,7 +91,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
-        if (part.any { topic -> topic.part.any { word -> HOLDING.any(word::startsWith) } }) return null
+        if (part.any { topic -> topic.part.any { word -> word == "arm" || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
         val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
@@ -140,13 +141,17 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
                 val times = timesOf(both)
                 calculated(times, both[0].heldAt(times), both[1].heldAt(times), samples.enabledAt(times))
             }
-        return listOf(derived("coupling error", "%", ::couplingError), derived("encoder frozen", "", ::frozenWhileTurning))
+        return listOf(derived("coupling error", "%", ::couplingError), derived("encoder frozen", "", ::frozenIfCoupled))
     }
+
+    /** An encoder that was never read, or that measures something else, is not one that stopped. */
+    private fun frozenIfCoupled(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray) =
+        if (areCoupled(turned, moved, isEnabled)) frozenWhileTurning(times, turned, moved, isEnabled) else once(times, null)
 
     private companion object {
         /** What stands still under power, because it holds something up, shut or against a stop. */
         val HOLDING = listOf(
-            "elevator", "lift", "arm", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
+            "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
         )
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)

@@ -128,7 +128,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         if (source.derived != null) return source.derived.samples(this)
         if (source.signal === CLOCK) return log.axis
         if (source.signal === ACTIVITY) return activeIn(view, log.enabled.orEmpty())
-        if (source.signal === SETTLEMENT) return settledIn(view, log.enabled.orEmpty())
+        if (source.signal === SETTLEMENT) return settledIn(view, log.enabled)
         if (source.signal === DEVIATION) return planDistanceIn(view, log)
         val series = log.series(source.signal.name)
         if (source.reading != null) return flagged(series, source.reading, source.signal)
@@ -225,7 +225,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         const val LEAST_MICROS = 500.0
 
         const val MOST_READING = 1e12
-        const val LEAST_READING = 1e-30
+        const val LEAST_READING = 2.3e-308
         const val MOST_GLITCHES = 0.05
 
         // A controller may demand a little more than the full value.

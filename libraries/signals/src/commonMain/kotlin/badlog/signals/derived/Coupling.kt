@@ -21,12 +21,10 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 
 /**
  * Returns whether [moved] stands exactly still at [times] although [turned] has moved by more than a twentieth of its range since it last
- * changed while the robot is enabled: 1 or 0. Empty if the two were never coupled. Two devices report at different times, so what [turned] does just after that does not count.
+ * changed while the robot is enabled: 1 or 0. Two devices report at different times, so what [turned] does just after that does not count.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)
-    val first = isEnabled.indexOfFirst { it }
-    if (first < 0 || ratioOf(turned, moved, first) == null) return Series(DoubleArray(0), DoubleArray(0))
     var low = Double.NaN
     var high = Double.NaN
     var since = 0
@@ -43,6 +41,12 @@ fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArr
             if (isEnabled[i] && range > 0 && high - low > FROZEN_SHARE * range) 1.0 else 0.0
         },
     )
+}
+
+/** Returns whether one ratio holds for [turned] and [moved] over the first steps after the robot was first enabled. */
+internal fun areCoupled(turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Boolean {
+    val first = isEnabled.indexOfFirst { it }
+    return first >= 0 && ratioOf(turned, moved, first) != null
 }
 
 /**

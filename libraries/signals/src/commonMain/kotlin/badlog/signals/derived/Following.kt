@@ -42,13 +42,12 @@ class Following(
      * Targets near 0 do not count, where anything that rests agrees.
      */
     private fun follows(tolerance: Double): Boolean {
-        val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
         if (!(range > 0) || !(largest > 0)) return false
         val reached = HashMap<Long, Boolean>()
         for (i in times.indices) {
             // Not for a target that is missing, either.
             if (!isEnabled[i] || age[i] < STAYED_SECONDS || !(abs(target[i]) >= LEAST_TARGET * largest)) continue
-            val isThere = abs(target[i] - measured[i]) <= tolerance * range
+            val isThere = abs(target[i] - measured[i]) <= tolerance
             val kind = (target[i] / (LEAST_TARGET * range)).roundToLong()
             reached[kind] = isThere || reached[kind] == true
         }
@@ -58,9 +57,13 @@ class Following(
     private fun unlessUnrelated(tolerance: Double, samples: () -> Series): Series =
         if (follows(tolerance)) samples() else Series(DoubleArray(0), DoubleArray(0))
 
+    private fun spreadOf(values: DoubleArray) = quantile(values, 0.99) - quantile(values, 0.01)
+
+    private val largest by lazy { quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99) }
+
     private fun spread(): Double {
         val used = DoubleArray(times.size) { if (isEnabled[it]) target[it] else Double.NaN }
-        val spread = quantile(used, 0.99) - quantile(used, 0.01)
+        val spread = spreadOf(used)
         return if (spread > 0) spread else max(abs(quantile(used, 0.99)), Double.MIN_VALUE)
     }
 
@@ -68,9 +71,14 @@ class Following(
      * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
      * it comes nearer, and just after the robot was enabled.
      */
-    fun missed(): Series = unlessUnrelated(NEAR) {
+    fun missed(): Series = unlessUnrelated(NEAR * range, ::away)
+
+    /** Returns what [missed] does, also if it never moved. */
+    fun missedOrStill(): Series = if (spreadOf(measured) < STILL * range) away() else missed()
+
+    private fun away(): Series {
         var enabledSince = 0
-        samples { i ->
+        return samples { i ->
             if (i > 0 && !isEnabled[i - 1]) enabledSince = i
             val first = indexBefore(times, i, STAYED_SECONDS)
             if (times[i] - times[enabledSince] < SETTLED_SECONDS || times[i] - times[first] < STAYED_SECONDS / 2) return@samples Double.NaN
@@ -82,8 +90,7 @@ class Following(
     }
 
     /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
-    fun shortfall(): Series = unlessUnrelated(ROUGHLY) {
-        val largest = quantile(DoubleArray(times.size) { abs(target[it]) }, 0.99)
+    fun shortfall(): Series = unlessUnrelated(ROUGHLY * largest) {
         samples { i ->
             val wanted = abs(target[i])
             if (age[i] < SPUN_UP_SECONDS || wanted < 0.3 * largest || peakToPeak(i, STEADY_SECONDS) > STEADY * wanted) {
@@ -96,7 +103,7 @@ class Following(
     }
 
     /** Returns by how much it is beyond a target that it has just been moved to, in percent of the step. */
-    fun overshoot(): Series = unlessUnrelated(NEAR) {
+    fun overshoot(): Series = unlessUnrelated(NEAR * range) {
         val beyond = DoubleArray(times.size) { Double.NaN }
         var before = Double.NaN
         var i = 0
@@ -191,8 +198,9 @@ class Following(
     private companion object {
         const val PERCENT = 100.0
 
-        // Of the range.
+        // Of the range, or of the largest speed.
         const val NEAR = 0.1
+        const val STILL = 0.01
         const val ROUGHLY = 0.4
         const val LEAST_TARGET = 0.1
         const val LEAST_REACHED = 0.4

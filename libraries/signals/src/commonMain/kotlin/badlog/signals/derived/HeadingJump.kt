@@ -8,7 +8,7 @@ import kotlin.math.round
 /**
  * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned
  * just before and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°. A jump to
- * a multiple of 90° is none either: a driver or the program says so where the robot looks. While it turns fast, a late sample looks like one.
+ * a multiple of 90° is none either: a driver or the program has set it. While the robot turns fast, a late sample looks like a jump.
  *
  * @param degrees what its numbers are multiplied by to get degrees.
  */
@@ -22,20 +22,24 @@ fun headingJump(heading: Series, degrees: Double): Series {
         val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
         val jump = abs(step - usual * seconds)
         val isReal = jump > LEAST_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees)
-        if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees)) jumps[i] = jump
+        if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees, i + 1)) jumps[i] = jump
     }
     return Series(heading.x, jumps)
 }
 
 private fun isSet(degrees: Double) = abs(degrees - QUARTER_TURN * round(degrees / QUARTER_TURN)) < SET_WITHIN
 
-/** Returns whether it turned fast over the samples before [at], as far as there are any. */
-private fun turnsFast(heading: Series, at: Int, degrees: Double): Boolean {
+/** Returns whether it turned fast over the samples before [at], those from [from] on, without jumps. */
+private fun turnsFast(heading: Series, at: Int, degrees: Double, from: Int = 1): Boolean {
     val last = at.coerceAtMost(heading.size - 1)
-    val first = (last - TURN_SAMPLES + 1).coerceAtLeast(1)
+    val first = maxOf(last - TURN_SAMPLES + 1, from)
+    if (first > last) return false
     val seconds = heading.x[last] - heading.x[first - 1]
-    return seconds > 0 && abs((first..last).sumOf { turned(heading, it, degrees) }) / seconds > FAST
+    return seconds > 0 && abs((first..last).sumOf { slowlyTurned(heading, it, degrees) }) / seconds > FAST
 }
+
+private fun slowlyTurned(heading: Series, at: Int, degrees: Double): Double =
+    turned(heading, at, degrees).let { if (abs(it) > FASTEST * (heading.x[at] - heading.x[at - 1])) 0.0 else it }
 
 private fun turned(heading: Series, at: Int, degrees: Double): Double {
     val step = (heading.y[at] - heading.y[at - 1]) * degrees

@@ -14,14 +14,31 @@ class ListElements(private val log: Signals) {
     private val known = HashMap<String, Boolean>()
 
     /** Returns whether [topic] is one. */
-    operator fun contains(topic: String): Boolean = '[' in topic && known.getOrPut(arrayOf(topic)) { changes(arrayOf(topic)) }
+    operator fun contains(topic: String): Boolean = '[' in topic && known.getOrPut(arrayOf(topic)) { isList(arrayOf(topic)) }
 
-    private fun changes(array: String): Boolean {
-        val elements = arrays[array].orEmpty().map(log::series)
-        return elements.any { it.size != elements[0].size || hasGap(it) }
+    /** A list loses its last elements first, and again and again; a sensor that is lost is a single element, or is lost once. */
+    private fun isList(array: String): Boolean {
+        val elements = arrays[array].orEmpty().sortedBy(::indexOf).map(log::series)
+        if (elements.none { changes(it) >= FEWEST_CHANGES }) return false
+        return (1 until elements.size).all { at -> isShorter(elements[at - 1], elements[at]) }
     }
 
-    private fun hasGap(series: Series) = series.y.any { it.isNaN() }
+    private fun changes(element: Series): Int {
+        val isEmptyFirst = element.size > 0 && element.y[0].isNaN()
+        return (1 until element.size).count { element.y[it].isNaN() != element.y[it - 1].isNaN() } + if (isEmptyFirst) 1 else 0
+    }
 
-    private fun arrayOf(topic: String) = topic.substringBefore('[')
+    /** Returns whether [element] is missing wherever the one [before] it is. */
+    private fun isShorter(before: Series, element: Series) =
+        before.size != element.size || (0 until before.size).none { before.y[it].isNaN() && !element.y[it].isNaN() }
+
+    private fun indexOf(topic: String) = topic.substringAfter('[').substringBefore(']').toIntOrNull() ?: 0
+
+    /** The names of an array's elements without their index. */
+    private fun arrayOf(topic: String) = topic.substringBefore('[') + "[]" + topic.substringAfter(']')
+
+    private companion object {
+        /** How often an element comes or goes, the start counted where it is missing first. */
+        const val FEWEST_CHANGES = 3
+    }
 }

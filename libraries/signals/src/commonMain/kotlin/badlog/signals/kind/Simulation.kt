@@ -17,26 +17,35 @@ import kotlin.math.round
 fun simulationIn(recording: Recording, topics: SignalTopics): String? =
     saidIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
 
+/** Returns which of the topics [names] decide whether a log is of a simulated robot, besides that of its battery. */
+fun namesOfKind(names: List<String>): List<String> = names.filter { saysKind(it) || it.endsWith(FPGA) || it == CLIENTS }
+
 private fun saidIn(recording: Recording): String? {
-    for (value in recording.values) if (says(value.name, value.text)) return "its ${lastWord(value.name)} is ${value.text.trim()}"
+    for (value in recording.values) {
+        if (saysKind(value.name) && isSimulated(value.text)) return "its ${lastWord(value.name)} is ${value.text.trim()}"
+    }
     for (topic in recording.topics) {
-        val text = (0 until topic.texts.size).firstOrNull { says(topic.name, topic.texts[it]) }?.let { topic.texts[it] } ?: continue
+        if (!saysKind(topic.name)) continue
+        val text = (0 until topic.texts.size).map { topic.texts[it] }.firstOrNull(::isSimulated) ?: continue
         return "its ${lastWord(topic.name)} is ${text.trim()}"
     }
     return null
 }
 
-private fun says(name: String, text: String) = lastWord(name).lowercase() in NAMES && SIMULATED.matches(text.trim())
+// A replay in a simulation has the inputs of a real robot.
+private fun saysKind(name: String) = lastWord(name).lowercase() in NAMES && "ReplayMetadata" !in name
+
+private fun isSimulated(text: String) = SIMULATED.matches(text.trim())
 
 private fun lastWord(name: String) = name.substringAfterLast('/')
 
 private fun fpgaIn(recording: Recording): String? {
-    val versions = recording.topics.find { it.name.endsWith("SystemStats/FPGAVersion") }?.let(::numbersOf).orEmpty()
+    val versions = recording.topics.find { it.name.endsWith(FPGA) }?.let(::numbersOf).orEmpty()
     return "its FPGA is the one of WPILib's simulation".takeIf { versions.isNotEmpty() && versions.all { it == SIMULATED_FPGA } }
 }
 
 private fun clientsIn(recording: Recording): String? {
-    val texts = recording.topics.find { it.name == "NTConnection" }?.texts ?: return null
+    val texts = recording.topics.find { it.name == CLIENTS }?.texts ?: return null
     val addresses = (0 until texts.size).mapNotNull { ADDRESS.find(texts[it])?.groupValues?.get(1) }
     return "its dashboards ran on the computer that it ran on".takeIf { addresses.isNotEmpty() && addresses.all(::isLocal) }
 }
@@ -46,7 +55,7 @@ private fun isLocal(address: String) = address == "127.0.0.1" || address == "::1
 private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
     val found = topics.of("battery").firstOrNull() ?: return null
     // The Driver Station's own measurement has few steps, of which one is 12 V.
-    if ("DSLog" in found.topic) return null
+    if ("DSLog" in found.topic || MEASURED.none { it in found.topic.lowercase() }) return null
     val volts = recording.topics.find { it.name == found.topic }?.let(::numbersOf).orEmpty()
     if (volts.isEmpty() || volts.any { it > NOMINAL }) return null
     // AdvantageKit logs changes; in others, a single sample is where something began that was never measured.
@@ -64,6 +73,11 @@ private fun numbersOf(topic: Topic) = topic.samples.filter { it.isFinite() }
 /** A program that rounds what it logs may meet 12 V by chance. */
 private fun isCalculated(volts: Double) = abs(volts * HUNDREDTHS - round(volts * HUNDREDTHS)) > ROUNDED
 
+private const val FPGA = "SystemStats/FPGAVersion"
+private const val CLIENTS = "NTConnection"
+
+/** What a measured voltage of the battery is called; others may be constants. */
+private val MEASURED = listOf("battery", "powerdistribution", "pdp", "pdh")
 private val NAMES =
     setOf("runtimetype", "runtime type", "robotmode", "robot mode", "mode", "robot", "robottype", "robot type", "environment")
 private val SIMULATED = Regex("k?sim(bot|ulation|ulated|ulator)?", RegexOption.IGNORE_CASE)
