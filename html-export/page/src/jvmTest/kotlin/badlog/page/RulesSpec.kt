@@ -117,7 +117,7 @@ internal class RulesSpec : PageSpec({
         onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
             awaitRules()
             element("#findings").text.split("browned out").size shouldBe 2
-            texts("#findings .unit").first() shouldContain "4 errors"
+            texts("#findings .unit").first() shouldContain "3 errors"
             element(".incident").text shouldContain "Likely cause: the robot drew more than its battery gives."
             element(".incident").text shouldContain "Next: "
             val browned = elements(".incident p").first { "browned out" in it.text }
