@@ -133,7 +133,7 @@ internal class ArrivalSpec : PageSpec({
             script(putIntoFolder(samples("qualification-42.bag") + ("practice.bag" to before.getValue("practice.bag"))))
             await("the next match") { texts(".pit h2").singleOrNull()?.contains("42") == true && "Browned out at" in texts("#pit-last strong").single() }
             news() shouldBe ""
-            (script("return document.querySelector('.pit [role=status]').textContent") as String) shouldStartWith "Qualification 42 arrived: 4 errors"
+            (script("return document.querySelector('.pit [role=status]').textContent") as String) shouldStartWith "Qualification 42 arrived: 3 errors"
             texts("#pit-last b").single() shouldStartWith "Next: "
             texts("#pit-last span").shouldNotBeEmpty()
             texts(".pit-battery").first() shouldStartWith "Battery: use "

@@ -41,7 +41,7 @@ internal class FirstScreenSpec : PageSpec({
             await("incidents") { incidents().size == 1 }
             checkFirstGraph()
             val more = elements(".findings-more button")
-            more[0].text shouldBe "Show 10 more"
+            more[0].text shouldBe "Show 9 more"
             more[0].click()
             incidents().size shouldBe 2
             elements(".finding").count { it.isDisplayed } shouldBeGreaterThan 5

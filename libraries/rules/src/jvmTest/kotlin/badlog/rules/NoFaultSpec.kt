@@ -50,9 +50,15 @@ class NoFaultSpec : FunSpec({
         match { from(20.0, "Drive/Left/PositionRad") { "10" } }.rules().count { it == "Side stands still" } shouldBe 1
     }
 
+    test("an array that is empty while the robot is disabled has lost no sensor") {
+        TestMatch().apply {
+            for (i in 0..3) cells("SwerveStates/Setpoints[$i]/angle") { if (it in 4.0..20.0) "$it" else "" }
+        }.rules().forNone { it shouldContain "Sensor" }
+    }
+
     test("one of several sensors that comes and goes is lost, as the others are not") {
         val match = TestMatch().apply {
-            for (i in 0..3) cells("Swerve/Module[$i]/Angle") { if (i == 1 && it in 20.0..22.0 || i == 1 && it in 25.0..27.0) "" else "$it" }
+            for (i in 0..3) cells("Swerve/Module[$i]/Angle") { if (i == 1 && (it in 20.0..22.0 || it in 25.0..27.0)) "" else "$it" }
         }
         match.findings().filter { it.rule == "Sensor lost" }.map { it.topic } shouldBe listOf("Swerve/Module[1]/Angle")
     }

@@ -91,7 +91,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
-        if (part.any { topic -> topic.part.any { word -> word == "arm" || HOLDING.any(word::startsWith) } }) return null
+        if (part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
         val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
@@ -149,6 +149,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         if (areCoupled(turned, moved, isEnabled)) frozenWhileTurning(times, turned, moved, isEnabled) else once(times, null)
 
     private companion object {
+        val ARMS = setOf("arm", "arms")
+
         /** What stands still under power, because it holds something up, shut or against a stop. */
         val HOLDING = listOf(
             "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",

@@ -16,11 +16,20 @@ class ListElements(private val log: Signals) {
     /** Returns whether [topic] is one. */
     operator fun contains(topic: String): Boolean = '[' in topic && known.getOrPut(arrayOf(topic)) { isList(arrayOf(topic)) }
 
-    /** A list loses its last elements first, and again and again; a sensor that is lost is a single element, or is lost once. */
+    /**
+     * A list is empty at times, or loses its last elements first, and again and again. A sensor that is lost is a single element, or is lost
+     * once.
+     */
     private fun isList(array: String): Boolean {
         val elements = arrays[array].orEmpty().sortedBy(::indexOf).map(log::series)
+        if (isEmptyAtTimes(elements)) return true
         if (elements.none { changes(it) >= FEWEST_CHANGES }) return false
         return (1 until elements.size).all { at -> isShorter(elements[at - 1], elements[at]) }
+    }
+
+    private fun isEmptyAtTimes(elements: List<Series>): Boolean {
+        val size = elements[0].size
+        return elements.all { it.size == size } && (0 until size).any { at -> elements.all { it.y[at].isNaN() } }
     }
 
     private fun changes(element: Series): Int {
