@@ -42,13 +42,8 @@ internal class Messages(private val question: RuleProgram.Question, private val 
     private fun shortened(text: String): String {
         val part = if (text.length > MAX_LETTERS && canAsk) text.split(BETWEEN).firstOrNull(::isAsked) ?: text else text
         // AdvantageKit logs all that a loop wrote to the console as one text.
-        val message = if (canAsk &&
-            '\n' in part
-        ) {
-            part.lines().run { drop(indexOfFirst(::isAsked).coerceAtLeast(0)) }.joinToString("\n")
-        } else {
-            part
-        }
+        val isConsole = canAsk && '\n' in part
+        val message = if (isConsole) part.lines().run { drop(indexOfFirst(::isAsked).coerceAtLeast(0)) }.joinToString("\n") else part
         var end = message.indexOf('\n')
         while (end in 0 until FEW_LETTERS) end = message.indexOf('\n', end + 1)
         val head = (if (end < 0) message else message.take(end)).trim()

@@ -13,7 +13,8 @@ import badlog.core.recording.Severity
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
- * @param isAboutProgram whether it is about what the program says and the drivers do, which a simulated robot has, too.
+ * @param isAboutProgram whether it is about messages of the program and inputs of the drivers, which a simulated robot has, too.
+ * @property isOncePerEvent whether findings of several topics at the same times are one.
  */
 class Rule internal constructor(
     val name: String,
